@@ -1,0 +1,1 @@
+//! Raystep: one ray walks through an acceleration structure, one decision at a time.

@@ -1,0 +1,2 @@
+//! The `raystep` binary: the window and the command line.
+fn main() {}

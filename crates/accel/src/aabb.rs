@@ -1,0 +1,105 @@
+//! The axis-aligned box of slide 12: two corners.
+
+use glam::Vec3;
+
+use crate::{Axes, Axis, Measure};
+
+/// All points between `min` and `max`, faces included. Empty when `min > max` on some axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// The corner with the smallest coordinates.
+    pub min: Vec3,
+    /// The corner with the largest coordinates.
+    pub max: Vec3,
+}
+
+impl Aabb {
+    /// No points at all: the start of every union.
+    pub const EMPTY: Aabb = Aabb { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+
+    /// The box between two corners.
+    pub fn new(min: Vec3, max: Vec3) -> Aabb {
+        Aabb { min, max }
+    }
+
+    /// The smallest box around some points.
+    pub fn around(points: impl IntoIterator<Item = Vec3>) -> Aabb {
+        points.into_iter().fold(Aabb::EMPTY, Aabb::with_point)
+    }
+
+    /// Whether it holds no point.
+    pub fn is_empty(&self) -> bool {
+        Axis::ALL.iter().any(|&axis| self.min[axis] > self.max[axis])
+    }
+
+    /// Widened to hold `p`.
+    pub fn with_point(self, p: Vec3) -> Aabb {
+        Aabb { min: self.min.min(p), max: self.max.max(p) }
+    }
+
+    /// The smallest box around both.
+    pub fn union(self, other: Aabb) -> Aabb {
+        Aabb { min: self.min.min(other.min), max: self.max.max(other.max) }
+    }
+
+    /// The common part; may be empty.
+    pub fn intersection(self, other: Aabb) -> Aabb {
+        Aabb { min: self.min.max(other.min), max: self.max.min(other.max) }
+    }
+
+    /// Whether the two share a point; touching counts.
+    pub fn touches(&self, other: &Aabb) -> bool {
+        Axis::ALL.iter().all(|&axis| self.min[axis] <= other.max[axis] && other.min[axis] <= self.max[axis])
+    }
+
+    /// Whether `p` lies in it, faces included.
+    pub fn contains(&self, p: Vec3) -> bool {
+        Axis::ALL.iter().all(|&axis| self.min[axis] <= p[axis] && p[axis] <= self.max[axis])
+    }
+
+    /// Whether all of `other` lies in it.
+    pub fn encloses(&self, other: &Aabb) -> bool {
+        other.is_empty() || (self.contains(other.min) && self.contains(other.max))
+    }
+
+    /// Widened by `by` on all sides.
+    pub fn padded(self, by: f32) -> Aabb {
+        Aabb { min: self.min - by, max: self.max + by }
+    }
+
+    /// Its middle.
+    pub fn center(&self) -> Vec3 {
+        self.min * 0.5 + self.max * 0.5
+    }
+
+    /// Its sides.
+    pub fn extent(&self) -> Vec3 {
+        self.max - self.min
+    }
+
+    /// The longest of the allowed axes; the first of equals.
+    pub fn longest(&self, axes: Axes) -> Axis {
+        let e = self.extent();
+        axes.list().iter().copied().fold(Axis::X, |best, axis| if e[axis] > e[best] { axis } else { best })
+    }
+
+    /// Cut by the plane `axis = plane` into its lower and its upper part.
+    pub fn cut(self, axis: Axis, plane: f32) -> (Aabb, Aabb) {
+        let (mut lower, mut upper) = (self, self);
+        lower.max[axis] = plane;
+        upper.min[axis] = plane;
+        (lower, upper)
+    }
+
+    /// Surface area, or the perimeter of its x, y rectangle; 0 when empty.
+    pub fn measure(&self, measure: Measure) -> f32 {
+        if self.is_empty() {
+            return 0.0;
+        }
+        let e = self.extent();
+        match measure {
+            Measure::Area => 2.0 * (e.x * e.y + e.y * e.z + e.z * e.x),
+            Measure::Perimeter => 2.0 * (e.x + e.y),
+        }
+    }
+}

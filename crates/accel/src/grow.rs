@@ -1,0 +1,92 @@
+//! The vocabulary of builders: what a structure does while it grows. Folding it rebuilds the structure.
+
+use crate::events::{vocabulary, words};
+use crate::{Aabb, Axis, CellId, NodeId, Place, PrimId, Value};
+
+words! {
+    /// Why a node was not split further.
+    pub enum LeafReason {
+        /// It holds few enough primitives.
+        Few = "few",
+        /// The tree is as deep as it may become.
+        Deep = "deep",
+        /// No split is cheaper than testing its primitives.
+        Cheap = "cheap",
+        /// No plane separates its primitives.
+        Inseparable = "inseparable",
+    }
+}
+
+impl From<Aabb> for Value {
+    /// A box has no single value; its longest side stands for it.
+    fn from(bounds: Aabb) -> Value {
+        Value::Number(bounds.extent().max_element())
+    }
+}
+
+vocabulary! {
+    /// One thing that a builder did.
+    pub enum Grow {
+        /// The box around the primitives grew to `bounds` to hold `prim`.
+        Widen ["widen"] { prim: PrimId, bounds: Aabb }
+        /// The grid's resolution was chosen.
+        Resolve ["resolve"] { bounds: Aabb, nx: u32, ny: u32, nz: u32, prims: u32 }
+        /// A primitive's box was rasterised into this cell.
+        Rasterise ["rasterise"] { prim: PrimId, cell: CellId }
+        /// The primitive does not overlap the cell: no reference.
+        Prune ["prune"] { prim: PrimId, cell: CellId }
+        /// A node came to be.
+        Open ["open"] { node: NodeId, bounds: Aabb, prims: u32, depth: u32 }
+        /// A split was weighed: so many primitives below and above, at such a cost.
+        Weigh ["weigh"] { node: NodeId, axis: Axis, plane: f32, below: u32, above: u32, cost: f32 }
+        /// A split was taken; the children are `below` and `above`.
+        Split ["split"] { node: NodeId, axis: Axis, plane: f32, below: NodeId, above: NodeId, cost: f32 }
+        /// A node stays a leaf with so many references.
+        Leaf ["leaf"] { node: NodeId, prims: u32, why: LeafReason }
+        /// A primitive is referred to from a leaf or a cell, after those that settled there before it.
+        Settle ["settle"] { prim: PrimId, place: Place }
+        /// Two nodes became the children of a new one.
+        Merge ["merge"] { node: NodeId, left: NodeId, right: NodeId, bounds: Aabb }
+        /// A node was moved under another.
+        Move ["move"] { node: NodeId, parent: NodeId, cost: f32 }
+        /// A node got its final id.
+        Renumber ["renumber"] { from: NodeId, to: NodeId }
+    }
+}
+
+impl Grow {
+    /// What slides, listings and questions call this event.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Grow::Widen { .. } => "widen",
+            Grow::Resolve { .. } => "resolve",
+            Grow::Rasterise { .. } => "rasterise",
+            Grow::Prune { .. } => "prune",
+            Grow::Open { .. } => "open",
+            Grow::Weigh { .. } => "weigh",
+            Grow::Split { .. } => "split",
+            Grow::Leaf { .. } => "leaf",
+            Grow::Settle { .. } => "settle",
+            Grow::Merge { .. } => "merge",
+            Grow::Move { .. } => "move",
+            Grow::Renumber { .. } => "renumber",
+        }
+    }
+
+    /// What the event is about.
+    pub fn place(&self) -> Place {
+        match *self {
+            Grow::Widen { prim, .. } => Place::Prim(prim),
+            Grow::Resolve { .. } => Place::World,
+            Grow::Rasterise { cell, .. } | Grow::Prune { cell, .. } => Place::Cell(cell),
+            Grow::Settle { place, .. } => place,
+            Grow::Open { node, .. }
+            | Grow::Weigh { node, .. }
+            | Grow::Split { node, .. }
+            | Grow::Leaf { node, .. }
+            | Grow::Merge { node, .. }
+            | Grow::Move { node, .. }
+            | Grow::Renumber { from: node, .. } => Place::Node(node),
+        }
+    }
+}

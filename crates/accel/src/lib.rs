@@ -1,0 +1,59 @@
+//! The textbook: every acceleration structure of the lecture, built and walked, observed.
+//!
+//! Each algorithm stands here once. It tells an [`Observer`] what it does, in the order it does it,
+//! with the numbers it has in hand: a builder speaks the vocabulary [`Grow`], a walk the vocabulary
+//! [`Visit`]. Observed by `()` the telling compiles to nothing; observed by [`Cost`] it is counted;
+//! observed by a [`Trace`] it is the picture a student steps through.
+//!
+//! All arithmetic is `f32` with `+ − × ÷ √` and comparisons, so that the same ray gives the same bits
+//! on every machine. This crate knows no screen, no file, no thread and no lesson.
+
+mod aabb;
+mod axis;
+mod best;
+mod events;
+mod grow;
+mod ids;
+mod interval;
+mod list;
+mod margin;
+mod prims;
+mod random;
+mod ray;
+mod slab;
+mod visit;
+mod watch;
+
+pub use aabb::Aabb;
+pub use axis::{Axes, Axis, Measure};
+pub use best::{Best, Want, test};
+pub use events::Value;
+pub use grow::{Grow, LeafReason};
+pub use ids::{CellId, NodeId, Place, PrimId};
+pub use interval::Interval;
+pub use list::List;
+pub use margin::Margin;
+pub use prims::{Disc, Mesh, Primitives, Prims, Prism, Shape, Sphere, Triangle, Wall};
+pub use random::Random;
+pub use ray::{Hit, Ray, RayError};
+pub use slab::slab;
+pub use visit::{Ending, Grain, Side, Verdict, Visit};
+pub use watch::{Cancelled, Cost, Each, Observer, Trace};
+
+/// What every structure of this crate can do with a ray: slides 7 and 21, whatever lies between.
+pub trait Accel {
+    /// The nearest hit in `[ray.t_min, ray.t_max]`: smallest `t`, then smallest [`PrimId`].
+    ///
+    /// `prims` must be the primitives that the structure was built over.
+    fn intersect(&self, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {
+        self.walk(prims, ray, Want::Nearest, watch)
+    }
+
+    /// Whether anything is hit in `[ray.t_min, ray.t_max]`; stops at the first hit found.
+    fn occluded(&self, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> bool {
+        self.walk(prims, ray, Want::Any, watch).is_some()
+    }
+
+    /// The walk behind both questions.
+    fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit>;
+}

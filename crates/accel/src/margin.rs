@@ -1,0 +1,40 @@
+//! How much room rounding needs.
+
+use glam::Vec3;
+
+use crate::Aabb;
+
+/// Structures that cut space keep a primitive out of a cell that its box meets but the primitive does
+/// not. Rounding may carry a ray past the very cell in which it meets the primitive, so such a test
+/// asks for a cell larger by `pad` on all sides.
+///
+/// A walk errs by a few roundings of its distance from the origin of the ray. `pad` is a 2048th of the
+/// box, which covers every ray that starts within `reach` (64 diagonals) of its middle. A ray from further
+/// away cannot be told which cells it meets: the structures answer it by brute force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margin {
+    /// By how much a cell is larger when references are pruned, in world units.
+    pub pad: f32,
+    /// How far from the middle of the box a ray may start, in world units.
+    pub reach: f32,
+    center: Vec3,
+}
+
+impl Margin {
+    /// The margin for a structure over `bounds`.
+    pub fn of(bounds: &Aabb) -> Margin {
+        if bounds.is_empty() {
+            return Margin { pad: 0.0, reach: f32::INFINITY, center: Vec3::ZERO };
+        }
+        let diagonal = bounds.extent().length();
+        let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
+        // The second term covers the rounding of clipped corners in scenes far from the origin.
+        let pad = (diagonal / 2048.0).max(largest * (2.0 * f32::EPSILON));
+        Margin { pad, reach: 64.0 * diagonal, center: bounds.center() }
+    }
+
+    /// Whether a ray from `o` can be walked through cells.
+    pub fn covers(&self, o: Vec3) -> bool {
+        (o - self.center).length() <= self.reach
+    }
+}

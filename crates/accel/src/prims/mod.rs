@@ -1,0 +1,161 @@
+//! What rays meet.
+
+mod clip;
+mod disc;
+mod mesh;
+mod prism;
+mod sphere;
+mod triangle;
+mod wall;
+
+pub use disc::Disc;
+pub use mesh::Mesh;
+pub use prism::Prism;
+pub use sphere::Sphere;
+pub use triangle::Triangle;
+pub use wall::Wall;
+
+use crate::{Aabb, Interval, Place, PrimId, Ray, slab};
+
+/// The primitives that a structure is built over and a ray is tested against.
+///
+/// Every structure calls the same routines, so a disagreement can only be a culling error.
+pub trait Primitives {
+    /// How many there are; ids run from 0.
+    fn len(&self) -> usize;
+
+    /// The primitive itself. `prim` must be below [`len`](Primitives::len).
+    fn shape(&self, prim: PrimId) -> Shape<'_>;
+
+    /// Whether there are none.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The smallest box around a primitive.
+    fn bounds(&self, prim: PrimId) -> Aabb {
+        self.shape(prim).bounds()
+    }
+
+    /// The t of the first meeting within the ray's range.
+    fn intersect(&self, prim: PrimId, ray: &Ray) -> Option<f32> {
+        self.shape(prim).intersect(ray)
+    }
+
+    /// Whether the primitive and the box share a point. May rarely say yes for a near miss.
+    fn overlaps(&self, prim: PrimId, bounds: &Aabb) -> bool {
+        !self.clip(prim, bounds).is_empty()
+    }
+
+    /// A small box around the part of the primitive that lies in `bounds`; empty if there is none.
+    fn clip(&self, prim: PrimId, bounds: &Aabb) -> Aabb {
+        self.shape(prim).clip(bounds)
+    }
+}
+
+impl<P: Primitives + ?Sized> Primitives for &P {
+    fn len(&self) -> usize {
+        (**self).len()
+    }
+
+    fn shape(&self, prim: PrimId) -> Shape<'_> {
+        (**self).shape(prim)
+    }
+}
+
+/// One primitive.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape<'a> {
+    /// A triangle, met from both sides.
+    Triangle(Triangle),
+    /// A sphere; in a flat scene, a disc of the plane.
+    Sphere(Sphere),
+    /// A flat round plate in space.
+    Disc(Disc),
+    /// A segment of the plane, standing upright in a thin z slab.
+    Wall(Wall),
+    /// A polygon of the plane, standing upright in a thin z slab.
+    Prism(Prism<'a>),
+}
+
+impl Shape<'_> {
+    /// The smallest box around it.
+    pub fn bounds(&self) -> Aabb {
+        match self {
+            Shape::Triangle(shape) => shape.bounds(),
+            Shape::Sphere(shape) => shape.bounds(),
+            Shape::Disc(shape) => shape.bounds(),
+            Shape::Wall(shape) => shape.bounds(),
+            Shape::Prism(shape) => shape.bounds(),
+        }
+    }
+
+    /// A small box around the part of it that lies in `bounds`; empty if there is none.
+    pub fn clip(&self, bounds: &Aabb) -> Aabb {
+        match self {
+            Shape::Triangle(shape) => shape.clip(bounds),
+            Shape::Sphere(shape) => shape.clip(bounds),
+            Shape::Disc(shape) => shape.clip(bounds),
+            Shape::Wall(shape) => shape.clip(bounds),
+            Shape::Prism(shape) => shape.clip(bounds),
+        }
+    }
+
+    /// The t of the first meeting within the ray's range.
+    ///
+    /// A meeting's t is moved into the slab interval of the shape's own box, and a shape whose box is
+    /// missed is missed. A box further out has the wider interval ([`slab`] is monotone), so no
+    /// structure that culls by boxes can lose the meeting to rounding.
+    pub fn intersect(&self, ray: &Ray) -> Option<f32> {
+        let own = slab(&self.bounds(), ray, Interval::ALL, Place::World, &mut ());
+        if own.is_empty() {
+            return None;
+        }
+        let accept = |t: f32| {
+            let t = own.clamp(t);
+            (t.is_finite() && ray.range().contains(t)).then_some(t)
+        };
+        match self {
+            Shape::Triangle(shape) => shape.meet(ray).and_then(accept),
+            Shape::Sphere(shape) => shape.meet(ray).into_iter().flatten().find_map(accept),
+            Shape::Disc(shape) => shape.meet(ray).and_then(accept),
+            Shape::Wall(shape) => shape.meet(ray).and_then(accept),
+            Shape::Prism(shape) => shape.walls().filter_map(|wall| wall.meet(ray).and_then(accept)).reduce(f32::min),
+        }
+    }
+}
+
+/// The primitives of a scene: triangles in bulk, or a few of any kind.
+#[derive(Clone, Debug)]
+pub enum Prims {
+    /// Triangles only, in plain arrays.
+    Mesh(Mesh),
+    /// A mixture, for flat scenes and small examples.
+    Few(Vec<Shape<'static>>),
+}
+
+impl Primitives for Prims {
+    fn len(&self) -> usize {
+        match self {
+            Prims::Mesh(mesh) => mesh.len(),
+            Prims::Few(shapes) => shapes.len(),
+        }
+    }
+
+    fn shape(&self, prim: PrimId) -> Shape<'_> {
+        match self {
+            Prims::Mesh(mesh) => mesh.shape(prim),
+            Prims::Few(shapes) => shapes[prim.index()],
+        }
+    }
+}
+
+impl Primitives for [Shape<'_>] {
+    fn len(&self) -> usize {
+        <[Shape<'_>]>::len(self)
+    }
+
+    fn shape(&self, prim: PrimId) -> Shape<'_> {
+        self[prim.index()]
+    }
+}

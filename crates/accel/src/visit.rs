@@ -1,0 +1,169 @@
+//! The vocabulary of walks: what a ray does in any structure, in the order it does it.
+
+use crate::events::{vocabulary, words};
+use crate::{Axis, CellId, NodeId, Place, PrimId};
+
+words! {
+    /// What became of a tested volume.
+    pub enum Verdict {
+        /// The ray meets it, near enough to matter.
+        Hit = "hit",
+        /// The ray misses it, or meets it outside the ray's own range.
+        Miss = "miss",
+        /// The ray meets it, but only behind the best hit.
+        Cut = "cut",
+    }
+
+    /// Which children of a split the ray meets.
+    pub enum Side {
+        /// Both, the near one first.
+        Both = "both",
+        /// Only the near one.
+        Near = "near",
+        /// Only the far one.
+        Far = "far",
+    }
+
+    /// Why a walk ended.
+    pub enum Ending {
+        /// Nothing is left to visit.
+        Exhausted = "exhausted",
+        /// The hit lies before everything that is left.
+        Settled = "settled",
+        /// The ray does not meet the structure's box.
+        Outside = "outside",
+        /// A shadow ray has found something.
+        Found = "found",
+    }
+
+    /// How fine a step is.
+    pub enum Grain {
+        /// Every division and comparison.
+        Arithmetic = "arithmetic",
+        /// Every decision: which way, which first, what waits, what counts.
+        Decision = "decision",
+        /// Every node or cell.
+        Visit = "visit",
+    }
+}
+
+vocabulary! {
+    /// One thing that a walk did. Ids and numbers that the algorithm had in hand, nothing computed for show.
+    pub enum Visit {
+        /// The ray runs parallel to a slab: it is inside for ever or never.
+        Parallel ["slab.parallel"] { place: Place, axis: Axis, o: f32, low: f32, high: f32, inside: bool }
+        /// The ray was cut by the two planes of a slab: `t1 = (low − o)/d`, `t2 = (high − o)/d`.
+        Divide ["slab.divide"] { place: Place, axis: Axis, o: f32, d: f32, low: f32, high: f32, t1: f32, t2: f32 }
+        /// The two cuts were ordered; `t1 ≤ t2` from here on.
+        Order ["slab.order"] { place: Place, axis: Axis, t1: f32, t2: f32, swapped: bool }
+        /// The interval was narrowed to what the slab leaves of it.
+        Narrow ["slab.narrow"] { place: Place, axis: Axis, t1: f32, t2: f32, t_near: f32, t_far: f32, empty: bool }
+        /// A volume was tested.
+        Volume ["volume.hit", "volume.miss", "volume.cut"] { place: Place, t_near: f32, t_far: f32, best_t: f32, verdict: Verdict }
+        /// An inner node, a leaf or a cell was entered, holding `prims` references (0 in inner nodes).
+        Enter ["enter.inner", "enter.leaf", "enter.cell"] { place: Place, t_near: f32, t_far: f32, prims: u32, leaf: bool }
+        /// The ray was cut by a split plane: `t = (plane − o)/d`.
+        Plane ["plane"] { node: NodeId, axis: Axis, plane: f32, o: f32, d: f32, t: f32, t_near: f32, t_far: f32 }
+        /// The children were ordered along the ray, and those it meets chosen.
+        Split ["split.both", "split.near", "split.far"] { node: NodeId, near: NodeId, far: NodeId, t: f32, t_near: f32, t_far: f32, side: Side }
+        /// A node was put on the stack with its interval; `depth` nodes wait now.
+        Push ["push"] { node: NodeId, t_near: f32, t_far: f32, depth: u32 }
+        /// A node was taken from the stack; `depth` nodes still wait.
+        Pop ["pop"] { node: NodeId, t_near: f32, t_far: f32, depth: u32 }
+        /// A node was taken from the stack and thrown away: the best hit lies before it.
+        Drop ["drop"] { node: NodeId, t_near: f32, t_far: f32, best_t: f32, depth: u32 }
+        /// The walk stepped over a cell's face: the smallest of the three next t says which axis.
+        Step ["step"] { cell: CellId, axis: Axis, t: f32, next_x: f32, next_y: f32, next_z: f32, delta_x: f32, delta_y: f32, delta_z: f32, inside: bool }
+        /// A cell was looked up in a hash table.
+        Probe ["probe"] { cell: CellId, slot: u32, found: bool }
+        /// A primitive was skipped: its mailbox says that this ray tested it already.
+        Skip ["skip"] { prim: PrimId }
+        /// A primitive was tested; `t` is infinite on a miss.
+        Test ["test.hit", "test.miss"] { prim: PrimId, t: f32, hit: bool }
+        /// The hit is better than the best so far.
+        Better ["better"] { prim: PrimId, t: f32, before: f32 }
+        /// The hit found lies beyond the current cell: the walk may not stop yet.
+        Beyond ["beyond"] { cell: CellId, t: f32, t_far: f32 }
+        /// The ray starts further away than the structure's margin allows for: brute force answers.
+        Distant ["distant"] { reach: f32 }
+        /// The walk is over.
+        End ["end.hit", "end.miss"] { why: Ending, hit: bool, t: f32 }
+    }
+}
+
+impl Visit {
+    /// What slides, listings and questions call this event.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Visit::Parallel { .. } => "slab.parallel",
+            Visit::Divide { .. } => "slab.divide",
+            Visit::Order { .. } => "slab.order",
+            Visit::Narrow { .. } => "slab.narrow",
+            Visit::Volume { verdict: Verdict::Hit, .. } => "volume.hit",
+            Visit::Volume { verdict: Verdict::Miss, .. } => "volume.miss",
+            Visit::Volume { verdict: Verdict::Cut, .. } => "volume.cut",
+            Visit::Enter { place: Place::Cell(_), .. } => "enter.cell",
+            Visit::Enter { leaf: true, .. } => "enter.leaf",
+            Visit::Enter { .. } => "enter.inner",
+            Visit::Plane { .. } => "plane",
+            Visit::Split { side: Side::Both, .. } => "split.both",
+            Visit::Split { side: Side::Near, .. } => "split.near",
+            Visit::Split { side: Side::Far, .. } => "split.far",
+            Visit::Push { .. } => "push",
+            Visit::Pop { .. } => "pop",
+            Visit::Drop { .. } => "drop",
+            Visit::Step { .. } => "step",
+            Visit::Probe { .. } => "probe",
+            Visit::Skip { .. } => "skip",
+            Visit::Test { hit: true, .. } => "test.hit",
+            Visit::Test { hit: false, .. } => "test.miss",
+            Visit::Better { .. } => "better",
+            Visit::Beyond { .. } => "beyond",
+            Visit::Distant { .. } => "distant",
+            Visit::End { hit: true, .. } => "end.hit",
+            Visit::End { hit: false, .. } => "end.miss",
+        }
+    }
+
+    /// How coarse the event is: stepping by decisions shows decisions and visits, and so on.
+    pub fn grain(&self) -> Grain {
+        match self {
+            Visit::Parallel { .. } | Visit::Divide { .. } | Visit::Order { .. } | Visit::Narrow { .. } => {
+                Grain::Arithmetic
+            }
+            Visit::Enter { .. } | Visit::End { .. } => Grain::Visit,
+            _ => Grain::Decision,
+        }
+    }
+
+    /// What the event is about.
+    pub fn place(&self) -> Place {
+        match *self {
+            Visit::Parallel { place, .. }
+            | Visit::Divide { place, .. }
+            | Visit::Order { place, .. }
+            | Visit::Narrow { place, .. }
+            | Visit::Volume { place, .. }
+            | Visit::Enter { place, .. } => place,
+            Visit::Plane { node, .. }
+            | Visit::Split { node, .. }
+            | Visit::Push { node, .. }
+            | Visit::Pop { node, .. }
+            | Visit::Drop { node, .. } => Place::Node(node),
+            Visit::Step { cell, .. } | Visit::Probe { cell, .. } | Visit::Beyond { cell, .. } => Place::Cell(cell),
+            Visit::Skip { prim } | Visit::Test { prim, .. } | Visit::Better { prim, .. } => Place::Prim(prim),
+            Visit::Distant { .. } | Visit::End { .. } => Place::World,
+        }
+    }
+
+    /// Whether the event concerns only the z axis, which flat scenes leave out.
+    pub fn concerns_z(&self) -> bool {
+        matches!(
+            self,
+            Visit::Parallel { axis: Axis::Z, .. }
+                | Visit::Divide { axis: Axis::Z, .. }
+                | Visit::Order { axis: Axis::Z, .. }
+                | Visit::Narrow { axis: Axis::Z, .. }
+        )
+    }
+}

@@ -1,0 +1,152 @@
+//! Who watches an algorithm: nobody, a counter, a tape, or several at once.
+
+use crate::{Place, Visit};
+
+/// Receives what an algorithm does, in the order it does it.
+pub trait Observer<E> {
+    /// The next event.
+    fn on(&mut self, event: E);
+
+    /// Whether a builder should give up. Asked about once per node, never per primitive.
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+/// The builder was told to give up by its observer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cancelled;
+
+impl std::fmt::Display for Cancelled {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("cancelled")
+    }
+}
+
+impl std::error::Error for Cancelled {}
+
+/// Nobody: compiles to nothing.
+impl<E> Observer<E> for () {
+    #[inline(always)]
+    fn on(&mut self, _: E) {}
+}
+
+/// A plain tape without a limit.
+impl<E> Observer<E> for Vec<E> {
+    fn on(&mut self, event: E) {
+        self.push(event);
+    }
+}
+
+/// Pass on.
+impl<E, O: Observer<E> + ?Sized> Observer<E> for &mut O {
+    fn on(&mut self, event: E) {
+        (**self).on(event);
+    }
+
+    fn cancelled(&self) -> bool {
+        (**self).cancelled()
+    }
+}
+
+/// Both.
+impl<E: Copy, A: Observer<E>, B: Observer<E>> Observer<E> for (A, B) {
+    fn on(&mut self, event: E) {
+        self.0.on(event);
+        self.1.on(event);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.0.cancelled() || self.1.cancelled()
+    }
+}
+
+/// Calls a closure with each event.
+pub struct Each<F>(pub F);
+
+impl<E, F: FnMut(E)> Observer<E> for Each<F> {
+    fn on(&mut self, event: E) {
+        (self.0)(event);
+    }
+}
+
+/// A tape of at most `limit` events that counts what it could not keep.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trace<E> {
+    /// The events, oldest first.
+    pub events: Vec<E>,
+    /// How many events came after the tape was full.
+    pub lost: u64,
+    limit: usize,
+}
+
+impl<E> Trace<E> {
+    /// An empty tape for `limit` events.
+    pub fn new(limit: usize) -> Trace<E> {
+        Trace { events: Vec::new(), lost: 0, limit }
+    }
+}
+
+impl<E> Observer<E> for Trace<E> {
+    fn on(&mut self, event: E) {
+        if self.events.len() < self.limit {
+            self.events.push(event);
+        } else {
+            self.lost += 1;
+        }
+    }
+}
+
+/// What a walk cost, in counted operations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Primitives tested: the lecture's "intersection tests".
+    pub prim_tests: u64,
+    /// Volumes tested.
+    pub box_tests: u64,
+    /// Nodes entered, leaves included.
+    pub node_visits: u64,
+    /// Grid cells entered.
+    pub cell_steps: u64,
+    /// Split planes met.
+    pub plane_tests: u64,
+    /// Nodes put on the stack.
+    pub pushes: u64,
+    /// Nodes thrown away unopened.
+    pub drops: u64,
+    /// Tests that a mailbox saved.
+    pub skips: u64,
+    /// Slots of a hash table looked at.
+    pub probes: u64,
+}
+
+impl Observer<Visit> for Cost {
+    fn on(&mut self, event: Visit) {
+        match event {
+            Visit::Test { .. } => self.prim_tests += 1,
+            Visit::Volume { .. } => self.box_tests += 1,
+            Visit::Enter { place: Place::Cell(_), .. } => self.cell_steps += 1,
+            Visit::Enter { .. } => self.node_visits += 1,
+            Visit::Plane { .. } => self.plane_tests += 1,
+            Visit::Push { .. } => self.pushes += 1,
+            Visit::Drop { .. } => self.drops += 1,
+            Visit::Skip { .. } => self.skips += 1,
+            Visit::Probe { .. } => self.probes += 1,
+            _ => {}
+        }
+    }
+}
+
+impl std::ops::AddAssign for Cost {
+    fn add_assign(&mut self, other: Cost) {
+        self.prim_tests += other.prim_tests;
+        self.box_tests += other.box_tests;
+        self.node_visits += other.node_visits;
+        self.cell_steps += other.cell_steps;
+        self.plane_tests += other.plane_tests;
+        self.pushes += other.pushes;
+        self.drops += other.drops;
+        self.skips += other.skips;
+        self.probes += other.probes;
+    }
+}

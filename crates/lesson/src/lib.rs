@@ -1,0 +1,1 @@
+//! The lecture as data: slides, their beats, rays and questions, and the checker.

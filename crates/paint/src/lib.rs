@@ -1,0 +1,1 @@
+//! Figures of solid scenes as pixels on the GPU.

@@ -1,0 +1,1 @@
+//! Figures as files, without a GPU: SVG, PNG, APNG, GIF, JSON.

@@ -1,0 +1,1 @@
+//! What rays meet: meshes, patches, flat scenes, and the reader that guards them.

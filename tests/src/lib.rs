@@ -1,0 +1,1 @@
+//! What holds across crates: agreement, laws, slides, layers, pixels.
