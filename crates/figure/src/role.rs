@@ -1,0 +1,78 @@
+//! What a mark means. How a meaning looks is the theme's business.
+
+/// The meaning of a mark. Each differs from the others in shape or line as well as in colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Role {
+    /// A primitive that nothing has happened to: pale and thin.
+    Scene,
+    /// The ray outside the interval under consideration: thin and dashed.
+    Ray,
+    /// The part of the ray under consideration: thick.
+    Live,
+    /// A value of t along the ray: a small ring with a label.
+    Tick,
+    /// The current place: thick outline, light fill.
+    Here,
+    /// A place visited before: thin solid outline.
+    Seen,
+    /// A place on the stack: dashed outline.
+    Waiting,
+    /// A place that was never opened: dotted outline, faded.
+    Dropped,
+    /// A primitive tested and missed: hatched.
+    Missed,
+    /// A primitive that was hit: solid fill.
+    Hit,
+    /// The best hit so far: solid fill and a ring at the point.
+    Best,
+    /// A split plane or a slab's plane: a long line through the box.
+    Plane,
+    /// A split that was weighed and not taken: a short tick at the edge of the box.
+    Candidate,
+    /// A possible answer to the open question.
+    Guess,
+    /// What the pointer is on, in every view.
+    Hover,
+    /// Edges of cells and trees, axes of rulers.
+    Edge,
+    /// Where a mistaken walk goes wrong.
+    Wrong,
+    /// Plain text.
+    Text,
+    /// Text of lesser importance.
+    Quiet,
+    /// Numbers of the current step.
+    Value,
+    /// The ground of a page.
+    Page,
+    /// The ground of a panel on the page.
+    Panel,
+}
+
+impl Role {
+    /// Every role.
+    pub const ALL: [Role; 22] = [
+        Role::Scene,
+        Role::Ray,
+        Role::Live,
+        Role::Tick,
+        Role::Here,
+        Role::Seen,
+        Role::Waiting,
+        Role::Dropped,
+        Role::Missed,
+        Role::Hit,
+        Role::Best,
+        Role::Plane,
+        Role::Candidate,
+        Role::Guess,
+        Role::Hover,
+        Role::Edge,
+        Role::Wrong,
+        Role::Text,
+        Role::Quiet,
+        Role::Value,
+        Role::Page,
+        Role::Panel,
+    ];
+}
