@@ -1,1 +1,3 @@
 //! Raystep: one ray walks through an acceleration structure, one decision at a time.
+
+pub mod cli;

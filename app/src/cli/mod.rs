@@ -1,0 +1,1 @@
+//! The command line: what Raystep does without a window.
