@@ -1,1 +1,20 @@
 //! The lecture as data: slides, their beats, rays and questions, and the checker.
+//!
+//! A slide is a Markdown file with a TOML head. Its headings are *beats*: each waits for an event of a
+//! walk, by the event's name. Nothing in a slide is code; the grammars stand in `lessons/README.md`.
+
+mod ask;
+mod beat;
+mod library;
+mod listing;
+mod problem;
+mod slide;
+mod wait;
+
+pub use ask::{About, Ask, Choice, Reason};
+pub use beat::{Beat, Paragraph};
+pub use library::Library;
+pub use listing::{Label, Line, Listing};
+pub use problem::{Problem, Spot};
+pub use slide::{Look, NamedRay, Plan, Setting, Show, Slide, Stage, StageKind};
+pub use wait::{Wait, names};

@@ -1,0 +1,208 @@
+//! A slide: the same beats on a flat and a solid stage.
+
+use glam::{Vec2, Vec3};
+
+use crate::{Beat, Spot};
+
+/// One slide of the lecture, as its file says it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slide {
+    /// Its file without folder and ending: `"33-which-child-first"`; unique in its section.
+    pub name: String,
+    /// The folder it lies in: `"05-kd-tree"`.
+    pub section: String,
+    /// The numbers of the lecture's slides that it stands for: `"33"`, `"13a"`.
+    pub numbers: Vec<String>,
+    /// What it is called.
+    pub title: String,
+    /// The name of its listing.
+    pub listing: String,
+    /// The panes that it is about, most important first.
+    pub show: Vec<Show>,
+    /// Where it plays: flat first if it has both.
+    pub stages: Vec<Stage>,
+    /// What it says, in the order of the walk.
+    pub beats: Vec<Beat>,
+    /// The file it was read from.
+    pub file: String,
+    /// Where in the file its listing is named.
+    pub(crate) listing_spot: Spot,
+}
+
+impl Slide {
+    /// `"5/33"`: how the command line calls it.
+    pub fn id(&self) -> String {
+        let section = self.section.split('-').next().unwrap_or_default().trim_start_matches('0');
+        let number = self.numbers.first().map_or(self.name.as_str(), String::as_str);
+        format!("{section}/{number}")
+    }
+
+    /// The section's name in words: `"kd tree"`.
+    pub fn section_title(&self) -> String {
+        self.section.split('-').skip(1).collect::<Vec<_>>().join(" ")
+    }
+
+    /// `"slides 33-38"`, `"slide 12"`.
+    pub fn numbers_text(&self) -> String {
+        match self.numbers.as_slice() {
+            [] => String::new(),
+            [only] => format!("slide {only}"),
+            [first, .., last] => format!("slides {first}\u{2013}{last}"),
+        }
+    }
+
+    /// The stage of that kind, if the slide offers it.
+    pub fn stage(&self, kind: StageKind) -> Option<&Stage> {
+        self.stages.iter().find(|stage| stage.kind == kind)
+    }
+
+    /// The ray that a beat is played on: the one it names, else the one of the beats before it, else
+    /// the stage's first.
+    pub fn ray_of<'a>(&self, stage: &'a Stage, beat: usize) -> Option<&'a NamedRay> {
+        let named = self.beats.get(..=beat)?.iter().rev().find_map(|beat| beat.ray.as_deref());
+        named.and_then(|name| stage.ray(name)).or(stage.rays.first())
+    }
+}
+
+/// The two kinds of stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum StageKind {
+    /// A drawing in the plane.
+    Flat,
+    /// A scene in space.
+    Solid,
+}
+
+impl StageKind {
+    /// Both.
+    pub const ALL: [StageKind; 2] = [StageKind::Flat, StageKind::Solid];
+
+    /// `"flat"` or `"solid"`.
+    pub fn name(self) -> &'static str {
+        match self {
+            StageKind::Flat => "flat",
+            StageKind::Solid => "solid",
+        }
+    }
+}
+
+/// Where a slide plays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stage {
+    /// Flat or solid.
+    pub kind: StageKind,
+    /// The name of its scene.
+    pub scene: String,
+    /// Which structure is built over it, and how.
+    pub plan: Plan,
+    /// Its rays, at least two; the first is the slide's own.
+    pub rays: Vec<NamedRay>,
+    /// Where it is seen from, if not as its scene says.
+    pub camera: Option<Look>,
+    /// Where its scene is named.
+    pub(crate) scene_spot: Spot,
+}
+
+impl Stage {
+    /// The ray of that name.
+    pub fn ray(&self, name: &str) -> Option<&NamedRay> {
+        self.rays.iter().find(|ray| ray.name == name)
+    }
+}
+
+/// Which structure to build: its kind and its parameters as the slide writes them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// `"slab"`, `"list"`, `"grid"`, `"kd"`, `"bvh"`.
+    pub kind: String,
+    /// Its parameters, those that differ from the usual ones.
+    pub settings: Vec<Setting>,
+    /// Where the kind stands.
+    pub(crate) spot: Spot,
+}
+
+/// One parameter of a structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    /// Its key.
+    pub key: String,
+    /// Its value as text.
+    pub value: String,
+    /// Where the key and the value stand.
+    pub(crate) spots: (Spot, Spot),
+}
+
+/// A ray with a name that says what is to be seen on it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedRay {
+    /// Its name, unique on its stage.
+    pub name: String,
+    /// Where it starts.
+    pub from: Vec3,
+    /// Its direction: of length one if the slide says `towards`, as it stands if it says `direction`.
+    pub direction: Vec3,
+    /// The smallest and the largest t that count, if not 0 and infinity.
+    pub range: Option<[f32; 2]>,
+    /// Events that its walk must contain.
+    pub promises: Vec<crate::Wait>,
+    /// Where it stands in the file.
+    pub(crate) spot: Spot,
+}
+
+/// Where a stage is seen from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Look {
+    /// Straight down onto the plane.
+    Flat {
+        /// What lies in the middle.
+        center: Vec2,
+        /// World units from the middle to the upper edge.
+        half_height: f32,
+    },
+    /// From a point in space.
+    Solid {
+        /// Where the eye is.
+        eye: Vec3,
+        /// What lies in the middle.
+        target: Vec3,
+        /// Which way is up.
+        up: Vec3,
+        /// Vertical angle of view in degrees.
+        fov_degrees: f32,
+    },
+}
+
+/// A pane that a slide is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Show {
+    /// The scene with the walk in it.
+    Space,
+    /// The tree of nodes.
+    Tree,
+    /// The table of cells and of the three next t.
+    Cells,
+    /// The three slab intervals.
+    Slabs,
+    /// The ruler of t.
+    Ruler,
+    /// The stack.
+    Stack,
+    /// The listing with this step's values.
+    Listing,
+    /// The work so far.
+    Work,
+}
+
+impl Show {
+    /// All panes with the names that slides give them.
+    pub const NAMES: [(&'static str, Show); 8] = [
+        ("space", Show::Space),
+        ("tree", Show::Tree),
+        ("cells", Show::Cells),
+        ("slabs", Show::Slabs),
+        ("t", Show::Ruler),
+        ("stack", Show::Stack),
+        ("listing", Show::Listing),
+        ("work", Show::Work),
+    ];
+}

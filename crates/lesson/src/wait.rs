@@ -1,0 +1,58 @@
+//! What a beat waits for: `split.both`, `push#2`, `slab.order` on the y axis.
+
+use raystep_accel::{Value, Visit};
+
+/// An event to wait for: its name or the beginning of its name, which one of several, and what its
+/// fields must be.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Wait {
+    /// `"split.both"`, or `"split"` for any of them.
+    pub event: String,
+    /// The first, the second ... from where the walk stands.
+    pub nth: u32,
+    /// Fields and the values they must have, as text.
+    pub fields: Vec<(String, String)>,
+}
+
+impl Wait {
+    /// Whether this is such an event, whichever of several.
+    pub fn matches(&self, visit: &Visit) -> bool {
+        names(&self.event, visit.name())
+            && self.fields.iter().all(|(field, text)| visit.field(field).is_some_and(|value| says(&value, text)))
+    }
+
+    /// The step that shows the event, looking from step `from` on.
+    pub fn step(&self, events: &[Visit], from: usize, flat: bool) -> Option<usize> {
+        let seen = |visit: &Visit| !(flat && visit.concerns_z());
+        let hits = events.iter().enumerate().skip(from).filter(|(_, visit)| seen(visit) && self.matches(visit));
+        hits.map(|(index, _)| index + 1).nth(self.nth.saturating_sub(1) as usize)
+    }
+}
+
+/// Whether `name` is `pattern`, or begins with it at a dot.
+pub fn names(pattern: &str, name: &str) -> bool {
+    name.strip_prefix(pattern).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}
+
+/// Whether a value is written like this in a slide.
+pub(crate) fn says(value: &Value, text: &str) -> bool {
+    match *value {
+        Value::Flag(yes) => text == if yes { "yes" } else { "no" },
+        Value::Axis(axis) => text == axis.name(),
+        Value::Word(word, _) => text == word,
+        Value::Count(count) => text.parse() == Ok(count),
+        Value::Number(number) => text.parse() == Ok(number),
+        Value::Place(place) => text == id_text(place),
+    }
+}
+
+/// The id of a place as a slide writes it.
+fn id_text(place: raystep_accel::Place) -> String {
+    use raystep_accel::Place;
+    match place {
+        Place::World => "box".to_owned(),
+        Place::Node(node) => node.to_string(),
+        Place::Cell(cell) => cell.to_string(),
+        Place::Prim(prim) => prim.to_string(),
+    }
+}
