@@ -92,6 +92,9 @@ macro_rules! words {
             /// All the words, in order.
             pub const WORDS: &'static [&'static str] = &[ $( $word ),* ];
 
+            /// All of them, in order.
+            pub const ALL: &'static [$Name] = &[ $( $Name::$Variant ),* ];
+
             /// This one's word.
             pub fn word(self) -> &'static str {
                 Self::WORDS[self as usize]

@@ -20,7 +20,9 @@ mod margin;
 mod prims;
 mod random;
 mod ray;
+mod rule;
 mod slab;
+mod structure;
 mod visit;
 mod watch;
 
@@ -36,7 +38,11 @@ pub use margin::Margin;
 pub use prims::{Disc, Mesh, Primitives, Prims, Prism, Shape, Sphere, Triangle, Wall};
 pub use random::Random;
 pub use ray::{Hit, Ray, RayError};
+pub use rule::{
+    Allowed, BvhOrder, BvhRule, BvhSplit, GridRule, KdRule, KdSplit, Parameter, Resolution, Rule, RuleError,
+};
 pub use slab::slab;
+pub use structure::Structure;
 pub use visit::{Ending, Grain, Side, Verdict, Visit};
 pub use watch::{Cancelled, Cost, Each, Observer, Trace};
 

@@ -1,0 +1,77 @@
+//! How a hierarchy of boxes is to be built and walked.
+
+use super::parameter::{Field, Slot, choice};
+use crate::events::words;
+use crate::{Axes, Measure};
+
+words! {
+    /// How a node's primitives are divided between its children.
+    pub enum BvhSplit {
+        /// By the middle of their centres' box.
+        Middle = "middle",
+        /// Into two halves along the longest side of their centres' box.
+        Median = "median",
+        /// At the cheapest of a few evenly spaced planes (Wald 2007).
+        Binned = "binned",
+        /// At the cheapest place of all.
+        Sweep = "sweep",
+    }
+
+    /// In which order a walk opens the nodes.
+    pub enum BvhOrder {
+        /// Left child, then right child, whatever was found: as slide 56 prints it.
+        Printed = "printed",
+        /// The nearer child first; boxes behind the best hit stay closed.
+        Ordered = "ordered",
+    }
+}
+choice!(BvhSplit, BvhOrder);
+
+/// The parameters of a hierarchy of boxes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BvhRule {
+    /// How primitives are divided.
+    pub split: BvhSplit,
+    /// Nodes with so few primitives stay leaves.
+    pub leaf_size: u32,
+    /// How many bins each axis has under [`BvhSplit::Binned`].
+    pub bins: u32,
+    /// In which order a walk opens the nodes.
+    pub order: BvhOrder,
+    /// The axes along which primitives are divided.
+    pub axes: Axes,
+    /// How boxes are measured.
+    pub measure: Measure,
+}
+
+impl Default for BvhRule {
+    fn default() -> BvhRule {
+        BvhRule {
+            split: BvhSplit::Binned,
+            leaf_size: 2,
+            bins: 16,
+            order: BvhOrder::Ordered,
+            axes: Axes::Xyz,
+            measure: Measure::Area,
+        }
+    }
+}
+
+impl BvhRule {
+    pub(super) fn slots(&mut self) -> Vec<Slot<'_>> {
+        vec![
+            Slot {
+                key: "split",
+                about: "how a node's primitives are divided between its children",
+                field: Field::Word(&mut self.split),
+            },
+            Slot {
+                key: "leaf_size",
+                about: "nodes with so few primitives stay leaves",
+                field: Field::Count(&mut self.leaf_size, 1, 64),
+            },
+            Slot { key: "bins", about: "bins along each axis", field: Field::Count(&mut self.bins, 2, 64) },
+            Slot { key: "order", about: "in which order nodes are opened", field: Field::Word(&mut self.order) },
+        ]
+    }
+}

@@ -1,0 +1,148 @@
+//! How a structure is to be built: its kind and its parameters.
+
+mod bvh;
+mod grid;
+mod kd;
+mod parameter;
+
+pub use bvh::{BvhOrder, BvhRule, BvhSplit};
+pub use grid::{GridRule, Resolution};
+pub use kd::{KdRule, KdSplit};
+pub use parameter::{Allowed, Parameter, RuleError};
+
+use crate::{Axes, Measure};
+use parameter::{Slot, nearest};
+
+/// A kind of structure with its parameters. Slides, the command line and the window's controls all set
+/// them by key and text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Rule {
+    /// No structure: brute force.
+    List,
+    /// A uniform grid.
+    Grid(GridRule),
+    /// A kd-tree.
+    Kd(KdRule),
+    /// A hierarchy of boxes.
+    Bvh(BvhRule),
+}
+
+impl Rule {
+    /// The kinds, by the names that slides and the command line use.
+    pub const KINDS: [&'static str; 4] = ["list", "grid", "kd", "bvh"];
+
+    /// The kind called `kind` with the parameters it has when nobody sets any.
+    ///
+    /// # Errors
+    /// There is no such kind.
+    pub fn default_for(kind: &str) -> Result<Rule, RuleError> {
+        match kind {
+            "list" => Ok(Rule::List),
+            "grid" => Ok(Rule::Grid(GridRule::default())),
+            "kd" => Ok(Rule::Kd(KdRule::default())),
+            "bvh" => Ok(Rule::Bvh(BvhRule::default())),
+            _ => Err(RuleError::Kind { found: kind.to_owned(), nearest: nearest(kind, Rule::KINDS) }),
+        }
+    }
+
+    /// One of [`Rule::KINDS`].
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Rule::List => "list",
+            Rule::Grid(_) => "grid",
+            Rule::Kd(_) => "kd",
+            Rule::Bvh(_) => "bvh",
+        }
+    }
+
+    /// The same rule for a flat scene: no splits along z, and the perimeter measures a box.
+    #[must_use]
+    pub fn flat(mut self) -> Rule {
+        let (axes, measure) = (Axes::Xy, Measure::Perimeter);
+        match &mut self {
+            Rule::List => {}
+            Rule::Grid(rule) => rule.axes = axes,
+            Rule::Kd(rule) => (rule.axes, rule.measure) = (axes, measure),
+            Rule::Bvh(rule) => (rule.axes, rule.measure) = (axes, measure),
+        }
+        self
+    }
+
+    /// What can be set, with the values it has now.
+    pub fn parameters(&self) -> Vec<Parameter> {
+        let mut rule = *self;
+        rule.slots().into_iter().map(Slot::parameter).collect()
+    }
+
+    /// Sets the parameter called `key` to the value that `text` spells.
+    ///
+    /// # Errors
+    /// This kind has no such parameter, or the value is not allowed; the rule stays as it was.
+    pub fn set(&mut self, key: &str, text: &str) -> Result<(), RuleError> {
+        let kind = self.kind();
+        let slots = self.slots();
+        let keys: Vec<&'static str> = slots.iter().map(|slot| slot.key).collect();
+        match slots.into_iter().find(|slot| slot.key == key) {
+            Some(slot) => slot.set(text),
+            None => {
+                Err(RuleError::Key { kind, found: key.to_owned(), nearest: nearest(key, keys.iter().copied()), keys })
+            }
+        }
+    }
+
+    fn slots(&mut self) -> Vec<Slot<'_>> {
+        match self {
+            Rule::List => Vec::new(),
+            Rule::Grid(rule) => rule.slots(),
+            Rule::Kd(rule) => rule.slots(),
+            Rule::Bvh(rule) => rule.slots(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_parameter_takes_back_its_own_value() {
+        for kind in Rule::KINDS {
+            let rule = Rule::default_for(kind).unwrap();
+            let mut copy = rule;
+            for parameter in rule.parameters() {
+                copy.set(parameter.key, &parameter.value).unwrap();
+            }
+            assert_eq!(copy, rule);
+        }
+    }
+
+    #[test]
+    fn wrong_rules_are_met_with_what_is_allowed() {
+        let check = |rule: Result<Rule, RuleError>, key: &str, text: &str, says: &str| {
+            let said = rule.and_then(|mut rule| rule.set(key, text)).unwrap_err().to_string();
+            assert_eq!(said, says);
+        };
+        check(
+            Rule::default_for("kt"),
+            "",
+            "",
+            "there is no structure \"kt\"; did you mean \"kd\"? (list, grid, kd or bvh)",
+        );
+        check(
+            Rule::default_for("kd"),
+            "max_dept",
+            "8",
+            "a kd has no parameter \"max_dept\"; did you mean \"max_depth\"? (split, max_depth, min_objects, \
+             empty_bonus, mailbox, traversal_cost or intersection_cost)",
+        );
+        check(Rule::default_for("kd"), "max_depth", "-1", "max_depth = -1: allowed is a whole number from 0 to 64");
+        check(
+            Rule::default_for("kd"),
+            "split",
+            "sahh",
+            "split = sahh: allowed is middle, median or sah; did you mean \"sah\"?",
+        );
+        check(Rule::default_for("kd"), "empty_bonus", "NaN", "empty_bonus = NaN: allowed is a number from 0 to 1");
+        check(Rule::default_for("grid"), "mailbox", "yes", "mailbox = yes: allowed is true or false");
+    }
+}
