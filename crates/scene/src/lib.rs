@@ -1,1 +1,19 @@
-//! What rays meet: meshes, patches, flat scenes, and the reader that guards them.
+//! What rays meet: the teapot's patches, flat scenes, and the reader that guards OBJ files.
+//!
+//! Everything loads from bytes. What is wrong in a file is a [`SceneError`]: a sentence with file, line and
+//! column that says what was found and what is allowed.
+
+mod error;
+mod flat;
+mod obj;
+mod scene;
+mod shipped;
+mod teapot;
+mod view;
+
+pub use error::SceneError;
+pub use obj::{Loaded, ObjError, read_obj};
+pub use scene::Scene;
+pub use shipped::{UnknownScene, scene_names};
+pub use teapot::{MOST_STEPS, teapot};
+pub use view::View;

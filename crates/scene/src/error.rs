@@ -1,0 +1,37 @@
+//! What is wrong in a file, as a sentence to whoever can mend it.
+
+use thiserror::Error;
+
+/// A mistake in a scene or mesh file: where it is, what was found, what is allowed.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{file}:{line}:{column}: {message}")]
+pub struct SceneError {
+    /// The file's name, as it was given.
+    pub file: String,
+    /// The line, from 1.
+    pub line: usize,
+    /// The column in characters, from 1.
+    pub column: usize,
+    /// What was found and what is allowed.
+    pub message: String,
+}
+
+impl SceneError {
+    /// A mistake at a byte of `text`.
+    pub(crate) fn at_byte(file: &str, text: &str, byte: usize, message: impl Into<String>) -> SceneError {
+        let before = text.get(..byte).unwrap_or(text);
+        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+        SceneError {
+            file: file.to_owned(),
+            line: before.matches('\n').count() + 1,
+            column: before[line_start..].chars().count() + 1,
+            message: message.into(),
+        }
+    }
+}
+
+/// The allowed spelling closest to `found`, if one is close enough to be meant.
+pub(crate) fn nearest<'a>(found: &str, allowed: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let alike = |word: &&str| strsim::damerau_levenshtein(found, word);
+    allowed.into_iter().min_by_key(alike).filter(|word| alike(word) <= 2.max(found.len() / 2))
+}
