@@ -63,6 +63,15 @@ pub enum Ink {
         /// Its length.
         length: f32,
     },
+    /// A formula in TeX, in the colour of its role's text.
+    Formula {
+        /// Its left end, on the line that letters stand on.
+        at: Vec2,
+        /// The formula, without dollar signs.
+        tex: String,
+        /// Size of its letters in points.
+        size: f32,
+    },
     /// One line of text.
     Text {
         /// Where it is anchored, on the vertical middle of its small letters.
