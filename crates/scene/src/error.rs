@@ -33,5 +33,8 @@ impl SceneError {
 /// The allowed spelling closest to `found`, if one is close enough to be meant.
 pub(crate) fn nearest<'a>(found: &str, allowed: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let alike = |word: &&str| strsim::damerau_levenshtein(found, word);
-    allowed.into_iter().min_by_key(alike).filter(|word| alike(word) <= 2.max(found.len() / 2))
+    allowed
+        .into_iter()
+        .min_by_key(alike)
+        .filter(|word| alike(word) <= (found.chars().count() / 2).max(1) || word.starts_with(found))
 }

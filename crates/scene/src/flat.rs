@@ -34,15 +34,33 @@ struct Text {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Item {
-    disc: Option<Vec2Text>,
+    disc: Option<Corner>,
     radius: Option<f32>,
-    segment: Option<[Vec2Text; 2]>,
-    triangle: Option<[Vec2Text; 3]>,
-    polygon: Option<Vec<Vec2Text>>,
-    r#box: Option<[Vec2Text; 2]>,
+    segment: Option<Vec<Corner>>,
+    triangle: Option<Vec<Corner>>,
+    polygon: Option<Vec<Corner>>,
+    r#box: Option<Vec<Corner>>,
 }
 
-type Vec2Text = [f32; 2];
+/// A point of the plane, `[x, y]`.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(try_from = "Vec<f32>")]
+struct Corner(Vec2);
+
+impl TryFrom<Vec<f32>> for Corner {
+    type Error = String;
+
+    fn try_from(numbers: Vec<f32>) -> Result<Corner, String> {
+        let &[x, y] = &numbers[..] else {
+            return Err(format!("a point of the plane is [x, y]; found {} numbers", numbers.len()));
+        };
+        if x.abs() <= FURTHEST && y.abs() <= FURTHEST {
+            Ok(Corner(Vec2::new(x, y)))
+        } else {
+            Err(format!("[{x}, {y}]: coordinates are numbers from -{FURTHEST} to {FURTHEST}"))
+        }
+    }
+}
 
 /// Reads a flat scene; `file` names it in errors.
 pub(crate) fn parse(text: &str, file: &str) -> Result<Flat, SceneError> {
@@ -76,69 +94,60 @@ fn advise(message: &str) -> String {
 
 impl Item {
     fn shape(&self) -> Result<Shape<'static>, String> {
-        let kinds = [
-            ("disc", self.disc.is_some()),
-            ("segment", self.segment.is_some()),
-            ("triangle", self.triangle.is_some()),
-            ("polygon", self.polygon.is_some()),
-            ("box", self.r#box.is_some()),
-        ];
-        let found: Vec<&str> = kinds.iter().filter(|kind| kind.1).map(|kind| kind.0).collect();
-        if found.len() != 1 {
-            let found = if found.is_empty() { "none".to_owned() } else { found.join(" and ") };
-            return Err(format!("a shape is one of disc, segment, triangle, polygon, box; found {found}"));
-        }
         if self.radius.is_some() && self.disc.is_none() {
-            return Err("only a disc has a radius".to_owned());
+            return Err("a radius belongs to a disc: { disc = [x, y], radius = r }".to_owned());
         }
-        if let Some(center) = self.disc {
-            let radius = self.radius.ok_or("a disc needs a radius: { disc = [x, y], radius = r }")?;
-            if !(radius > 0.0 && radius <= FURTHEST) {
-                return Err(format!("radius {radius}: a disc's radius is a number above 0, at most {FURTHEST}"));
+        match (self.disc, &self.segment, &self.triangle, &self.polygon, &self.r#box) {
+            (Some(Corner(center)), None, None, None, None) => disc(center, self.radius),
+            (None, Some(ends), None, None, None) => segment(exactly("segment", ends)?),
+            (None, None, Some(corners), None, None) => outline(&exactly::<3>("triangle", corners)?),
+            (None, None, None, Some(corners), None) => {
+                outline(&corners.iter().map(|corner| corner.0).collect::<Vec<Vec2>>())
             }
-            return Ok(Shape::Sphere(Sphere { center: point(center)?.extend(0.0), radius }));
+            (None, None, None, None, Some(corners)) => rectangle(exactly("box", corners)?),
+            _ => Err("a shape is exactly one of disc, segment, triangle, polygon, box".to_owned()),
         }
-        if let Some([from, to]) = self.segment {
-            let (from, to) = (point(from)?, point(to)?);
-            if from == to {
-                return Err("the two ends of a segment differ".to_owned());
-            }
-            return Ok(Shape::Wall(Wall { from, to, z: SLAB }));
-        }
-        if let Some([low, high]) = self.r#box {
-            let (low, high) = (point(low)?, point(high)?);
-            if !low.cmplt(high).all() {
-                return Err("a box is [[x_min, y_min], [x_max, y_max]], each minimum below its maximum".to_owned());
-            }
-            return Ok(prism(vec![low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)]));
-        }
-        let corners = self.triangle.as_ref().map(|corners| &corners[..]).or(self.polygon.as_deref()).unwrap_or(&[]);
-        outline(corners)
     }
 }
 
+fn exactly<const N: usize>(kind: &str, corners: &[Corner]) -> Result<[Vec2; N], String> {
+    let corners: &[Corner; N] =
+        corners.try_into().map_err(|_| format!("a {kind} is {N} points [x, y]; found {}", corners.len()))?;
+    Ok(corners.map(|corner| corner.0))
+}
+
+fn disc(center: Vec2, radius: Option<f32>) -> Result<Shape<'static>, String> {
+    let radius = radius.ok_or("a disc needs a radius: { disc = [x, y], radius = r }")?;
+    if radius > 0.0 && radius <= FURTHEST {
+        Ok(Shape::Sphere(Sphere { center: center.extend(0.0), radius }))
+    } else {
+        Err(format!("radius {radius}: a disc's radius is a number above 0, at most {FURTHEST}"))
+    }
+}
+
+fn segment([from, to]: [Vec2; 2]) -> Result<Shape<'static>, String> {
+    if from == to {
+        return Err("the two ends of a segment differ".to_owned());
+    }
+    Ok(Shape::Wall(Wall { from, to, z: SLAB }))
+}
+
+fn rectangle([low, high]: [Vec2; 2]) -> Result<Shape<'static>, String> {
+    if !low.cmplt(high).all() {
+        return Err("a box is [[x_min, y_min], [x_max, y_max]], each minimum below its maximum".to_owned());
+    }
+    outline(&[low, Vec2::new(high.x, low.y), high, Vec2::new(low.x, high.y)])
+}
+
 /// A closed polygon of at least three corners, none of which repeats its neighbour.
-fn outline(corners: &[Vec2Text]) -> Result<Shape<'static>, String> {
-    let corners = corners.iter().copied().map(point).collect::<Result<Vec<Vec2>, String>>()?;
+///
+/// Its outline lives as long as the program, a few bytes each, so that shapes stay `Copy`.
+fn outline(corners: &[Vec2]) -> Result<Shape<'static>, String> {
     if corners.len() < 3 {
         return Err(format!("a polygon has at least 3 corners; found {}", corners.len()));
     }
     if (0..corners.len()).any(|i| corners[i] == corners[(i + 1) % corners.len()]) {
         return Err("neighbouring corners differ; the outline closes by itself".to_owned());
     }
-    Ok(prism(corners))
-}
-
-/// An outline lives as long as the program, a few bytes each, so that shapes stay `Copy`.
-fn prism(outline: Vec<Vec2>) -> Shape<'static> {
-    Shape::Prism(Prism { outline: outline.leak(), z: SLAB })
-}
-
-fn point(p: Vec2Text) -> Result<Vec2, String> {
-    let p = Vec2::from(p);
-    if p.abs().max_element() <= FURTHEST && p.is_finite() {
-        Ok(p)
-    } else {
-        Err(format!("[{}, {}]: coordinates are numbers from -{FURTHEST} to {FURTHEST}", p.x, p.y))
-    }
+    Ok(Shape::Prism(Prism { outline: corners.to_vec().leak(), z: SLAB }))
 }
