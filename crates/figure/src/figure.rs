@@ -84,7 +84,7 @@ pub enum Ink {
         face: Face,
         /// Which end of the text lies at `at`.
         anchor: Anchor,
-        /// Whether it stands on a rounded box in the role's fill (a label in a picture).
+        /// Whether it stands on a rounded box (a label in a picture), drawn as [`Theme::label`](crate::Theme::label) says.
         boxed: bool,
     },
 }
@@ -104,6 +104,11 @@ pub enum Face {
     Mono,
     /// The current line of a listing.
     MonoMedium,
+}
+
+impl Face {
+    /// Every face.
+    pub const ALL: [Face; 6] = [Face::Regular, Face::Medium, Face::Bold, Face::Italic, Face::Mono, Face::MonoMedium];
 }
 
 /// Which part of a text lies at its place.

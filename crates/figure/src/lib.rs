@@ -7,10 +7,22 @@
 
 mod camera;
 mod figure;
+mod film;
+pub mod fonts;
+mod moment;
+mod number;
 mod role;
 mod space;
+mod theme;
+mod walk;
 
 pub use camera::Camera;
 pub use figure::{Anchor, Face, Figure, Ink, Mark};
+pub use film::Film;
+pub use fonts::text_width;
+pub use moment::{Cut, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
+pub use number::{fill, number, value};
 pub use role::Role;
 pub use space::{Form, Space, SpaceMark};
+pub use theme::{Color, Dash, Stroke, Style, Theme};
+pub use walk::Walk;

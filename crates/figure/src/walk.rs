@@ -1,0 +1,48 @@
+//! A walk that was recorded, with what it went through.
+
+use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims, Ray, Structure, Visit};
+
+/// Everything that the views of one walk need.
+#[derive(Clone, Copy)]
+pub struct Walk<'a> {
+    /// What the ray walked through.
+    pub structure: &'a Structure,
+    /// What the structure was built over.
+    pub prims: &'a Prims,
+    /// The box of every node, in order; empty for structures without nodes.
+    pub node_bounds: &'a [Aabb],
+    /// The ray.
+    pub ray: Ray,
+    /// What happened, in order.
+    pub events: &'a [Visit],
+    /// Whether the scene is flat.
+    pub flat: bool,
+}
+
+impl Walk<'_> {
+    /// The box of a place.
+    pub fn bounds(&self, place: Place) -> Aabb {
+        match place {
+            Place::World => self.world(),
+            Place::Node(node) => self.node_bounds.get(node.index()).copied().unwrap_or(Aabb::EMPTY),
+            Place::Cell(_) => Aabb::EMPTY,
+            Place::Prim(prim) if prim.index() < self.prims.len() => self.prims.bounds(prim),
+            Place::Prim(_) => Aabb::EMPTY,
+        }
+    }
+
+    /// The box around the structure, or around the primitives where there is none.
+    pub fn world(&self) -> Aabb {
+        let bounds = self.structure.bounds();
+        if !bounds.is_empty() {
+            return bounds;
+        }
+        (0..self.prims.len() as u32).fold(Aabb::EMPTY, |all, prim| all.union(self.prims.bounds(PrimId(prim))))
+    }
+
+    /// The steps at which something happened at a place: each is the number of the event, counted from 1.
+    pub fn steps_at(&self, place: Place) -> impl Iterator<Item = usize> + '_ {
+        let here = move |(index, event): (usize, &Visit)| (event.place() == place).then_some(index + 1);
+        self.events.iter().enumerate().filter_map(here)
+    }
+}
