@@ -1,7 +1,7 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, Axis, Cancelled, Grow, Hit, List, NodeId, Observer, PrimId, Primitives, Ray, Rule, Visit, Want,
+    Aabb, Accel, Axis, Cancelled, Grow, Hit, List, NodeId, Observer, OneBox, PrimId, Primitives, Ray, Rule, Visit, Want,
 };
 
 /// A structure of any kind.
@@ -9,6 +9,8 @@ use crate::{
 pub enum Structure {
     /// No structure: brute force.
     List(List),
+    /// Only the box around everything.
+    Slab(OneBox),
 }
 
 impl Structure {
@@ -24,6 +26,7 @@ impl Structure {
         let _ = (prims, &watch);
         match rule {
             Rule::List => Ok(Structure::List(List)),
+            Rule::Slab => Ok(Structure::Slab(OneBox::around(prims))),
             Rule::Grid(_) | Rule::Kd(_) | Rule::Bvh(_) => Ok(Structure::List(List)),
         }
     }
@@ -32,13 +35,14 @@ impl Structure {
     pub fn bounds(&self) -> Aabb {
         match self {
             Structure::List(_) => Aabb::EMPTY,
+            Structure::Slab(one) => one.bounds,
         }
     }
 
     /// How many nodes a tree has; 0 in a grid or a list.
     pub fn node_count(&self) -> usize {
         match self {
-            Structure::List(_) => 0,
+            Structure::List(_) | Structure::Slab(_) => 0,
         }
     }
 
@@ -46,7 +50,7 @@ impl Structure {
     pub fn children(&self, node: NodeId) -> Vec<NodeId> {
         let _ = node;
         match self {
-            Structure::List(_) => Vec::new(),
+            Structure::List(_) | Structure::Slab(_) => Vec::new(),
         }
     }
 
@@ -54,7 +58,7 @@ impl Structure {
     pub fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
         let _ = node;
         match self {
-            Structure::List(_) => &[],
+            Structure::List(_) | Structure::Slab(_) => &[],
         }
     }
 
@@ -62,21 +66,21 @@ impl Structure {
     pub fn split(&self, node: NodeId) -> Option<(Axis, f32)> {
         let _ = node;
         match self {
-            Structure::List(_) => None,
+            Structure::List(_) | Structure::Slab(_) => None,
         }
     }
 
     /// The boxes of all nodes, by id.
     pub fn node_bounds(&self) -> Vec<Aabb> {
         match self {
-            Structure::List(_) => Vec::new(),
+            Structure::List(_) | Structure::Slab(_) => Vec::new(),
         }
     }
 
     /// How many bytes the structure's arrays take.
     pub fn bytes(&self) -> usize {
         match self {
-            Structure::List(_) => 0,
+            Structure::List(_) | Structure::Slab(_) => 0,
         }
     }
 }
@@ -85,6 +89,7 @@ impl Accel for Structure {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
         match self {
             Structure::List(list) => list.walk(prims, ray, want, watch),
+            Structure::Slab(one) => one.walk(prims, ray, want, watch),
         }
     }
 }

@@ -11,6 +11,8 @@ pub struct Ask {
     pub question: String,
     /// What answers it.
     pub about: About,
+    /// Of a question about a word: the words to choose from, if not all.
+    pub options: Vec<String>,
     /// The wrong answers, each with its reason.
     pub reasons: Vec<Reason>,
     /// Where it stands.

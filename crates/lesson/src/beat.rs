@@ -19,6 +19,8 @@ pub struct Beat {
     pub ask: Option<Ask>,
     /// Where its heading stands.
     pub(crate) spot: Spot,
+    /// Where its ray is named.
+    pub(crate) ray_spot: Spot,
 }
 
 /// Part of a beat's text.
@@ -28,8 +30,6 @@ pub struct Paragraph {
     pub text: String,
     /// Said only if this field has this value.
     pub only_if: Option<(String, String)>,
-    /// Where it begins.
-    pub(crate) spot: Spot,
 }
 
 impl Beat {

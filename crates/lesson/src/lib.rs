@@ -4,17 +4,24 @@
 //! walk, by the event's name. Nothing in a slide is code; the grammars stand in `lessons/README.md`.
 
 mod ask;
+mod attributes;
 mod beat;
+mod body;
+mod head;
+mod keys;
 mod library;
 mod listing;
 mod problem;
+mod reading;
 mod slide;
+mod template;
+mod vocabulary;
 mod wait;
 
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Paragraph};
 pub use library::Library;
-pub use listing::{Label, Line, Listing};
+pub use listing::{Line, Listing};
 pub use problem::{Problem, Spot};
 pub use slide::{Look, NamedRay, Plan, Setting, Show, Slide, Stage, StageKind};
 pub use wait::{Wait, names};

@@ -1,6 +1,8 @@
 //! A listing: pseudocode of our own, its lines labelled with the events they show.
 
-use crate::{Spot, wait};
+use crate::reading::Reading;
+use crate::vocabulary::check_event;
+use crate::{Problem, template, wait};
 
 /// An algorithm in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,31 +18,57 @@ pub struct Listing {
 /// A line of a listing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// The pseudocode, with its indentation.
-    pub code: String,
-    /// The events it shows.
-    pub labels: Vec<Label>,
-}
-
-/// An event that a line shows, and its numbers.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Label {
-    /// The event's name or the beginning of it.
-    pub event: String,
-    /// The line again with this step's numbers: text with `{{field}}`. May be empty.
-    pub values: String,
-    /// Where the label stands.
-    pub(crate) spot: Spot,
+    /// How deep it is nested: two spaces each.
+    pub indent: usize,
+    /// The pseudocode.
+    pub text: String,
+    /// The events it shows: names, or the beginnings of names.
+    pub events: Vec<String>,
+    /// The line again with this step's numbers: text with `{{field}}`.
+    pub values: Option<String>,
 }
 
 impl Listing {
-    /// The line that shows an event, and the template of its values; of several, the longest label wins.
-    pub fn line_of(&self, event: &str) -> Option<(usize, &str)> {
-        let labels =
-            self.lines.iter().enumerate().flat_map(|(index, line)| line.labels.iter().map(move |l| (index, l)));
-        let fits = labels.filter(|(_, label)| wait::names(&label.event, event));
-        // The first of the longest.
-        fits.reduce(|best, other| if other.1.event.len() > best.1.event.len() { other } else { best })
-            .map(|(index, label)| (index, label.values.as_str()))
+    /// The line that shows an event; of several, the one with the longest label, then the first.
+    pub fn line_of(&self, event: &str) -> Option<usize> {
+        let label = |line: &Line| line.events.iter().filter(|e| wait::names(e, event)).map(String::len).max();
+        let fits = self.lines.iter().enumerate().filter_map(|(index, line)| Some((index, label(line)?)));
+        fits.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(index, _)| index)
+    }
+
+    /// Reads `code | event event : values` line by line.
+    pub(crate) fn read(name: &str, file: &str, text: &str) -> (Listing, Vec<Problem>) {
+        let mut reading = Reading::new(file, text);
+        let mut lines: Vec<Line> = reading.lines().map(|(at, line)| read_line(at, line, &mut reading)).collect();
+        while lines.last().is_some_and(|line| line.text.is_empty()) {
+            lines.pop();
+        }
+        (Listing { name: name.to_owned(), lines, file: file.to_owned() }, reading.finish())
+    }
+}
+
+/// Reads one line that begins at byte `at`.
+fn read_line(at: usize, line: &str, reading: &mut Reading<'_>) -> Line {
+    let (code, label) = line.split_once(" | ").unwrap_or((line, ""));
+    let (names, values) = match label.split_once(" : ") {
+        Some((names, values)) => (names, Some(values)),
+        None => (label, None),
+    };
+    let byte_of = |part: &str| at + (part.as_ptr() as usize - line.as_ptr() as usize);
+    let events: Vec<String> = names.split_whitespace().map(str::to_owned).collect();
+    for word in names.split_whitespace() {
+        check_event(word, byte_of(word), reading);
+        if let Some(values) = values {
+            template::check(values, byte_of(values), word, reading);
+        }
+    }
+    if line.contains(" | ") && events.is_empty() {
+        reading.problem(byte_of(label), "a label begins with the events that its line shows: `code | plane : {{t}}`");
+    }
+    Line {
+        indent: (code.len() - code.trim_start().len()) / 2,
+        text: code.trim().to_owned(),
+        events,
+        values: values.map(|values| values.trim().to_owned()),
     }
 }

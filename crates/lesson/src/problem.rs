@@ -47,3 +47,24 @@ impl fmt::Display for Problem {
 }
 
 impl std::error::Error for Problem {}
+
+/// The allowed spelling nearest to what was found; none if nothing is near.
+pub(crate) fn nearest<'a>(found: &str, allowed: &[&'a str]) -> Option<&'a str> {
+    let limit = 2.max(found.chars().count() / 2);
+    let distances = allowed.iter().map(|word| (strsim::damerau_levenshtein(found, word), *word));
+    distances.filter(|(distance, _)| *distance <= limit).min().map(|(_, word)| word)
+}
+
+/// "`split.bth` is no event of a walk: did you mean `split.both`?" or, with nothing near, all that is allowed.
+pub(crate) fn misspelt(what: &str, found: &str, allowed: &[&str]) -> String {
+    match nearest(found, allowed) {
+        Some(word) => format!("`{found}` is no {what}: did you mean `{word}`?"),
+        None if allowed.is_empty() => format!("`{found}` is no {what}: there are none here"),
+        None => format!("`{found}` is no {what}: allowed are {}", listed(allowed)),
+    }
+}
+
+/// "`a`, `b`, `c`"
+pub(crate) fn listed(words: &[&str]) -> String {
+    words.iter().map(|word| format!("`{word}`")).collect::<Vec<_>>().join(", ")
+}

@@ -1,8 +1,10 @@
 //! A slide: the same beats on a flat and a solid stage.
 
 use glam::{Vec2, Vec3};
+use raystep_accel::Ray;
 
-use crate::{Beat, Spot};
+use crate::reading::Reading;
+use crate::{Beat, Problem, Spot, body, head};
 
 /// One slide of the lecture, as its file says it.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +51,46 @@ impl Slide {
             [only] => format!("slide {only}"),
             [first, .., last] => format!("slides {first}\u{2013}{last}"),
         }
+    }
+
+    /// Reads a slide's file; none if it has no head.
+    pub(crate) fn read(section: &str, name: &str, file: &str, text: &str) -> (Option<Slide>, Vec<Problem>) {
+        let mut reading = Reading::new(file, text);
+        let slide = Slide::parts(section, name, file, text, &mut reading);
+        (slide, reading.finish())
+    }
+
+    fn parts(section: &str, name: &str, file: &str, text: &str, reading: &mut Reading<'_>) -> Option<Slide> {
+        let lines: Vec<(usize, &str)> = reading.lines().collect();
+        let fence = |line: &&(usize, &str)| line.1.trim_end() == "+++";
+        if !lines.first().as_ref().is_some_and(fence) {
+            reading.problem(0, "a slide begins with its head: a line `+++`, TOML, and a line `+++`");
+            return None;
+        }
+        let Some(end) = lines.iter().skip(1).position(|line| fence(&line)).map(|end| end + 1) else {
+            reading.problem(0, "the head is not closed: a second line `+++` is missing");
+            return None;
+        };
+        // Blanks in place of the first fence: a byte of the head is the same byte of the file.
+        let head = head::read(&format!("   {}", &text[3..lines[end].0]), reading);
+        let beats = body::read(&lines[end + 1..], reading);
+        if beats.is_empty() {
+            reading.problem(lines[end].0, "a slide has a beat or more: `## Title {at=event}`");
+        } else if beats.iter().all(|beat| beat.ask.is_none()) {
+            reading.problem(lines[end].0, "a slide asks a question or more: `> ask {field=near}: question`");
+        }
+        Some(Slide {
+            name: name.to_owned(),
+            section: section.to_owned(),
+            numbers: head.numbers,
+            title: head.title,
+            listing: head.listing,
+            show: head.show,
+            stages: head.stages,
+            beats,
+            file: file.to_owned(),
+            listing_spot: head.listing_spot,
+        })
     }
 
     /// The stage of that kind, if the slide offers it.
@@ -137,12 +179,9 @@ pub struct Setting {
 pub struct NamedRay {
     /// Its name, unique on its stage.
     pub name: String,
-    /// Where it starts.
-    pub from: Vec3,
-    /// Its direction: of length one if the slide says `towards`, as it stands if it says `direction`.
-    pub direction: Vec3,
-    /// The smallest and the largest t that count, if not 0 and infinity.
-    pub range: Option<[f32; 2]>,
+    /// The ray. Its direction has length one if the slide says `towards`, and stands as it is if it says
+    /// `direction`.
+    pub ray: Ray,
     /// Events that its walk must contain.
     pub promises: Vec<crate::Wait>,
     /// Where it stands in the file.

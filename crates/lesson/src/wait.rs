@@ -1,6 +1,11 @@
 //! What a beat waits for: `split.both`, `push#2`, `slab.order` on the y axis.
 
-use raystep_accel::{Value, Visit};
+use std::fmt;
+
+use raystep_accel::{Place, Value, Visit};
+
+use crate::reading::Reading;
+use crate::vocabulary::{check_event, check_field};
 
 /// An event to wait for: its name or the beginning of its name, which one of several, and what its
 /// fields must be.
@@ -29,6 +34,40 @@ impl Wait {
     }
 }
 
+/// Reads `push#2`, or `slab.order#2 swapped=yes`; `at` is where it stands.
+pub(crate) fn parse(text: &str, at: usize, reading: &mut Reading<'_>) -> Option<Wait> {
+    let mut words = text.split_whitespace();
+    let name = words.next().unwrap_or_default();
+    let (event, nth) = name.split_once('#').map_or((name, "1"), |(event, nth)| (event, nth));
+    let nth = match nth.parse() {
+        Ok(nth) if nth > 0 => nth,
+        _ => {
+            reading.problem(at, format!("`#{nth}` should be a number from 1: `push#2` is the second push"));
+            return None;
+        }
+    };
+    let mut wait = Wait { event: event.to_owned(), nth, fields: Vec::new() };
+    for word in words {
+        let Some((field, value)) = word.split_once('=') else {
+            reading.problem(at, format!("`{word}` should be `field=value`"));
+            return None;
+        };
+        check_field(event, field, at, reading);
+        wait.fields.push((field.to_owned(), value.to_owned()));
+    }
+    check_event(event, at, reading).then_some(wait)
+}
+
+impl fmt::Display for Wait {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.event)?;
+        if self.nth > 1 {
+            write!(f, "#{}", self.nth)?;
+        }
+        self.fields.iter().try_for_each(|(field, value)| write!(f, " {field}={value}"))
+    }
+}
+
 /// Whether `name` is `pattern`, or begins with it at a dot.
 pub fn names(pattern: &str, name: &str) -> bool {
     name.strip_prefix(pattern).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
@@ -47,8 +86,7 @@ pub(crate) fn says(value: &Value, text: &str) -> bool {
 }
 
 /// The id of a place as a slide writes it.
-fn id_text(place: raystep_accel::Place) -> String {
-    use raystep_accel::Place;
+fn id_text(place: Place) -> String {
     match place {
         Place::World => "box".to_owned(),
         Place::Node(node) => node.to_string(),

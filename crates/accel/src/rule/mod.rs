@@ -19,6 +19,8 @@ use parameter::{Slot, nearest};
 pub enum Rule {
     /// No structure: brute force.
     List,
+    /// Only the slab test of the box around everything.
+    Slab,
     /// A uniform grid.
     Grid(GridRule),
     /// A kd-tree.
@@ -28,7 +30,8 @@ pub enum Rule {
 }
 
 impl Rule {
-    /// The kinds, by the names that slides and the command line use.
+    /// The kinds that answer rays, by the names that slides and the command line use. Slides know one more,
+    /// `"slab"`, which only tests the box.
     pub const KINDS: [&'static str; 4] = ["list", "grid", "kd", "bvh"];
 
     /// The kind called `kind` with the parameters it has when nobody sets any.
@@ -38,6 +41,7 @@ impl Rule {
     pub fn default_for(kind: &str) -> Result<Rule, RuleError> {
         match kind {
             "list" => Ok(Rule::List),
+            "slab" => Ok(Rule::Slab),
             "grid" => Ok(Rule::Grid(GridRule::default())),
             "kd" => Ok(Rule::Kd(KdRule::default())),
             "bvh" => Ok(Rule::Bvh(BvhRule::default())),
@@ -49,6 +53,7 @@ impl Rule {
     pub fn kind(&self) -> &'static str {
         match self {
             Rule::List => "list",
+            Rule::Slab => "slab",
             Rule::Grid(_) => "grid",
             Rule::Kd(_) => "kd",
             Rule::Bvh(_) => "bvh",
@@ -60,7 +65,7 @@ impl Rule {
     pub fn flat(mut self) -> Rule {
         let (axes, measure) = (Axes::Xy, Measure::Perimeter);
         match &mut self {
-            Rule::List => {}
+            Rule::List | Rule::Slab => {}
             Rule::Grid(rule) => rule.axes = axes,
             Rule::Kd(rule) => (rule.axes, rule.measure) = (axes, measure),
             Rule::Bvh(rule) => (rule.axes, rule.measure) = (axes, measure),
@@ -92,7 +97,7 @@ impl Rule {
 
     fn slots(&mut self) -> Vec<Slot<'_>> {
         match self {
-            Rule::List => Vec::new(),
+            Rule::List | Rule::Slab => Vec::new(),
             Rule::Grid(rule) => rule.slots(),
             Rule::Kd(rule) => rule.slots(),
             Rule::Bvh(rule) => rule.slots(),

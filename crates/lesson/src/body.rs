@@ -1,0 +1,202 @@
+//! The body of a slide: headings, paragraphs, and block quotes that ask or depend.
+
+use crate::attributes::{self, Attribute};
+use crate::problem::misspelt;
+use crate::reading::Reading;
+use crate::vocabulary::{check_event, check_field};
+use crate::{About, Ask, Beat, Paragraph, Reason, Wait, template, wait};
+
+/// A line of the body with the byte where it begins.
+type Line<'a> = (usize, &'a str);
+
+/// Reads the beats in `lines`.
+pub(crate) fn read(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Vec<Beat> {
+    let heading = |line: &Line<'_>| line.1.starts_with("## ") || line.1.trim_end() == "##";
+    let first = lines.iter().position(heading).unwrap_or(lines.len());
+    if let Some((at, _)) = lines[..first].iter().find(|(_, line)| !line.trim().is_empty()) {
+        reading.problem(*at, "text stands below a heading: begin with `## Title {at=event}`");
+    }
+    lines[first..].chunk_by(|_, next| !heading(next)).filter_map(|lines| beat(lines, reading)).collect()
+}
+
+/// One beat: its heading and what is below it.
+fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
+    let (&(at, heading), below) = lines.split_first()?;
+    let text = heading.trim_start_matches("##");
+    let (title, braces) = braces(text, at + heading.len() - text.len(), reading);
+    if title.trim().is_empty() {
+        reading.problem(at, "the heading has no title: write `## Title {at=event}`");
+    }
+    let (mut waits, mut ray) = (None, None);
+    let mut fields = Vec::new();
+    for Attribute { key, key_at, value, value_at } in braces {
+        match key.as_str() {
+            "at" => waits = Some((value_at, value)),
+            "ray" => ray = Some((value_at, value)),
+            _ => fields.push((key_at, key, value)),
+        }
+    }
+    let Some((wait_at, event)) = waits else {
+        reading.problem(at, "a heading says which event it waits for: `## Title {at=split.both}`");
+        return None;
+    };
+    let mut at_event = wait::parse(&event, wait_at, reading)?;
+    for (key_at, key, value) in fields {
+        check_condition(&at_event, &key, key_at, reading);
+        at_event.fields.push((key, value));
+    }
+
+    let (ray_spot, ray) = ray.map_or((reading.spot(at), None), |(at, name)| (reading.spot(at), Some(name)));
+    let mut beat = Beat {
+        title: title.trim().to_owned(),
+        at: at_event,
+        ray,
+        paragraphs: Vec::new(),
+        ask: None,
+        spot: reading.spot(at),
+        ray_spot,
+    };
+    for block in below.split(|(_, line)| line.trim().is_empty()).filter(|block| !block.is_empty()) {
+        read_block(block, &mut beat, reading);
+    }
+    Some(beat)
+}
+
+/// A heading's condition is a field of the event it waits for; anything else is a misspelt attribute.
+fn check_condition(at: &Wait, key: &str, key_at: usize, reading: &mut Reading<'_>) {
+    let known = crate::vocabulary::fields(&at.event);
+    if !known.contains(&key) {
+        let allowed: Vec<&str> = ["at", "ray"].into_iter().chain(known).collect();
+        reading.problem(key_at, misspelt("attribute of a heading", key, &allowed));
+    }
+}
+
+/// A paragraph, a question or a paragraph with a condition.
+fn read_block(block: &[Line<'_>], beat: &mut Beat, reading: &mut Reading<'_>) {
+    let (at, first) = block[0];
+    let quoted = first.strip_prefix('>').map(str::trim_start);
+    match quoted {
+        Some(text) if text.starts_with("ask") => {
+            if beat.ask.is_some() {
+                reading.problem(at, "a beat asks one question: give the second a heading of its own");
+            }
+            beat.ask = ask(&quote(block), &beat.at.event, reading);
+        }
+        Some(text) if text.starts_with("if ") => beat.paragraphs.extend(conditional(&quote(block), &beat.at, reading)),
+        _ => beat.paragraphs.push(paragraph(block, None, &beat.at.event, reading)),
+    }
+}
+
+/// The lines of a block quote without their `>`.
+fn quote<'a>(block: &[Line<'a>]) -> Vec<Line<'a>> {
+    let bare = |&(at, line): &Line<'a>| {
+        let text = line.strip_prefix('>').unwrap_or(line);
+        let text = text.strip_prefix(' ').unwrap_or(text);
+        (at + line.len() - text.len(), text)
+    };
+    block.iter().map(bare).collect()
+}
+
+/// Plain text.
+fn paragraph(
+    lines: &[Line<'_>],
+    only_if: Option<(String, String)>,
+    event: &str,
+    reading: &mut Reading<'_>,
+) -> Paragraph {
+    for (at, line) in lines {
+        template::check(line, *at, event, reading);
+    }
+    Paragraph { text: joined(lines), only_if }
+}
+
+/// `if verdict=miss: text`
+fn conditional(lines: &[Line<'_>], at: &Wait, reading: &mut Reading<'_>) -> Option<Paragraph> {
+    let (start, first) = lines[0];
+    let condition = first.strip_prefix("if ").unwrap_or(first);
+    let condition_at = start + first.len() - condition.len();
+    let parts = condition.split_once(':').and_then(|(test, text)| Some((test.split_once('=')?, text)));
+    let Some(((field, value), text)) = parts else {
+        reading.problem(start, "write `> if field=value: text`");
+        return None;
+    };
+    check_field(&at.event, field.trim(), condition_at, reading);
+    let mut said = lines.to_vec();
+    said[0] = (start + first.len() - text.len(), text.trim_start());
+    Some(paragraph(&said, Some((field.trim().to_owned(), value.trim().to_owned())), &at.event, reading))
+}
+
+/// `ask {field=near}: question`, then `- answer: reason` lines.
+fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask> {
+    let (start, first) = lines[0];
+    let text = first.strip_prefix("ask").unwrap_or(first);
+    let Some((braces, question)) = text.trim_start().strip_prefix('{').and_then(|text| text.split_once("}:")) else {
+        reading.problem(start, "write `> ask {field=near}: question`");
+        return None;
+    };
+    let question_at = start + first.len() - question.len();
+    let mut about = None;
+    let mut options = Vec::new();
+    for Attribute { key, key_at, value, value_at } in attributes::read(braces, question_at - 2 - braces.len(), reading)
+    {
+        match key.as_str() {
+            "field" => {
+                check_field(event, &value, value_at, reading);
+                about = Some(About::Field(value));
+            }
+            "count" => {
+                check_event(&value, value_at, reading);
+                about = Some(About::Count(value));
+            }
+            "options" => options = value.split_whitespace().map(str::to_owned).collect(),
+            _ => reading.problem(key_at, misspelt("attribute of a question", &key, &["field", "count", "options"])),
+        }
+    }
+    if about.is_none() {
+        reading.problem(start, "a question needs `field=` (of the coming event) or `count=` (of events in the walk)");
+    }
+
+    // The question may run over several lines; each `-` begins an answer.
+    let mut lines = lines.to_vec();
+    lines[0] = (question_at, question.trim_start());
+    let dash = |line: &Line<'_>| line.1.trim_start().starts_with("- ");
+    let first_answer = lines.iter().position(dash).unwrap_or(lines.len());
+    let (question, answers) = lines.split_at(first_answer);
+    if joined(question).trim().is_empty() {
+        reading.problem(start, "the question is empty");
+    }
+    question.iter().for_each(|(at, line)| template::check(line, *at, event, reading));
+    let reasons = answers.chunk_by(|_, next| !dash(next)).filter_map(|lines| reason(lines, event, reading)).collect();
+    Some(Ask { question: joined(question), about: about?, options, reasons, spot: reading.spot(start) })
+}
+
+/// `- answer: reason`
+fn reason(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Reason> {
+    let (start, first) = lines[0];
+    let text = first.trim_start().trim_start_matches("- ");
+    let Some((answer, why)) = text.split_once(':') else {
+        reading.problem(start, "write `> - answer: why it is wrong`");
+        return None;
+    };
+    let mut said = lines.to_vec();
+    said[0] = (start + first.len() - why.len(), why.trim_start());
+    said.iter().for_each(|(at, line)| template::check(line, *at, event, reading));
+    let spot = reading.spot(start + first.len() - text.len());
+    Some(Reason { answer: answer.trim().to_owned(), text: joined(&said), spot })
+}
+
+/// Splits `Title {at=...}` into the title and what stands between the braces; `at` is its first byte.
+fn braces<'a>(text: &'a str, at: usize, reading: &mut Reading<'_>) -> (&'a str, Vec<Attribute>) {
+    let Some((title, inside)) = text.split_once('{') else { return (text, Vec::new()) };
+    let inside_at = at + title.len() + 1;
+    let Some(inside) = inside.trim_end().strip_suffix('}') else {
+        reading.problem(inside_at - 1, "`{` is not closed by `}` at the end of the heading");
+        return (title, Vec::new());
+    };
+    (title, attributes::read(inside, inside_at, reading))
+}
+
+/// Lines as one text.
+fn joined(lines: &[Line<'_>]) -> String {
+    lines.iter().map(|(_, line)| line.trim_end()).collect::<Vec<_>>().join("\n")
+}
