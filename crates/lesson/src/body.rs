@@ -104,9 +104,7 @@ fn paragraph(
     event: &str,
     reading: &mut Reading<'_>,
 ) -> Paragraph {
-    for (at, line) in lines {
-        template::check(line, *at, event, reading);
-    }
+    check_fields(lines, event, reading);
     Paragraph { text: joined(lines), only_if }
 }
 
@@ -165,7 +163,7 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
     if joined(question).trim().is_empty() {
         reading.problem(start, "the question is empty");
     }
-    question.iter().for_each(|(at, line)| template::check(line, *at, event, reading));
+    check_fields(question, event, reading);
     let reasons = answers.chunk_by(|_, next| !dash(next)).filter_map(|lines| reason(lines, event, reading)).collect();
     Some(Ask { question: joined(question), about: about?, options, reasons, spot: reading.spot(start) })
 }
@@ -180,7 +178,7 @@ fn reason(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<
     };
     let mut said = lines.to_vec();
     said[0] = (start + first.len() - why.len(), why.trim_start());
-    said.iter().for_each(|(at, line)| template::check(line, *at, event, reading));
+    check_fields(&said, event, reading);
     let spot = reading.spot(start + first.len() - text.len());
     Some(Reason { answer: answer.trim().to_owned(), text: joined(&said), spot })
 }
@@ -194,6 +192,13 @@ fn braces<'a>(text: &'a str, at: usize, reading: &mut Reading<'_>) -> (&'a str, 
         return (title, Vec::new());
     };
     (title, attributes::read(inside, inside_at, reading))
+}
+
+/// Checks the `{{field}}`s of some lines.
+fn check_fields(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) {
+    for (at, line) in lines {
+        template::check(line, *at, event, reading);
+    }
 }
 
 /// Lines as one text.

@@ -163,8 +163,8 @@ impl FromToml for Vec2 {
     const WHAT: &'static str = "two numbers: [x, y]";
 
     fn from_toml(value: &DeValue<'_>) -> Option<Vec2> {
-        match all(value)?.as_slice() {
-            &[x, y] => Some(Vec2::new(x, y)),
+        match *all(value)?.as_slice() {
+            [x, y] => Some(Vec2::new(x, y)),
             _ => None,
         }
     }
@@ -174,9 +174,9 @@ impl FromToml for Vec3 {
     const WHAT: &'static str = "two or three numbers: [x, y] or [x, y, z]";
 
     fn from_toml(value: &DeValue<'_>) -> Option<Vec3> {
-        match all(value)?.as_slice() {
-            &[x, y] => Some(Vec3::new(x, y, 0.0)),
-            &[x, y, z] => Some(Vec3::new(x, y, z)),
+        match *all(value)?.as_slice() {
+            [x, y] => Some(Vec3::new(x, y, 0.0)),
+            [x, y, z] => Some(Vec3::new(x, y, z)),
             _ => None,
         }
     }

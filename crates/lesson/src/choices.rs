@@ -1,0 +1,153 @@
+//! The possible answers of a question, read off the walk.
+
+use raystep_accel::{Axis, Place, Structure, Value, Visit};
+
+use crate::{About, Ask, Choice, Play, names};
+
+/// As many answers as a question about a number offers.
+const NUMBERS: usize = 3;
+
+impl Ask {
+    /// The answers to choose from when the walk stands before `step`, the right one among them. Fewer than
+    /// two: this walk leaves nothing to ask.
+    pub fn choices(&self, play: &Play, step: usize) -> Vec<Choice> {
+        let Some(event) = play.event(step) else { return Vec::new() };
+        let Some(right) = self.right(play, event) else { return Vec::new() };
+        let values = match right {
+            Value::Flag(_) => vec![("yes".to_owned(), Value::Flag(true)), ("no".to_owned(), Value::Flag(false))],
+            Value::Axis(_) => axes(play.scene.flat),
+            Value::Word(word, all) => self.words(word, all),
+            Value::Place(_) => self.places(event),
+            Value::Number(_) => self.numbers(event, right),
+            Value::Count(count) => self.counts(play, event, count),
+        };
+        let choice = |(answer, value): (String, Value)| Choice {
+            label: side(&play.structure, event, &value, play.scene.flat),
+            value,
+            place: if let Value::Place(place) = value { Some(place) } else { None },
+            right: same(&value, &right),
+            reason: if same(&value, &right) { None } else { self.reason(&answer) },
+        };
+        values.into_iter().map(choice).collect()
+    }
+
+    /// The right answer.
+    pub fn right(&self, play: &Play, event: &Visit) -> Option<Value> {
+        match &self.about {
+            About::Field(field) => event.field(field),
+            About::Count(name) => Some(Value::Count(count(name, &play.events))),
+        }
+    }
+
+    /// Why an answer is wrong: what the slide says of it, else what it says of all others.
+    fn reason(&self, answer: &str) -> Option<String> {
+        let said = |answer: &str| self.reasons.iter().find(|reason| reason.answer == answer);
+        said(answer).or_else(|| said("else")).map(|reason| reason.text.clone())
+    }
+
+    /// The words that the slide offers, or all; the right one in any case.
+    fn words(&self, right: &'static str, all: &'static [&'static str]) -> Vec<(String, Value)> {
+        let offered =
+            |word: &&&str| self.options.is_empty() || **word == right || self.options.iter().any(|o| o == **word);
+        all.iter().filter(offered).map(|word| ((*word).to_owned(), Value::Word(word, all))).collect()
+    }
+
+    /// The places that the event names, in the order of their ids, so that the order tells nothing.
+    fn places(&self, event: &Visit) -> Vec<(String, Value)> {
+        let place = |field: &&str| match event.field(field) {
+            Some(Value::Place(place)) if *field != "node" || self.about == About::Field("node".to_owned()) => {
+                Some((place, (*field).to_owned()))
+            }
+            _ => None,
+        };
+        let mut places: Vec<(Place, String)> = event.fields().iter().filter_map(|field| place(&field)).collect();
+        places.sort();
+        places.dedup_by_key(|(place, _)| *place);
+        places.into_iter().map(|(place, field)| (field, Value::Place(place))).collect()
+    }
+
+    /// The right number, those that the slide gives a reason for, and others of the event.
+    fn numbers(&self, event: &Visit, right: Value) -> Vec<(String, Value)> {
+        let About::Field(asked) = &self.about else { return Vec::new() };
+        let named = self.reasons.iter().map(|reason| reason.answer.as_str());
+        let mut numbers = vec![(asked.clone(), right)];
+        let least = self.reasons.iter().filter(|reason| event.field(&reason.answer).is_some()).count() + 1;
+        for field in named.chain(event.fields().iter().copied()) {
+            if numbers.len() >= least.max(NUMBERS) {
+                break;
+            }
+            if let Some(value @ Value::Number(_)) = event.field(field)
+                && !numbers.iter().any(|(_, other)| same(other, &value))
+            {
+                numbers.push((field.to_owned(), value));
+            }
+        }
+        numbers.sort_by(|a, b| number(&a.1).total_cmp(&number(&b.1)));
+        numbers
+    }
+
+    /// The right count, those that the slide gives a reason for (a number, a field, an event of the walk,
+    /// `all` primitives), and neighbours.
+    fn counts(&self, play: &Play, event: &Visit, right: u32) -> Vec<(String, Value)> {
+        let counted = |answer: &str| -> Option<u32> {
+            if answer == "all" {
+                return Some(raystep_accel::Primitives::len(&play.scene.prims) as u32);
+            }
+            match event.field(answer) {
+                Some(Value::Count(count)) => Some(count),
+                _ if crate::vocabulary::events().contains(&answer) => Some(count(answer, &play.events)),
+                _ => answer.parse().ok(),
+            }
+        };
+        let mut counts = vec![(String::new(), right)];
+        let named = self.reasons.iter().filter_map(|r| Some((r.answer.clone(), counted(&r.answer)?)));
+        let near = [right + 1, right + 2, right.saturating_sub(1)].map(|count| (count.to_string(), count));
+        for (answer, value) in named.chain(near) {
+            if counts.len() < NUMBERS.max(self.reasons.len() + 1) && !counts.iter().any(|(_, other)| *other == value) {
+                counts.push((answer, value));
+            }
+        }
+        counts.sort_by_key(|(_, count)| *count);
+        counts.into_iter().map(|(answer, count)| (answer, Value::Count(count))).collect()
+    }
+}
+
+/// How many events of that name a walk has.
+fn count(name: &str, events: &[Visit]) -> u32 {
+    events.iter().filter(|event| names(name, event.name())).count() as u32
+}
+
+/// x, y and, in space, z.
+fn axes(flat: bool) -> Vec<(String, Value)> {
+    let axes = if flat { &Axis::ALL[..2] } else { &Axis::ALL[..] };
+    axes.iter().map(|axis| (axis.name().to_owned(), Value::Axis(*axis))).collect()
+}
+
+/// On which side of the split a child lies, in words: a button says more than an id.
+fn side(structure: &Structure, event: &Visit, value: &Value, flat: bool) -> Option<String> {
+    let (Visit::Split { node, .. }, Value::Place(Place::Node(child))) = (event, value) else { return None };
+    let (axis, _) = structure.split(*node)?;
+    let lower = structure.children(*node).first() == Some(child);
+    let word = match (axis, flat) {
+        (Axis::X, true) => ["left", "right"],
+        (Axis::Y, true) | (Axis::Z, false) => ["lower", "upper"],
+        (Axis::X, false) => ["smaller x", "larger x"],
+        (Axis::Y, false) => ["smaller y", "larger y"],
+        (Axis::Z, true) => return None,
+    };
+    Some(word[usize::from(!lower)].to_owned())
+}
+
+/// Whether two values read the same: numbers, in the three digits that a student sees.
+fn same(a: &Value, b: &Value) -> bool {
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => {
+            a == b || (a.is_nan() && b.is_nan()) || (a - b).abs() < 5e-3 * a.abs().max(b.abs()).min(f32::MAX)
+        }
+        _ => a == b,
+    }
+}
+
+fn number(value: &Value) -> f32 {
+    if let Value::Number(number) = value { *number } else { 0.0 }
+}
