@@ -1,0 +1,71 @@
+//! A hierarchy of bounding boxes, slides 48-57: primitives in nested sets, each with the box around it.
+
+mod binned;
+mod build;
+mod split;
+mod sweep;
+mod walk;
+
+use crate::{Aabb, BvhOrder, NodeId, PrimId};
+
+/// A binary tree of boxes. Siblings are neighbours in the array of nodes, so that a parent needs the
+/// place of the first only.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bvh {
+    nodes: Vec<BvhNode>,
+    /// The primitives of all leaves, one leaf after the other; each primitive once.
+    refs: Vec<PrimId>,
+    /// In which order a walk opens the nodes.
+    pub(crate) order: BvhOrder,
+}
+
+/// A node: 32 bytes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BvhNode {
+    /// The box around all that lies below.
+    pub(crate) bounds: Aabb,
+    /// In an inner node the first child, in a leaf the first of its references.
+    first: u32,
+    /// How many references a leaf has; 0 in an inner node.
+    count: u32,
+}
+
+impl Bvh {
+    /// The deepest a tree can be; the root has depth 0.
+    pub const DEEPEST: usize = build::SAH_DEPTH + u32::BITS as usize;
+
+    /// The root's box; empty if there are no primitives.
+    pub fn bounds(&self) -> Aabb {
+        self.nodes.first().map_or(Aabb::EMPTY, |root| root.bounds)
+    }
+
+    /// The number of nodes, leaves included; 0 if there are no primitives.
+    pub fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// A node's two children, or nothing for a leaf.
+    pub fn children(&self, node: NodeId) -> Option<[NodeId; 2]> {
+        let node = &self.nodes[node.index()];
+        (node.count == 0).then_some([NodeId(node.first), NodeId(node.first + 1)])
+    }
+
+    /// The primitives of a leaf; empty for inner nodes.
+    pub fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
+        let node = &self.nodes[node.index()];
+        match node.count {
+            0 => &[],
+            count => &self.refs[node.first as usize..(node.first + count) as usize],
+        }
+    }
+
+    /// The boxes of all nodes.
+    pub fn node_bounds(&self) -> Vec<Aabb> {
+        self.nodes.iter().map(|node| node.bounds).collect()
+    }
+
+    /// How much memory it takes.
+    pub fn bytes(&self) -> usize {
+        size_of::<Bvh>() + size_of_val(&*self.nodes) + size_of_val(&*self.refs)
+    }
+}

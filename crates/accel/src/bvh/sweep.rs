@@ -1,0 +1,40 @@
+//! The cheapest place of all: every division along every axis is weighed.
+
+use super::split::{Choice, Part, Splitter};
+use crate::{Aabb, Grow, NodeId, Observer};
+
+/// Finds the division with the least expected cost; the first of equals.
+pub(super) fn choose(
+    splitter: &mut Splitter<'_>,
+    node: NodeId,
+    part: &Part,
+    watch: &mut impl Observer<Grow>,
+) -> Option<Choice> {
+    let (n, measure) = (part.len(), splitter.rule.measure);
+    let mut best: Option<Choice> = None;
+    let mut measures = std::mem::take(&mut splitter.measures);
+    for &axis in splitter.rule.axes.list() {
+        let order = splitter.ordered(part, axis);
+
+        // From above: how large the box around the last ones is.
+        let mut above = Aabb::EMPTY;
+        for i in (1..n).rev() {
+            above = above.union(splitter.boxes[order[i] as usize]);
+            measures[i] = above.measure(measure);
+        }
+
+        // From below: weigh each division.
+        let mut below = Aabb::EMPTY;
+        for i in 1..n {
+            below = below.union(splitter.boxes[order[i - 1] as usize]);
+            let plane = splitter.center(order[i], axis);
+            let cost = splitter.cost(part, (below.measure(measure), i), (measures[i], n - i));
+            watch.on(Grow::Weigh { node, axis, plane, below: i as u32, above: (n - i) as u32, cost });
+            if best.is_none_or(|best| cost < best.cost) {
+                best = Some(Choice { axis, plane, below: i, cost });
+            }
+        }
+    }
+    splitter.measures = measures;
+    best
+}

@@ -1,0 +1,159 @@
+//! Walking a hierarchy of boxes, slide 56: as printed, and with an order and a stack.
+
+use super::Bvh;
+use crate::{
+    Accel, Best, BvhOrder, Ending, Hit, Interval, NodeId, Observer, Place, Primitives, Ray, Side, Verdict, Visit, Want,
+    slab, test,
+};
+
+impl Accel for Bvh {
+    fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
+        let mut walk = BvhWalk { bvh: self, prims, ray, best: Best::new(want), watch };
+        let why = match self.order {
+            _ if self.nodes.is_empty() => Ending::Outside,
+            BvhOrder::Printed => walk.printed(NodeId::ROOT, 0),
+            BvhOrder::Ordered => walk.ordered(),
+        };
+        walk.end(why)
+    }
+}
+
+/// A node that the ray meets, and where.
+#[derive(Clone, Copy)]
+pub(crate) struct Met {
+    pub(crate) node: NodeId,
+    pub(crate) within: Interval,
+}
+
+/// What a walk has at hand.
+pub(crate) struct BvhWalk<'a, P, W> {
+    pub(crate) bvh: &'a Bvh,
+    pub(crate) prims: &'a P,
+    pub(crate) ray: &'a Ray,
+    pub(crate) best: Best,
+    pub(crate) watch: &'a mut W,
+}
+
+impl<P: Primitives, W: Observer<Visit>> BvhWalk<'_, P, W> {
+    /// The recursion that slide 56 means: every box that the ray meets is opened, whatever was found before.
+    /// `depth` second children wait on the call stack.
+    fn printed(&mut self, node: NodeId, depth: u32) -> Ending {
+        // Test the node's volume.
+        let Some(here) = self.volume(node) else { return Ending::Outside };
+        // A leaf: test its primitives. Else: both children, one after the other.
+        if let Some([left, right]) = self.open(here) {
+            let Interval { near: t_near, far: t_far } = here.within;
+            self.watch.on(Visit::Push { node: right, t_near, t_far, depth: depth + 1 });
+            if self.printed(left, depth + 1) == Ending::Found {
+                return Ending::Found;
+            }
+            self.watch.on(Visit::Pop { node: right, t_near, t_far, depth });
+            return match self.printed(right, depth) {
+                Ending::Found => Ending::Found,
+                _ => Ending::Exhausted,
+            };
+        }
+        if self.best.answered() { Ending::Found } else { Ending::Exhausted }
+    }
+
+    /// The nearer child first; a box that begins behind the best hit stays closed.
+    fn ordered(&mut self) -> Ending {
+        let Some(mut here) = self.volume(NodeId::ROOT) else { return Ending::Outside };
+        let mut stack = [here; Bvh::DEEPEST];
+        let mut depth = 0;
+        loop {
+            if let Some([left, right]) = self.open(here) {
+                // Test the volumes of both children.
+                match (self.volume(left), self.volume(right)) {
+                    (Some(left), Some(right)) => {
+                        // The one that the ray enters first is next, the other one waits.
+                        let (near, far) =
+                            if right.within.near < left.within.near { (right, left) } else { (left, right) };
+                        self.split(here, near, far);
+                        stack[depth] = far;
+                        depth += 1;
+                        let Interval { near: t_near, far: t_far } = far.within;
+                        self.watch.on(Visit::Push { node: far.node, t_near, t_far, depth: depth as u32 });
+                        here = near;
+                        continue;
+                    }
+                    (Some(only), None) | (None, Some(only)) => {
+                        here = only;
+                        continue;
+                    }
+                    (None, None) => {}
+                }
+            }
+            if self.best.answered() {
+                return Ending::Found;
+            }
+
+            // Take the next node from the stack that may hold something nearer.
+            loop {
+                if depth == 0 {
+                    return Ending::Exhausted;
+                }
+                depth -= 1;
+                let Met { node, within: Interval { near: t_near, far: t_far } } = stack[depth];
+                if self.best.rules_out(t_near) {
+                    self.watch.on(Visit::Drop { node, t_near, t_far, best_t: self.best.t(), depth: depth as u32 });
+                } else {
+                    self.watch.on(Visit::Pop { node, t_near, t_far, depth: depth as u32 });
+                    here = stack[depth];
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Tests a node's volume; nothing if the ray misses it or, in the ordered walk, has a nearer hit already.
+    pub(crate) fn volume(&mut self, node: NodeId) -> Option<Met> {
+        let place = Place::Node(node);
+        let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, self.ray.range(), place, self.watch);
+        let Interval { near: t_near, far: t_far } = within;
+        let verdict = if within.is_empty() {
+            Verdict::Miss
+        } else if self.bvh.order == BvhOrder::Ordered && self.best.rules_out(t_near) {
+            Verdict::Cut
+        } else {
+            Verdict::Hit
+        };
+        self.watch.on(Visit::Volume { place, t_near, t_far, best_t: self.best.t(), verdict });
+        (verdict == Verdict::Hit).then_some(Met { node, within })
+    }
+
+    /// Enters a node: its two children, or, from a leaf, nothing once its primitives are tested.
+    pub(crate) fn open(&mut self, here: Met) -> Option<[NodeId; 2]> {
+        let bvh = self.bvh;
+        let (children, prims) = (bvh.children(here.node), bvh.leaf_prims(here.node));
+        let Interval { near: t_near, far: t_far } = here.within;
+        self.watch.on(Visit::Enter {
+            place: Place::Node(here.node),
+            t_near,
+            t_far,
+            prims: prims.len() as u32,
+            leaf: children.is_none(),
+        });
+        for &prim in prims {
+            test(self.prims, prim, self.ray, &mut self.best, self.watch);
+            if self.best.answered() {
+                break;
+            }
+        }
+        children
+    }
+
+    /// Both children are met: tells which comes first. `t` is where the farther one begins.
+    fn split(&mut self, here: Met, near: Met, far: Met) {
+        let Interval { near: t_near, far: t_far } = here.within;
+        let (t, near, far) = (far.within.near, near.node, far.node);
+        self.watch.on(Visit::Split { node: here.node, near, far, t, t_near, t_far, side: Side::Both });
+    }
+
+    /// The walk is over.
+    pub(crate) fn end(self, why: Ending) -> Option<Hit> {
+        let best = self.best;
+        self.watch.on(Visit::End { why, hit: best.hit.is_some(), t: best.t() });
+        best.hit
+    }
+}

@@ -1,0 +1,29 @@
+//! Mailboxes: how a ray knows that it tested a primitive already, though several cells refer to it.
+
+use crate::PrimId;
+
+/// The lecture's mailbox sits at the primitive and holds the last ray's number, so that no two rays can
+/// walk at once. This one is turned around (Shevtsov, Soupikov, Kapustin 2007): it sits on the walk's own
+/// stack and holds primitives. It may forget one, which costs a second test and changes no answer.
+pub(crate) struct Mailbox {
+    slots: [u32; Mailbox::SLOTS],
+}
+
+impl Mailbox {
+    const SLOTS: usize = 64;
+
+    /// Nothing tested yet.
+    pub(crate) fn new() -> Mailbox {
+        Mailbox { slots: [u32::MAX; Mailbox::SLOTS] }
+    }
+
+    /// Whether `prim` is known to have been tested.
+    pub(crate) fn holds(&self, prim: PrimId) -> bool {
+        self.slots[prim.index() % Mailbox::SLOTS] == prim.0
+    }
+
+    /// Notes that `prim` was tested.
+    pub(crate) fn put(&mut self, prim: PrimId) {
+        self.slots[prim.index() % Mailbox::SLOTS] = prim.0;
+    }
+}
