@@ -89,14 +89,16 @@ impl<P: Primitives, W: Observer<Visit>> BvhWalk<'_, P, W> {
             }
 
             // Take the next node from the stack that may hold something nearer.
+            let mut why = Ending::Exhausted;
             loop {
                 if depth == 0 {
-                    return Ending::Exhausted;
+                    return why;
                 }
                 depth -= 1;
                 let Met { node, within: Interval { near: t_near, far: t_far } } = stack[depth];
                 if self.best.rules_out(t_near) {
                     self.watch.on(Visit::Drop { node, t_near, t_far, best_t: self.best.t(), depth: depth as u32 });
+                    why = Ending::Settled;
                 } else {
                     self.watch.on(Visit::Pop { node, t_near, t_far, depth: depth as u32 });
                     here = stack[depth];

@@ -3,6 +3,7 @@
 mod clip;
 mod disc;
 mod mesh;
+mod overlap;
 mod prism;
 mod sphere;
 mod triangle;
@@ -44,7 +45,7 @@ pub trait Primitives {
 
     /// Whether the primitive and the box share a point. May rarely say yes for a near miss.
     fn overlaps(&self, prim: PrimId, bounds: &Aabb) -> bool {
-        !self.clip(prim, bounds).is_empty()
+        self.shape(prim).overlaps(bounds)
     }
 
     /// A small box around the part of the primitive that lies in `bounds`; empty if there is none.
@@ -98,6 +99,14 @@ impl Shape<'_> {
             Shape::Disc(shape) => shape.clip(bounds),
             Shape::Wall(shape) => shape.clip(bounds),
             Shape::Prism(shape) => shape.clip(bounds),
+        }
+    }
+
+    /// Whether it and the box share a point. May rarely say yes for a near miss.
+    pub fn overlaps(&self, bounds: &Aabb) -> bool {
+        match self {
+            Shape::Triangle(shape) => shape.overlaps(bounds),
+            _ => !self.clip(bounds).is_empty(),
         }
     }
 
