@@ -1,1 +1,22 @@
 //! Figures as files, without a GPU: SVG, PNG, APNG, GIF, JSON.
+//!
+//! A [`Figure`](raystep_figure::Figure) becomes an SVG file in which every letter is an outline from the
+//! shipped fonts, so that it looks the same wherever it is opened; every other picture is that SVG file,
+//! drawn in software. The same figure gives the same bytes.
+
+mod decimal;
+mod formula;
+mod glyphs;
+mod json;
+mod movie;
+mod png;
+mod prose;
+mod svg;
+mod typefaces;
+
+pub use formula::{Extent, extent, formula};
+pub use json::{Walked, json};
+pub use movie::{apng, gif};
+pub use png::{PrintError, png};
+pub use prose::prose;
+pub use svg::svg;
