@@ -2,10 +2,10 @@
 
 use std::fmt::Write;
 
-use raystep_figure::{Color, Face, fonts};
 use ratex_layout::{LayoutOptions, layout, to_display_list, validate_layout};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 use ratex_types::path_command::PathCommand;
+use raystep_figure::{Color, Face, fonts};
 
 use crate::decimal::decimal;
 use crate::glyphs::Glyphs;
@@ -26,9 +26,11 @@ pub struct Extent {
 /// How much room a formula takes at this size of its letters.
 pub fn extent(tex: &str, size: f32) -> Extent {
     match set(tex) {
-        Some(list) => {
-            Extent { width: list.width as f32 * size, height: list.height as f32 * size, depth: list.depth as f32 * size }
-        }
+        Some(list) => Extent {
+            width: list.width as f32 * size,
+            height: list.height as f32 * size,
+            depth: list.depth as f32 * size,
+        },
         // What cannot be set stands there as it was typed.
         None => Extent { width: fonts::text_width(tex, Face::Italic, size), height: size * 0.75, depth: size * 0.25 },
     }

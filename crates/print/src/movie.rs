@@ -19,7 +19,7 @@ pub fn apng(frames: &[String], scale: f32, millis: u16) -> Result<Vec<u8>, Print
     encoder.set_frame_delay(millis, 1000).map_err(pack)?;
     let mut writer = encoder.write_header().map_err(pack)?;
     for frame in frames {
-        writer.write_image_data(&same_size(frame, scale, &first)?.take_demultiplied()).map_err(pack)?;
+        writer.write_image_data(&same_size(frame, scale, &first)?.take()).map_err(pack)?;
     }
     writer.finish().map_err(pack)?;
     Ok(file)
@@ -36,7 +36,7 @@ pub fn gif(frames: &[String], scale: f32, millis: u16) -> Result<Vec<u8>, PrintE
     let mut encoder = gif::Encoder::new(&mut file, width, height, &[]).map_err(pack)?;
     encoder.set_repeat(gif::Repeat::Infinite).map_err(pack)?;
     for frame in frames {
-        let mut rgba = same_size(frame, scale, &first)?.take_demultiplied();
+        let mut rgba = same_size(frame, scale, &first)?.take();
         // Speed 10 of 30: the colours of a drawing survive.
         let mut image = gif::Frame::from_rgba_speed(width, height, &mut rgba, 10);
         image.delay = millis / 10;
@@ -51,6 +51,7 @@ fn first(frames: &[String], scale: f32) -> Result<Pixmap, PrintError> {
     pixels(first, scale)
 }
 
+/// A frame's pixels; every figure covers its page, so nothing is translucent.
 fn same_size(svg: &str, scale: f32, first: &Pixmap) -> Result<Pixmap, PrintError> {
     let frame = pixels(svg, scale)?;
     if (frame.width(), frame.height()) == (first.width(), first.height()) {

@@ -184,7 +184,8 @@ impl Setter {
     fn display(&mut self, tex: &str) {
         self.line_end();
         self.y += self.size * GAP * 0.6;
-        let indent = std::mem::replace(&mut self.indent, self.indent + self.size);
+        let indent = self.indent;
+        self.indent += self.size;
         let mut size = self.size * 1.1;
         let width = Piece::formula(tex, size).width;
         let room = self.figure.size.x - self.indent;

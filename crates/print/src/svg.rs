@@ -24,7 +24,7 @@ pub fn svg(figure: &Figure, theme: &Theme) -> String {
     }
     writer.glyphs.definitions(&mut definitions);
     let (width, height) = (decimal(figure.size.x), decimal(figure.size.y));
-    let page = theme.style(Role::Page).fill.map_or_else(String::new, |color| color.to_hex());
+    let page = theme.style(Role::Page).fill.map_or_else(String::new, Color::to_hex);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
          viewBox=\"0 0 {width} {height}\">\n<defs>{definitions}</defs>\n\

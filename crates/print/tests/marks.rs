@@ -18,7 +18,8 @@ fn chart() -> Figure {
         add(Ink::Rect { min: at(150.0) - Vec2::Y * 12.0, max: at(230.0) + Vec2::Y * 12.0, round: 4.0 });
         add(Ink::Circle { center: at(260.0), radius: 12.0 });
         add(Ink::Area { points: vec![at(290.0), at(320.0) - Vec2::Y * 12.0, at(320.0) + Vec2::Y * 12.0] });
-        let text = |x: f32, text: String, face, anchor, boxed| Ink::Text { at: at(x), text, size: 14.0, face, anchor, boxed };
+        let text =
+            |x: f32, text: String, face, anchor, boxed| Ink::Text { at: at(x), text, size: 14.0, face, anchor, boxed };
         add(text(400.0, format!("{row} waits"), Face::Medium, Anchor::Middle, true));
         add(text(460.0, format!("{role:?} & <text>"), Face::Regular, Anchor::Start, false));
         add(text(740.0, "[0.328, 3.66]".to_owned(), Face::Mono, Anchor::End, false));
