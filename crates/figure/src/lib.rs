@@ -5,24 +5,54 @@
 //! colour and which line a role has. A solid scene is a [`Space`]: the same marks in world space, which a
 //! [`Camera`] projects into a figure and `paint` draws on the GPU.
 
+mod branches;
+mod build;
 mod camera;
+mod costs;
 mod figure;
 mod film;
 pub mod fonts;
+mod glyph;
+mod legend;
+mod listing;
+mod look;
 mod moment;
 mod number;
 mod role;
+mod ruler;
+mod slabs;
 mod space;
+mod spans;
+mod stack;
+mod table;
 mod theme;
+mod ticks;
+mod tidy;
+mod timeline;
+mod tree;
 mod walk;
+mod work;
 
+pub use branches::TreeView;
+pub use build::{GrowMoment, GrowNode, Taken, Weighed, short_grow};
 pub use camera::Camera;
+pub use costs::costs;
 pub use figure::{Anchor, Face, Figure, Ink, Mark};
 pub use film::Film;
 pub use fonts::text_width;
+pub use glyph::short;
+pub use legend::{legend, legend_height};
+pub use listing::{ListingLine, current_line, listing};
+pub use look::Look;
 pub use moment::{Cut, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
 pub use number::{fill, number, value};
 pub use role::Role;
+pub use ruler::{ruler, ruler_line};
+pub use slabs::slabs;
 pub use space::{Form, Space, SpaceMark};
+pub use stack::stack;
 pub use theme::{Color, Dash, Stroke, Style, Theme};
+pub use timeline::{Track, timeline};
+pub use tree::tree;
 pub use walk::Walk;
+pub use work::work;

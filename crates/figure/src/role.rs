@@ -43,6 +43,8 @@ pub enum Role {
     Quiet,
     /// Numbers of the current step.
     Value,
+    /// The ground of the current line of a listing or a table.
+    Ground,
     /// The ground of a page.
     Page,
     /// The ground of a panel on the page.
@@ -51,7 +53,7 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 22] = [
+    pub const ALL: [Role; 23] = [
         Role::Scene,
         Role::Ray,
         Role::Live,
@@ -72,6 +74,7 @@ impl Role {
         Role::Text,
         Role::Quiet,
         Role::Value,
+        Role::Ground,
         Role::Page,
         Role::Panel,
     ];

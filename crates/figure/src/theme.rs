@@ -235,6 +235,7 @@ impl Theme {
             Role::Text => look(stroke(self.text, 1.2, Solid), None, self.text),
             Role::Quiet => look(stroke(self.edge, 1.0, Solid), None, self.quiet),
             Role::Value => look(stroke(self.ray, 1.6, Solid), tint(self.ray), self.ray),
+            Role::Ground => look(None, tint(self.here), self.here),
             Role::Page => look(None, Some(self.page), self.text),
             Role::Panel => look(stroke(self.rule, 1.0, Solid), Some(self.panel), self.text),
         }

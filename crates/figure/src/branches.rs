@@ -1,0 +1,154 @@
+//! Which nodes of a tree are drawn. Of a large one: the path to where the walk stands with what hangs
+//! off it, then as much more, from the top down, as there is room for.
+
+use std::collections::{BTreeSet, VecDeque};
+
+use raystep_accel::{Axis, NodeId, PrimId};
+
+use crate::Role;
+use crate::tidy::{Tidy, Twig, tidy};
+
+/// What the user has zoomed to, opened and closed in a tree.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TreeView {
+    /// The node to draw on top, if not the root.
+    pub focus: Option<NodeId>,
+    /// Nodes to open where there is room.
+    pub opened: Vec<NodeId>,
+    /// Nodes to keep closed.
+    pub closed: Vec<NodeId>,
+}
+
+/// What the drawing of a tree asks, of a finished tree or of one that grows.
+pub(crate) trait Tree {
+    /// The children of a node; none of a leaf.
+    fn children(&self, node: NodeId) -> Vec<NodeId>;
+    /// The axis across which a node is split.
+    fn axis(&self, node: NodeId) -> Option<Axis>;
+    /// What a leaf refers to.
+    fn prims(&self, node: NodeId) -> Vec<PrimId>;
+    /// The state of a node.
+    fn role(&self, node: NodeId) -> Role;
+    /// The state of a primitive.
+    fn prim_role(&self, prim: PrimId) -> Role;
+    /// From the root to where things happen.
+    fn path(&self) -> Vec<NodeId>;
+}
+
+/// How much fits: points of width, levels of height, and how large a node is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Room<F> {
+    pub(crate) width: f32,
+    pub(crate) levels: usize,
+    pub(crate) gap: f32,
+    /// Half the width of a node's mark.
+    pub(crate) half_width: F,
+}
+
+/// A node that is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Branch {
+    pub(crate) node: NodeId,
+    pub(crate) level: usize,
+    pub(crate) children: Vec<usize>,
+    /// Whether it has children that are not drawn.
+    pub(crate) closed: bool,
+}
+
+/// The drawn part of a tree, the topmost node first.
+#[derive(Clone, Debug)]
+pub(crate) struct Branches {
+    /// The ancestors of the topmost node that did not fit, the root first.
+    pub(crate) above: Vec<NodeId>,
+    pub(crate) shown: Vec<Branch>,
+    pub(crate) tidy: Tidy,
+}
+
+impl Branches {
+    /// Whether nothing was left out.
+    pub(crate) fn whole(&self) -> bool {
+        self.above.is_empty() && self.shown.iter().all(|branch| !branch.closed)
+    }
+}
+
+/// Most nodes that are drawn: an eye reads no more.
+const MOST: usize = 36;
+
+/// Chooses what is drawn and lays it out.
+pub(crate) fn branches<F: Fn(NodeId) -> f32>(tree: &impl Tree, view: &TreeView, room: &Room<F>) -> Branches {
+    let mut path = tree.path();
+    if let Some(focus) = view.focus {
+        match path.iter().position(|node| *node == focus) {
+            Some(index) => drop(path.drain(..index)),
+            None => path = vec![focus],
+        }
+    }
+    // The lower end of a long path, one level left for the children of its end.
+    let above: Vec<NodeId> = path.drain(..path.len().saturating_sub(room.levels.saturating_sub(1).max(1))).collect();
+    let top = path.first().copied().unwrap_or(NodeId::ROOT);
+
+    let mut open: BTreeSet<NodeId> = path.iter().copied().filter(|node| !view.closed.contains(node)).collect();
+    let mut best = grow(tree, top, &open, room);
+    // What the user opened, then level by level: whatever still fits.
+    let mut queue: VecDeque<NodeId> = view.opened.iter().copied().chain([top]).collect();
+    let mut tried = BTreeSet::new();
+    while let Some(node) = queue.pop_front() {
+        if !open.contains(&node) && !view.closed.contains(&node) && tried.insert(node) {
+            open.insert(node);
+            let more = grow(tree, top, &open, room);
+            if more.0.len() <= MOST && more.1.width <= room.width && more.0.iter().all(|b| b.level < room.levels) {
+                best = more;
+            } else {
+                open.remove(&node);
+            }
+        }
+        if open.contains(&node) {
+            queue.extend(tree.children(node));
+        }
+    }
+    Branches { above, shown: best.0, tidy: best.1 }
+}
+
+/// The nodes below `top` that are reached through open ones, level by level.
+fn grow<F: Fn(NodeId) -> f32>(
+    tree: &impl Tree,
+    top: NodeId,
+    open: &BTreeSet<NodeId>,
+    room: &Room<F>,
+) -> (Vec<Branch>, Tidy) {
+    let mut shown = vec![Branch { node: top, level: 0, children: Vec::new(), closed: false }];
+    let mut index = 0;
+    while index < shown.len() && shown.len() <= 2 * MOST {
+        let Branch { node, level, .. } = shown[index];
+        let children = tree.children(node);
+        if open.contains(&node) && level + 1 < room.levels {
+            for child in children {
+                let at = shown.len();
+                shown[index].children.push(at);
+                shown.push(Branch { node: child, level: level + 1, children: Vec::new(), closed: false });
+            }
+        } else {
+            shown[index].closed = !children.is_empty();
+        }
+        index += 1;
+    }
+    let twigs: Vec<Twig> = shown
+        .iter()
+        .map(|branch| Twig { half_width: (room.half_width)(branch.node), children: branch.children.clone() })
+        .collect();
+    let tidy = tidy(&twigs, room.gap);
+    (shown, tidy)
+}
+
+/// How many nodes hang below one, itself included; counts no further than `most`.
+pub(crate) fn count_below(tree: &impl Tree, node: NodeId, most: usize) -> usize {
+    let (mut count, mut left) = (0, vec![node]);
+    while let Some(node) = left.pop() {
+        count += 1;
+        if count > most {
+            break;
+        }
+        left.extend(tree.children(node));
+    }
+    count
+}

@@ -1,0 +1,129 @@
+//! The splits that a builder weighs: what each would cost, along the axis it cuts.
+
+use glam::Vec2;
+use raystep_accel::{Axis, Grow, Place};
+
+use crate::build::{GrowMoment, Weighed};
+use crate::look::{line, write};
+use crate::ticks::Ticks;
+use crate::{Anchor, Face, Figure, Ink, Look, Role, number};
+
+/// Most dots of one curve; of more, evenly spaced ones.
+const MOST: usize = 80;
+
+/// A curve for each axis that was tried: cost over the plane's coordinate. The cheapest so far is ringed,
+/// the one taken filled.
+pub fn costs(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let title = moment.node.map_or("Costs".to_owned(), |node| format!("Costs of splitting node {node}"));
+    let top = look.heading(&mut figure, &title, "");
+    let weighed: Vec<Weighed> = moment.weighed.iter().copied().filter(|w| w.cost.is_finite()).collect();
+    let axes: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| weighed.iter().any(|w| w.axis == *axis)).collect();
+    if axes.is_empty() {
+        let at = Vec2::new(look.margin(), top + look.line() * 0.5);
+        let says = "No split has been weighed here yet.";
+        write(&mut figure, Role::Quiet, None, at, says, look.text, Face::Regular, Anchor::Start);
+        return figure;
+    }
+
+    // Beside each other, over one scale of costs.
+    let (least, most) = weighed.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), w| (a.min(w.cost), b.max(w.cost)));
+    let u = look.text;
+    let (bottom, plot_top) = (size.y - look.margin() - u * 1.2, top + u * 1.2);
+    let gap = u * 3.5;
+    let width = (size.x - 2.0 * look.margin() - gap * axes.len() as f32) / axes.len() as f32;
+    for (index, axis) in axes.iter().enumerate() {
+        let left = look.margin() + gap + (width + gap) * index as f32;
+        let here: Vec<Weighed> = weighed.iter().copied().filter(|w| w.axis == *axis).collect();
+        let (low, high) =
+            here.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), w| (a.min(w.plane), b.max(w.plane)));
+        let pad = ((high - low) * 0.05).max(1e-3 * high.abs()).max(1e-6);
+        let across = Ticks { low: low - pad, high: high + pad, left, right: left + width };
+        let up = Ticks {
+            low: least * 0.9,
+            high: most + (most - least) * 0.05 + f32::MIN_POSITIVE,
+            left: bottom,
+            right: plot_top,
+        };
+        let mut plot = Plot { figure: &mut figure, moment, look, across, up, bottom, plot_top };
+        plot.frame(*axis);
+        plot.curve(&here);
+    }
+    figure
+}
+
+struct Plot<'a> {
+    figure: &'a mut Figure,
+    moment: &'a GrowMoment,
+    look: &'a Look,
+    across: Ticks,
+    /// From the bottom (its left) to the top (its right).
+    up: Ticks,
+    bottom: f32,
+    plot_top: f32,
+}
+
+impl Plot<'_> {
+    fn frame(&mut self, axis: Axis) {
+        let (u, small) = (self.look.text, self.look.small());
+        let (left, right) = (self.across.left, self.across.right);
+        let corner = Vec2::new(left, self.bottom);
+        self.figure.add(Role::Edge, None, line(corner, Vec2::new(right, self.bottom)));
+        self.figure.add(Role::Edge, None, line(corner, Vec2::new(left, self.plot_top)));
+        for plane in self.across.marks(u * 4.0) {
+            let at = Vec2::new(self.across.x(plane), self.bottom);
+            self.figure.add(Role::Edge, None, line(at, at + Vec2::new(0.0, u * 0.3)));
+            let below = at + Vec2::new(0.0, u * 1.0);
+            write(self.figure, Role::Quiet, None, below, &number(plane), small, Face::Regular, Anchor::Middle);
+        }
+        let sideways = Ticks { left: 0.0, right: (self.bottom - self.plot_top).max(1.0), ..self.up };
+        for cost in sideways.marks(u * 2.2) {
+            let at = Vec2::new(left, self.up.x(cost));
+            self.figure.add(Role::Edge, None, line(at, at - Vec2::new(u * 0.3, 0.0)));
+            let beside = at - Vec2::new(u * 0.5, 0.0);
+            write(self.figure, Role::Quiet, None, beside, &number(cost), small, Face::Regular, Anchor::End);
+        }
+        let name = format!("cost, splitting across {axis}");
+        let at = Vec2::new(left + u * 0.5, self.plot_top - u * 0.3);
+        write(self.figure, Role::Quiet, None, at, &name, small, Face::Regular, Anchor::Start);
+    }
+
+    fn curve(&mut self, weighed: &[Weighed]) {
+        let u = self.look.text;
+        let place = self.moment.node.map(Place::Node);
+        let at = |w: &Weighed| Vec2::new(self.across.x(w.plane), self.up.x(w.cost));
+        let mut points: Vec<Vec2> = weighed.iter().step_by(weighed.len().div_ceil(MOST).max(1)).map(at).collect();
+        points.sort_by(|a, b| a.x.total_cmp(&b.x));
+        for center in &points {
+            self.figure.add(Role::Scene, place, Ink::Circle { center: *center, radius: u * 0.2 });
+        }
+        let ring = |w: &Weighed| Ink::Circle { center: at(w), radius: u * 0.4 };
+        let inside = |w: &Weighed| weighed.contains(w);
+
+        // The one weighed now, the cheapest so far, the one taken.
+        let taken = self.moment.node.and_then(|node| self.moment.nodes.get(&node)?.split);
+        let cheapest = self.moment.cheapest().filter(inside);
+        let weighs = matches!(self.moment.event, Some(Grow::Weigh { .. }));
+        if let Some(now) = self.moment.weighed.last().filter(|now| weighs && inside(now)) {
+            self.figure.add(Role::Candidate, place, ring(now));
+        }
+        if let Some(cheapest) = cheapest {
+            let role = if taken.is_some() { Role::Best } else { Role::Here };
+            self.figure.add(role, place, ring(&cheapest));
+            let says = format!("{} at {}", number(cheapest.cost), number(cheapest.plane));
+            let below = at(&cheapest) + Vec2::new(0.0, u * 1.1);
+            let half = crate::text_width(&says, Face::Bold, u) / 2.0;
+            let x = below.x.clamp(self.across.left + half, (self.across.right - half).max(self.across.left + half));
+            write(
+                self.figure,
+                role,
+                place,
+                Vec2::new(x, below.y.min(self.bottom - u * 0.6)),
+                &says,
+                u,
+                Face::Bold,
+                Anchor::Middle,
+            );
+        }
+    }
+}

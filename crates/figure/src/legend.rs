@@ -1,0 +1,73 @@
+//! What the marks of a picture mean, in words.
+
+use glam::Vec2;
+
+use crate::look::{block, line, write};
+use crate::{Anchor, Face, Figure, Form, Ink, Look, Role, Space, text_width};
+
+/// A sample and a few words for each kind of mark in `space`, in as many rows as needed.
+pub fn legend(space: &Space, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let (u, small) = (look.text, look.small());
+    let (sample, gap) = (u * 1.5, u * 0.5);
+    let (mut x, mut y) = (look.margin(), look.margin() + u * 0.5);
+    for (role, words) in meanings(space) {
+        let width = sample + gap + text_width(words, Face::Regular, small);
+        if x > look.margin() && x + width > size.x - look.margin() {
+            (x, y) = (look.margin(), y + look.line());
+        }
+        figure.add(role, None, shape(role, Vec2::new(x, y), sample, u));
+        let at = Vec2::new(x + sample + gap, y);
+        write(&mut figure, Role::Text, None, at, words, small, Face::Regular, Anchor::Start);
+        x += width + u * 1.6;
+    }
+    figure
+}
+
+/// How high a legend of this width becomes.
+pub fn legend_height(space: &Space, width: f32, look: &Look) -> f32 {
+    let figure = legend(space, Vec2::new(width, 0.0), look);
+    let lowest = figure.marks.iter().filter_map(|mark| match mark.ink {
+        Ink::Text { at, .. } => Some(at.y),
+        _ => None,
+    });
+    lowest.fold(0.0, f32::max) + look.margin() + look.text * 0.5
+}
+
+/// The kinds of marks that occur, in the order of the story they tell.
+fn meanings(space: &Space) -> Vec<(Role, &'static str)> {
+    let all = [
+        (Role::Scene, "primitive"),
+        (Role::Ray, "ray"),
+        (Role::Live, "part under consideration"),
+        (Role::Here, "where the walk is"),
+        (Role::Guess, "possible answer"),
+        (Role::Waiting, "waits on the stack"),
+        (Role::Seen, "visited"),
+        (Role::Dropped, "never opened"),
+        (Role::Plane, "plane"),
+        (Role::Candidate, "weighed"),
+        (Role::Tick, "t on the ray"),
+        (Role::Missed, "tested, missed"),
+        (Role::Hit, "hit"),
+        (Role::Best, "nearest hit so far"),
+        (Role::Wrong, "goes wrong here"),
+    ];
+    let occurs = |role| {
+        role == Role::Scene
+            || space.marks.iter().any(|mark| mark.role == role && !matches!(mark.form, Form::Label { .. }))
+    };
+    all.into_iter().filter(|(role, _)| occurs(*role)).collect()
+}
+
+/// A small sample of what the role draws.
+fn shape(role: Role, at: Vec2, width: f32, u: f32) -> Ink {
+    match role {
+        Role::Ray | Role::Live | Role::Plane | Role::Candidate => line(at, at + Vec2::new(width, 0.0)),
+        Role::Tick => Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.35 },
+        Role::Scene | Role::Missed | Role::Hit | Role::Best => {
+            Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.5 }
+        }
+        _ => block(at - Vec2::new(0.0, u * 0.42), Vec2::new(width, u * 0.84), 0.0),
+    }
+}

@@ -1,0 +1,146 @@
+//! The ray as a ruler: every known interval of t, the current t and the hits.
+
+use glam::Vec2;
+
+use crate::look::{line, write};
+use crate::spans::{Span, current_t, extent, spans};
+use crate::ticks::Ticks;
+use crate::{Anchor, Face, Figure, Ink, Look, Moment, Role, Walk, number, text_width};
+
+/// A row for each known interval over one axis.
+pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let top = look.heading(&mut figure, "t along the ray", "") + if look.titles { 0.0 } else { look.text };
+    let (u, row) = (look.text, look.line());
+    let mut spans = spans(walk, moment);
+
+    // Rows that fit; of more, those furthest down the stack are left out and counted.
+    let bottom = size.y - look.margin() - u * 1.1;
+    let fit = (((bottom - top - u * 0.3) / row) as usize).max(1);
+    let more = spans.len().saturating_sub(fit);
+    if more > 0 {
+        spans.truncate(fit.saturating_sub(1).max(1));
+    }
+    let names = spans.iter().map(|span| text_width(&span.name, Face::Medium, u)).fold(u * 4.5, f32::max);
+    let axis = axis(walk, look.margin() + names + u, size.x - look.margin() - u);
+
+    for (index, span) in spans.iter().enumerate() {
+        let y = top + row * (index as f32 + 0.5);
+        let name = Vec2::new(look.margin(), y);
+        write(&mut figure, span.role, span.place, name, &span.name, u, Face::Medium, Anchor::Start);
+        draw_span(&mut figure, &axis, span, y, u);
+    }
+    if more > 0 {
+        let at = Vec2::new(look.margin(), top + row * (spans.len() as f32 + 0.5));
+        let says = format!("and {} more on the stack", more + 1);
+        write(&mut figure, Role::Quiet, None, at, &says, look.small(), Face::Regular, Anchor::Start);
+    }
+    draw_axis(&mut figure, &axis, bottom, look);
+    draw_points(&mut figure, &axis, moment, top - u * 0.1, bottom, look);
+    figure
+}
+
+/// Everything on one line, names above: for the far end of a lecture hall.
+pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let u = look.text;
+    let axis = axis(walk, look.margin() + u * 0.6, size.x - look.margin() - u * 0.6);
+    let bottom = size.y - u * 1.5;
+    let y = bottom - u * 0.9;
+
+    let mut taken = f32::NEG_INFINITY;
+    for span in &spans(walk, moment) {
+        draw_span(&mut figure, &axis, span, y, u);
+        let middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
+        let half = text_width(&span.name, Face::Bold, u) / 2.0;
+        // A name that would run into the one before is left out.
+        if !span.interval.is_empty() && middle - half > taken {
+            let at = Vec2::new(middle, y - u * 1.1);
+            write(&mut figure, span.role, span.place, at, &span.name, u, Face::Bold, Anchor::Middle);
+            taken = middle + half + u * 0.5;
+        }
+    }
+    draw_axis(&mut figure, &axis, bottom, look);
+    draw_points(&mut figure, &axis, moment, y - u * 2.0, bottom, look);
+    figure
+}
+
+fn axis(walk: &Walk<'_>, left: f32, right: f32) -> Ticks {
+    let (low, high) = extent(walk);
+    Ticks { low, high, left, right: right.max(left + 1.0) }
+}
+
+/// A bar with a cap at each end, or an arrow where it runs on beyond the axis.
+fn draw_span(figure: &mut Figure, axis: &Ticks, span: &Span, y: f32, u: f32) {
+    let (near, far) = (span.interval.near, span.interval.far);
+    if span.interval.is_empty() {
+        let says = if near.is_finite() && far.is_finite() {
+            format!("empty: {} > {}", number(near), number(far))
+        } else {
+            "empty".to_owned()
+        };
+        let at = Vec2::new(axis.left, y);
+        write(figure, Role::Wrong, span.place, at, &says, u * 0.9, Face::Regular, Anchor::Start);
+        return;
+    }
+    let (from, to) = (Vec2::new(axis.x(near), y), Vec2::new(axis.x(far), y));
+    let (before, beyond) = (near < axis.low, far > axis.high);
+    figure.add(span.role, span.place, line(from, to));
+    let tall = Vec2::new(0.0, u * 0.5);
+    let ends = [(from, before, Vec2::NEG_X), (to, beyond, Vec2::X)];
+    for (at, clipped, along) in ends {
+        if clipped {
+            figure.add(span.role, span.place, Ink::Arrowhead { tip: at + along * u * 0.5, along, length: u * 0.8 });
+        } else {
+            figure.add(cap(span.role), span.place, line(at - tall, at + tall));
+        }
+    }
+}
+
+/// Caps are drawn solid and thin whatever the bar.
+fn cap(role: Role) -> Role {
+    match role {
+        Role::Here | Role::Plane => Role::Seen,
+        Role::Waiting | Role::Dropped => Role::Quiet,
+        other => other,
+    }
+}
+
+fn draw_axis(figure: &mut Figure, axis: &Ticks, y: f32, look: &Look) {
+    let u = look.text;
+    figure.add(Role::Edge, None, line(Vec2::new(axis.left, y), Vec2::new(axis.right, y)));
+    for t in axis.marks(u * 4.2) {
+        let x = axis.x(t);
+        figure.add(Role::Edge, None, line(Vec2::new(x, y - u * 0.3), Vec2::new(x, y + u * 0.3)));
+        let at = Vec2::new(x, y + u * 1.05);
+        write(figure, Role::Quiet, None, at, &number(t), look.small(), Face::Regular, Anchor::Middle);
+    }
+}
+
+/// The hits so far as dots on the axis, and the t of the current event as a line across the rows.
+fn draw_points(figure: &mut Figure, axis: &Ticks, moment: &Moment, top: f32, bottom: f32, look: &Look) {
+    let u = look.text;
+    for test in &moment.tested {
+        let Some(t) = test.t.filter(|t| axis.shows(*t)) else { continue };
+        let place = Some(raystep_accel::Place::Prim(test.prim));
+        let best = moment.best.is_some_and(|best| best.prim == test.prim);
+        let (role, radius) = if best { (Role::Best, 0.35) } else { (Role::Hit, 0.25) };
+        figure.add(role, place, Ink::Circle { center: Vec2::new(axis.x(t), bottom), radius: u * radius });
+    }
+    let Some(event) = moment.event.as_ref() else { return };
+    let Some(t) = current_t(event) else { return };
+    let label = format!("t = {}", number(t));
+    let half = text_width(&label, Face::Bold, u) / 2.0;
+    if axis.shows(t) {
+        let x = axis.x(t);
+        figure.add(Role::Ray, Some(event.place()), line(Vec2::new(x, top), Vec2::new(x, bottom + u * 0.4)));
+    }
+    // Out of range it stands at the edge, with an arrow.
+    let (label, x) = match () {
+        () if t > axis.high => (format!("{label} →"), axis.right - half),
+        () if t < axis.low => (format!("← {label}"), axis.left + half),
+        () => (label, axis.x(t).clamp(axis.left + half, (axis.right - half).max(axis.left + half))),
+    };
+    let at = Vec2::new(x, top - u * 0.7);
+    write(figure, Role::Value, Some(event.place()), at, &label, u, Face::Bold, Anchor::Middle);
+}

@@ -1,0 +1,124 @@
+//! A slab test as a table: each number appears when the walk has it.
+
+use glam::Vec2;
+use raystep_accel::{Axis, Place, Visit};
+
+use crate::look::write;
+use crate::table::{Entry, Table};
+use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, number};
+
+/// The events of one axis of a slab test, as far as they have happened.
+#[derive(Clone, Copy, Debug, Default)]
+struct Slab {
+    cut: Option<Visit>,
+    order: Option<Visit>,
+    narrow: Option<Visit>,
+}
+
+/// A row for each slab of the box that was tested last: its planes, where they cut the ray, and what is
+/// left of the ray.
+pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let done = &walk.events[..moment.step.min(walk.events.len())];
+    let last = done.iter().rposition(|event| slab_of(event).is_some());
+    let Some((place, slabs)) = last.map(|last| test_up_to(done, last)) else {
+        let top = look.heading(&mut figure, "Slabs", "");
+        let ever = walk.events.iter().any(|event| slab_of(event).is_some());
+        let says = if ever { "No slab has been cut yet." } else { "This walk cuts no slabs." };
+        let at = Vec2::new(look.margin(), top + look.line() * 0.5);
+        write(&mut figure, Role::Quiet, None, at, says, look.text, Face::Regular, Anchor::Start);
+        return figure;
+    };
+
+    let top = look.heading(&mut figure, &format!("Slabs of {place}"), "");
+    let now = moment.event.as_ref();
+    let axes: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| !(walk.flat && *axis == Axis::Z)).collect();
+    let rows = axes.iter().map(|axis| row(*axis, &slabs[axis.index()], now)).collect();
+    let current = now.and_then(slab_of).and_then(|(_, axis)| axes.iter().position(|other| *other == axis));
+    let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "left of the ray"];
+    let end = Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, look);
+
+    if let Some(Visit::Narrow { empty: true, t_near, t_far, .. }) =
+        axes.iter().rev().find_map(|a| slabs[a.index()].narrow)
+    {
+        let says = format!("Empty: {} > {}. The box is missed.", number(t_near), number(t_far));
+        let at = Vec2::new(look.margin(), end + look.line() * 0.5);
+        write(&mut figure, Role::Wrong, Some(place), at, &says, look.text, Face::Medium, Anchor::Start);
+    }
+    figure
+}
+
+/// The box and the axis of an event of a slab test.
+fn slab_of(event: &Visit) -> Option<(Place, Axis)> {
+    match *event {
+        Visit::Parallel { place, axis, .. }
+        | Visit::Divide { place, axis, .. }
+        | Visit::Order { place, axis, .. }
+        | Visit::Narrow { place, axis, .. } => Some((place, axis)),
+        _ => None,
+    }
+}
+
+/// The test that the event numbered `last` belongs to, up to that event.
+fn test_up_to(events: &[Visit], last: usize) -> (Place, [Slab; 3]) {
+    let mut slabs = [Slab::default(); 3];
+    let (place, mut earliest) = slab_of(&events[last]).unwrap_or((Place::World, Axis::Z));
+    for event in events[..=last].iter().rev() {
+        match slab_of(event) {
+            Some((other, axis)) if other == place && axis <= earliest => {
+                let slab = &mut slabs[axis.index()];
+                match event {
+                    // A second cut of the same axis belongs to an earlier test of the same box.
+                    _ if slab.cut.is_some() => break,
+                    Visit::Order { .. } => slab.order = Some(*event),
+                    Visit::Narrow { .. } => slab.narrow = Some(*event),
+                    _ => slab.cut = Some(*event),
+                }
+                earliest = axis;
+            }
+            _ => break,
+        }
+    }
+    (place, slabs)
+}
+
+fn row(axis: Axis, slab: &Slab, now: Option<&Visit>) -> Vec<Entry> {
+    // What the current event says stands out.
+    let role = |event: &Option<Visit>| if event.as_ref() == now { Role::Value } else { Role::Text };
+    let (cut_role, narrow_role) = (role(&slab.cut), role(&slab.narrow));
+    let mut row = vec![Entry::new(axis.name(), Role::Text)];
+    match slab.cut {
+        Some(Visit::Divide { low, high, o, d, t1, t2, .. }) => {
+            row.extend([low, high, o, d].map(|x| Entry::new(number(x), cut_role)));
+            let ordered = match slab.order {
+                Some(Visit::Order { t1, t2, swapped, .. }) => Some((t1, t2, swapped)),
+                _ => None,
+            };
+            let order_role = role(&slab.order);
+            match ordered {
+                Some((t1, t2, swapped)) => {
+                    row.extend([t1, t2].map(|t| Entry::new(number(t), order_role)));
+                    row.push(Entry::new(if swapped { "yes" } else { "no" }, order_role));
+                }
+                None => {
+                    row.extend([t1, t2].map(|t| Entry::new(number(t), cut_role)));
+                    row.push(Entry::none());
+                }
+            }
+        }
+        Some(Visit::Parallel { low, high, o, inside, .. }) => {
+            row.extend([low, high, o, 0.0].map(|x| Entry::new(number(x), cut_role)));
+            let says = if inside { ["in", "in", "–"] } else { ["out", "out", "–"] };
+            row.extend(says.map(|word| Entry::new(word, cut_role)));
+        }
+        _ => row.extend(vec![Entry::none(); 7]),
+    }
+    row.push(match slab.narrow {
+        Some(Visit::Narrow { empty: true, .. }) => Entry::new("empty", Role::Wrong),
+        Some(Visit::Narrow { t_near, t_far, .. }) => {
+            Entry::new(format!("[{}, {}]", number(t_near), number(t_far)), narrow_role)
+        }
+        _ => Entry::none(),
+    });
+    row
+}

@@ -1,0 +1,91 @@
+//! How much the walk has done so far, against testing everything.
+
+use glam::Vec2;
+use raystep_accel::Primitives;
+
+use crate::look::{block, write};
+use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, text_width};
+
+/// The primitives tested so far as a number and a bar, the rest of the work in words. `beside` names
+/// another walk and how many it has tested, for a second bar.
+pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let top = look.heading(&mut figure, "Work so far", "");
+    let (left, u) = (look.margin(), look.text);
+    let (tests, all) = (moment.cost.prim_tests, walk.prims.len() as u64);
+
+    // The one loud number.
+    let loud = u * 2.6;
+    let mut y = top + loud * 0.5;
+    let digits = tests.to_string();
+    let base = Vec2::new(left, y);
+    write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
+    let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
+    let says = format!("of {} tested", counted(all, "primitive", "primitives"));
+    write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
+    y += loud * 0.5 + u * 0.6;
+
+    // The same as a bar; with another walk beside it, a bar each.
+    let bars = std::iter::once(("", tests)).chain(beside);
+    let longest = beside.map_or(all, |(_, tests)| all.max(tests)).max(tests).max(1);
+    for (name, tests) in bars {
+        let height = u * 0.75;
+        let width = size.x - 2.0 * left;
+        if !name.is_empty() {
+            let says = format!("{name}: {}", counted(tests, "test", "tests"));
+            write(&mut figure, Role::Quiet, None, Vec2::new(left, y + u * 0.5), &says, u, Face::Regular, Anchor::Start);
+            y += u * 1.4;
+        }
+        figure.add(Role::Panel, None, block(Vec2::new(left, y), Vec2::new(width, height), u * 0.2));
+        if tests > 0 {
+            let part = (width * tests as f32 / longest as f32).max(3.0);
+            figure.add(Role::Missed, None, block(Vec2::new(left, y), Vec2::new(part, height), u * 0.2));
+        }
+        y += height + u * 0.8;
+    }
+
+    for says in wrapped(&sentence(moment), size.x - 2.0 * left, u) {
+        y += u * 0.4;
+        write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
+        y += u * 1.2;
+    }
+    figure
+}
+
+/// What else was done: nodes, cells, planes, boxes. Only what happened.
+fn sentence(moment: &Moment) -> Vec<String> {
+    let cost = &moment.cost;
+    [
+        (cost.node_visits, "node entered", "nodes entered"),
+        (cost.cell_steps, "cell entered", "cells entered"),
+        (cost.plane_tests, "plane crossed", "planes crossed"),
+        (cost.box_tests, "box tested", "boxes tested"),
+        (cost.pushes, "pushed", "pushed"),
+        (cost.drops, "never opened", "never opened"),
+        (cost.skips, "test saved", "tests saved"),
+    ]
+    .into_iter()
+    .filter(|(count, ..)| *count > 0)
+    .map(|(count, one, many)| counted(count, one, many))
+    .collect()
+}
+
+/// The parts with dots between them, broken into lines.
+fn wrapped(parts: &[String], width: f32, size: f32) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} · {part}"), Face::Regular, size) <= width => {
+                line.push_str(" · ");
+                line.push_str(part);
+            }
+            _ => lines.push(part.clone()),
+        }
+    }
+    lines
+}
+
+/// `1 node`, `2 nodes`.
+pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
