@@ -14,6 +14,8 @@ words! {
         Cheap = "cheap",
         /// No plane separates its primitives.
         Inseparable = "inseparable",
+        /// The tree refers to its primitives as often as it may.
+        Crowded = "crowded",
     }
 }
 

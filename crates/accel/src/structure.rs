@@ -1,7 +1,8 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, Axis, Cancelled, Grow, Hit, List, NodeId, Observer, OneBox, PrimId, Primitives, Ray, Rule, Visit, Want,
+    Aabb, Accel, Axis, Bvh, Cancelled, Grid, Grow, Hit, Kd, List, NodeId, Observer, OneBox, PrimId, Primitives, Ray,
+    Rule, Visit, Want,
 };
 
 /// A structure of any kind.
@@ -11,6 +12,12 @@ pub enum Structure {
     List(List),
     /// Only the box around everything.
     Slab(OneBox),
+    /// A uniform grid.
+    Grid(Grid),
+    /// A kd-tree.
+    Kd(Kd),
+    /// A hierarchy of boxes.
+    Bvh(Bvh),
 }
 
 impl Structure {
@@ -23,12 +30,13 @@ impl Structure {
         rule: &Rule,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Structure, Cancelled> {
-        let _ = (prims, &watch);
-        match rule {
-            Rule::List => Ok(Structure::List(List)),
-            Rule::Slab => Ok(Structure::Slab(OneBox::around(prims))),
-            Rule::Grid(_) | Rule::Kd(_) | Rule::Bvh(_) => Ok(Structure::List(List)),
-        }
+        Ok(match rule {
+            Rule::List => Structure::List(List),
+            Rule::Slab => Structure::Slab(OneBox::around(prims)),
+            Rule::Grid(rule) => Structure::Grid(Grid::build(prims, rule, watch)?),
+            Rule::Kd(rule) => Structure::Kd(Kd::build(prims, rule, watch)?),
+            Rule::Bvh(rule) => Structure::Bvh(Bvh::build(prims, rule, watch)?),
+        })
     }
 
     /// The box around everything; empty for a list, which keeps none.
@@ -36,51 +44,65 @@ impl Structure {
         match self {
             Structure::List(_) => Aabb::EMPTY,
             Structure::Slab(one) => one.bounds,
+            Structure::Grid(grid) => grid.bounds,
+            Structure::Kd(tree) => tree.bounds(),
+            Structure::Bvh(tree) => tree.bounds(),
         }
     }
 
-    /// How many nodes a tree has; 0 in a grid or a list.
+    /// How many nodes a tree has; 0 in what is no tree.
     pub fn node_count(&self) -> usize {
         match self {
-            Structure::List(_) | Structure::Slab(_) => 0,
+            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => 0,
+            Structure::Kd(tree) => tree.node_count(),
+            Structure::Bvh(tree) => tree.node_count(),
         }
     }
 
     /// The children of a node, the lower or left one first; none of a leaf.
     pub fn children(&self, node: NodeId) -> Vec<NodeId> {
-        let _ = node;
-        match self {
-            Structure::List(_) | Structure::Slab(_) => Vec::new(),
-        }
+        let pair = match self {
+            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => None,
+            Structure::Kd(tree) => tree.children(node),
+            Structure::Bvh(tree) => tree.children(node),
+        };
+        pair.map_or(Vec::new(), Vec::from)
     }
 
     /// What a leaf refers to, in order; nothing in an inner node.
     pub fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
-        let _ = node;
         match self {
-            Structure::List(_) | Structure::Slab(_) => &[],
+            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => &[],
+            Structure::Kd(tree) => tree.leaf_prims(node),
+            Structure::Bvh(tree) => tree.leaf_prims(node),
         }
     }
 
     /// The plane that splits a node's space: only inner nodes of a kd-tree have one.
     pub fn split(&self, node: NodeId) -> Option<(Axis, f32)> {
-        let _ = node;
         match self {
-            Structure::List(_) | Structure::Slab(_) => None,
+            Structure::Kd(tree) => tree.split(node),
+            _ => None,
         }
     }
 
     /// The boxes of all nodes, by id.
     pub fn node_bounds(&self) -> Vec<Aabb> {
         match self {
-            Structure::List(_) | Structure::Slab(_) => Vec::new(),
+            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => Vec::new(),
+            Structure::Kd(tree) => tree.node_bounds(),
+            Structure::Bvh(tree) => tree.node_bounds(),
         }
     }
 
-    /// How many bytes the structure's arrays take.
+    /// How many bytes the structure takes.
     pub fn bytes(&self) -> usize {
         match self {
-            Structure::List(_) | Structure::Slab(_) => 0,
+            Structure::List(_) => 0,
+            Structure::Slab(one) => size_of_val(one),
+            Structure::Grid(grid) => grid.bytes(),
+            Structure::Kd(tree) => tree.bytes(),
+            Structure::Bvh(tree) => tree.bytes(),
         }
     }
 }
@@ -90,6 +112,9 @@ impl Accel for Structure {
         match self {
             Structure::List(list) => list.walk(prims, ray, want, watch),
             Structure::Slab(one) => one.walk(prims, ray, want, watch),
+            Structure::Grid(grid) => grid.walk(prims, ray, want, watch),
+            Structure::Kd(tree) => tree.walk(prims, ray, want, watch),
+            Structure::Bvh(tree) => tree.walk(prims, ray, want, watch),
         }
     }
 }

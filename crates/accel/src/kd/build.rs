@@ -1,0 +1,103 @@
+//! Building a kd-tree, slides 29-32.
+
+use super::Kd;
+use super::node::Node;
+use super::reference::{Reference, deal};
+use super::split::Scale;
+use crate::{Aabb, Cancelled, Grow, KdRule, KdSplit, LeafReason, Margin, NodeId, Observer, Place, PrimId, Primitives};
+
+/// A tree holds at most so many references for each primitive, and [`SPARE`] more: primitives that lie
+/// on top of each other would be referred to from ever more leaves.
+const CROWD: usize = 32;
+const SPARE: usize = 1 << 12;
+
+/// A node that waits to be split or to become a leaf.
+struct Open {
+    node: NodeId,
+    bounds: Aabb,
+    depth: u32,
+    refs: Vec<Reference>,
+}
+
+impl Kd {
+    /// Builds a kd-tree over `prims`.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub fn build(prims: &impl Primitives, rule: &KdRule, watch: &mut impl Observer<Grow>) -> Result<Kd, Cancelled> {
+        // The box around everything.
+        let mut bounds = Aabb::EMPTY;
+        for prim in ids(prims) {
+            bounds = bounds.union(prims.bounds(prim));
+            watch.on(Grow::Widen { prim, bounds });
+        }
+        let margin = Margin::of(&bounds);
+        let refs: Vec<_> = ids(prims).filter_map(|prim| Reference::clipped(prims, prim, &bounds, margin.pad)).collect();
+
+        let most = refs.len() * CROWD + SPARE;
+        let mut held = refs.len();
+        let mut tree = Kd { bounds, margin, mailbox: rule.mailbox, nodes: vec![Node::leaf(0, 0)], refs: Vec::new() };
+        let mut open = vec![Open { node: NodeId::ROOT, bounds, depth: 0, refs }];
+
+        // Split one open node after the other, the one below the plane first.
+        while let Some(Open { node, bounds, depth, refs }) = open.pop() {
+            if watch.cancelled() {
+                return Err(Cancelled);
+            }
+            watch.on(Grow::Open { node, bounds, prims: refs.len() as u32, depth });
+
+            // Stop at few objects or at the maximum depth.
+            if refs.len() <= rule.min_objects as usize {
+                tree.settle(node, &refs, LeafReason::Few, watch);
+                continue;
+            }
+            if depth >= rule.max_depth.min(KdRule::DEEPEST) {
+                tree.settle(node, &refs, LeafReason::Deep, watch);
+                continue;
+            }
+            // Choose the plane.
+            let Some(cut) = (Scale { node, bounds: &bounds, refs: &refs, rule, watch }).best() else {
+                tree.settle(node, &refs, LeafReason::Inseparable, watch);
+                continue;
+            };
+            // Stop if testing everything here is cheaper.
+            if rule.split == KdSplit::Sah && cut.cost >= rule.intersection_cost * refs.len() as f32 {
+                tree.settle(node, &refs, LeafReason::Cheap, watch);
+                continue;
+            }
+
+            // Both sides get what reaches into them.
+            let halves = bounds.cut(cut.axis, cut.plane);
+            let (lower, upper) = deal(prims, &refs, cut.axis, cut.plane, &halves, margin.pad);
+            let grown = held - refs.len() + lower.len() + upper.len();
+            if grown > most || tree.nodes.len() + 2 > Node::MOST as usize {
+                tree.settle(node, &refs, LeafReason::Crowded, watch);
+                continue;
+            }
+            held = grown;
+
+            let below = NodeId(tree.nodes.len() as u32);
+            let above = NodeId(below.0 + 1);
+            tree.nodes.extend([Node::leaf(0, 0); 2]);
+            tree.nodes[node.index()] = Node::inner(cut.axis, cut.plane, below);
+            watch.on(Grow::Split { node, axis: cut.axis, plane: cut.plane, below, above, cost: cut.cost });
+            open.push(Open { node: above, bounds: halves.1, depth: depth + 1, refs: upper });
+            open.push(Open { node: below, bounds: halves.0, depth: depth + 1, refs: lower });
+        }
+        Ok(tree)
+    }
+
+    /// Makes `node` a leaf: only leaves refer to geometry (slide 31).
+    fn settle(&mut self, node: NodeId, refs: &[Reference], why: LeafReason, watch: &mut impl Observer<Grow>) {
+        self.nodes[node.index()] = Node::leaf(self.refs.len() as u32, refs.len() as u32);
+        watch.on(Grow::Leaf { node, prims: refs.len() as u32, why });
+        for &Reference { prim, .. } in refs {
+            self.refs.push(prim);
+            watch.on(Grow::Settle { prim, place: Place::Node(node) });
+        }
+    }
+}
+
+fn ids(prims: &impl Primitives) -> impl Iterator<Item = PrimId> {
+    (0..prims.len() as u32).map(PrimId)
+}

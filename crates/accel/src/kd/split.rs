@@ -1,0 +1,119 @@
+//! Where to cut a node, slide 30: through the middle, at the median, or where the cost is least.
+
+use super::reference::Reference;
+use crate::{Aabb, Axis, Grow, KdRule, KdSplit, NodeId, Observer};
+
+/// A plane and what it is worth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cut {
+    pub(super) axis: Axis,
+    pub(super) plane: f32,
+    pub(super) cost: f32,
+    below: u32,
+    above: u32,
+}
+
+/// Weighs planes across one node.
+pub(super) struct Scale<'a, O> {
+    pub(super) node: NodeId,
+    pub(super) bounds: &'a Aabb,
+    pub(super) refs: &'a [Reference],
+    pub(super) rule: &'a KdRule,
+    pub(super) watch: &'a mut O,
+}
+
+impl<O: Observer<Grow>> Scale<'_, O> {
+    /// The plane that the rule asks for; none if no plane separates the references.
+    pub(super) fn best(&mut self) -> Option<Cut> {
+        match self.rule.split {
+            KdSplit::Middle => self.across_the_longest(|bounds, _, axis| bounds.center()[axis]),
+            KdSplit::Median => self.across_the_longest(|_, refs, axis| median(refs, axis)),
+            KdSplit::Sah => self.cheapest(),
+        }
+    }
+
+    /// One plane across the longest side; if it puts everything on both sides, across the next longest.
+    fn across_the_longest(&mut self, place: impl Fn(&Aabb, &[Reference], Axis) -> f32) -> Option<Cut> {
+        let mut axes = self.rule.axes.list().to_vec();
+        let extent = self.bounds.extent();
+        axes.sort_by(|&a, &b| extent[b].total_cmp(&extent[a]));
+        axes.into_iter().find_map(|axis| {
+            let plane = place(self.bounds, self.refs, axis);
+            if !self.inside(axis, plane) {
+                return None;
+            }
+            let sides = || self.refs.iter().map(|reference| reference.sides(axis, plane));
+            let (below, above) = (sides().filter(|s| s.0).count() as u32, sides().filter(|s| s.1).count() as u32);
+            let cut = self.weigh(axis, plane, below, above);
+            self.separates(&cut).then_some(cut)
+        })
+    }
+
+    /// The surface area heuristic: of all planes along the faces of the references, the one with the
+    /// least expected cost. One sweep from low to high per axis, as counts change only at faces.
+    fn cheapest(&mut self) -> Option<Cut> {
+        let mut best: Option<Cut> = None;
+        let all = self.refs.len();
+        let (mut starts, mut ends) = (Vec::with_capacity(all), Vec::with_capacity(all));
+        for &axis in self.rule.axes.list() {
+            sorted(&mut starts, self.refs, |bounds| bounds.min[axis]);
+            sorted(&mut ends, self.refs, |bounds| bounds.max[axis]);
+
+            // So many references have begun before the plane, and so many have ended at it.
+            let (mut begun, mut ended) = (0, 0);
+            while ended < all {
+                let plane = if begun < all && starts[begun] < ends[ended] { starts[begun] } else { ends[ended] };
+                while ended < all && ends[ended] <= plane {
+                    ended += 1;
+                }
+                if self.inside(axis, plane) {
+                    let cut = self.weigh(axis, plane, begun as u32, (all - ended) as u32);
+                    if self.separates(&cut) && best.is_none_or(|best| cut.cost < best.cost) {
+                        best = Some(cut);
+                    }
+                }
+                while begun < all && starts[begun] <= plane {
+                    begun += 1;
+                }
+            }
+        }
+        best
+    }
+
+    /// What the node costs if it is cut there: a step, and for each child its primitives as often as a ray
+    /// that meets the node meets the child. Cutting off empty space is worth a bonus.
+    fn weigh(&mut self, axis: Axis, plane: f32, below: u32, above: u32) -> Cut {
+        let (lower, upper) = self.bounds.cut(axis, plane);
+        let whole = self.bounds.measure(self.rule.measure);
+        let chance = |child: Aabb| child.measure(self.rule.measure) / whole;
+        let tests = chance(lower) * below as f32 + chance(upper) * above as f32;
+        let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };
+        let cost = bonus * (self.rule.traversal_cost + self.rule.intersection_cost * tests);
+        self.watch.on(Grow::Weigh { node: self.node, axis, plane, below, above, cost });
+        Cut { axis, plane, cost, below, above }
+    }
+
+    /// A plane in a face of the node cuts nothing.
+    fn inside(&self, axis: Axis, plane: f32) -> bool {
+        self.bounds.min[axis] < plane && plane < self.bounds.max[axis]
+    }
+
+    /// A cut that puts everything on both sides is none.
+    fn separates(&self, cut: &Cut) -> bool {
+        cut.below.min(cut.above) < self.refs.len() as u32
+    }
+}
+
+/// Fills `faces` with one face of each reference, from low to high.
+fn sorted(faces: &mut Vec<f32>, refs: &[Reference], face: impl Fn(&Aabb) -> f32) {
+    faces.clear();
+    faces.extend(refs.iter().map(|reference| face(&reference.bounds)));
+    faces.sort_unstable_by(f32::total_cmp);
+}
+
+/// Half of the references have their middle below it.
+fn median(refs: &[Reference], axis: Axis) -> f32 {
+    let mut middles: Vec<f32> = refs.iter().map(|reference| reference.bounds.center()[axis]).collect();
+    let half = middles.len() / 2;
+    *middles.select_nth_unstable_by(half, f32::total_cmp).1
+}
