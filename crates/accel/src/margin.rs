@@ -28,8 +28,8 @@ impl Margin {
         }
         let diagonal = bounds.extent().length();
         let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
-        // The second term covers the rounding of clipped corners in scenes far from the origin.
-        let pad = (diagonal / 2048.0).max(largest * (2.0 * f32::EPSILON));
+        // The second term covers the rounding of the boxes themselves in scenes far from the origin.
+        let pad = (diagonal / 2048.0).max(largest * (4.0 * f32::EPSILON));
         Margin { pad, reach: 64.0 * diagonal, center: bounds.center() }
     }
 

@@ -1,51 +1,57 @@
 //! Clipping a polygon to a box, one plane after the other (Sutherland and Hodgman 1974).
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
-use crate::{Aabb, Axis};
+use crate::Aabb;
 
 /// A convex polygon cut by six planes has at most its own corners plus six.
 const MOST: usize = 12;
 
-/// A small box around the part of a convex polygon (at most 6 corners) that lies in `bounds`.
+/// A small box around the part of a convex polygon (at most 6 corners) that lies in `bounds`. In double
+/// precision, so that the corners of scenes far from the origin do not wander while they are cut.
 pub(super) fn clip_polygon(corners: &[Vec3], bounds: &Aabb) -> Aabb {
-    let mut polygon = Corners::new(corners);
-    for axis in Axis::ALL {
-        polygon = polygon.keep(|p| p[axis] - bounds.min[axis]);
-        polygon = polygon.keep(|p| bounds.max[axis] - p[axis]);
+    let whole = Aabb::around(corners.iter().copied());
+    if !whole.touches(bounds) || bounds.encloses(&whole) {
+        return whole.intersection(*bounds);
     }
-    // Interpolated corners may stick out by a rounding error.
-    Aabb::around(polygon.list().iter().copied()).intersection(*bounds)
+    let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
+    let mut polygon = Corners::new(corners.iter().map(|p| p.as_dvec3()));
+    for axis in 0..3 {
+        polygon = polygon.keep(|p| p[axis] - min[axis]);
+        polygon = polygon.keep(|p| max[axis] - p[axis]);
+    }
+    // Cut corners may stick out by a rounding error.
+    Aabb::around(polygon.list().iter().map(|p| p.as_vec3())).intersection(*bounds)
 }
 
 struct Corners {
-    points: [Vec3; MOST],
+    points: [DVec3; MOST],
     len: usize,
 }
 
 impl Corners {
-    fn new(corners: &[Vec3]) -> Corners {
-        let mut polygon = Corners { points: [Vec3::ZERO; MOST], len: 0 };
-        for &corner in corners {
+    fn new(corners: impl IntoIterator<Item = DVec3>) -> Corners {
+        let mut polygon = Corners { points: [DVec3::ZERO; MOST], len: 0 };
+        for corner in corners {
             polygon.add(corner);
         }
         polygon
     }
 
-    fn add(&mut self, p: Vec3) {
+    fn add(&mut self, p: DVec3) {
         if self.len < MOST {
             self.points[self.len] = p;
             self.len += 1;
         }
     }
 
-    fn list(&self) -> &[Vec3] {
+    fn list(&self) -> &[DVec3] {
         &self.points[..self.len]
     }
 
     /// The part where `inside` is not negative.
-    fn keep(&self, inside: impl Fn(Vec3) -> f32) -> Corners {
-        let mut kept = Corners::new(&[]);
+    fn keep(&self, inside: impl Fn(DVec3) -> f64) -> Corners {
+        let mut kept = Corners::new([]);
         for (i, &p) in self.list().iter().enumerate() {
             let q = self.points[(i + 1) % self.len];
             let (a, b) = (inside(p), inside(q));

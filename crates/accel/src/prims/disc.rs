@@ -1,6 +1,6 @@
 //! A flat round plate in space.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use crate::{Aabb, Ray};
 
@@ -18,9 +18,11 @@ pub struct Disc {
 impl Disc {
     /// A small box around it: on each axis it reaches `radius·√(1 − n²)`, rounded outward.
     pub fn bounds(&self) -> Aabb {
-        let n2 = self.normal * self.normal;
-        let part = (Vec3::ONE - n2).max(Vec3::ZERO);
-        let reach = self.radius * (Vec3::new(part.x.sqrt(), part.y.sqrt(), part.z.sqrt()) + 1e-6);
+        let n2 = self.normal.as_dvec3() * self.normal.as_dvec3();
+        // 1 − n² by the other two components, which does not cancel.
+        let part = DVec3::new(n2.y + n2.z, n2.z + n2.x, n2.x + n2.y) / n2.element_sum();
+        let reach = (DVec3::new(part.x.sqrt(), part.y.sqrt(), part.z.sqrt()) * f64::from(self.radius)).as_vec3()
+            * (1.0 + 2.0 * f32::EPSILON);
         Aabb { min: self.center - reach, max: self.center + reach }
     }
 
@@ -31,8 +33,10 @@ impl Disc {
             return part;
         }
         // The plane meets the box if its distance from the middle is no more than the box's reach along the normal.
-        let reach = self.normal.abs().dot(part.extent() * 0.5);
-        if self.normal.dot(part.center() - self.center).abs() > reach { Aabb::EMPTY } else { part }
+        let (min, max, normal) = (part.min.as_dvec3(), part.max.as_dvec3(), self.normal.as_dvec3());
+        let off = normal.dot((min + max) * 0.5 - self.center.as_dvec3());
+        let reach = normal.abs().dot((max - min) * 0.5);
+        if off.abs() > reach { Aabb::EMPTY } else { part }
     }
 
     /// The t at which the ray's line meets it.

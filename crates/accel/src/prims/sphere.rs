@@ -25,24 +25,20 @@ impl Sphere {
         if part.is_empty() {
             return part;
         }
-        // The point of the box nearest to the centre.
-        let nearest = self.center.clamp(part.min, part.max);
-        if (nearest - self.center).length_squared() > self.radius * self.radius {
-            Aabb::EMPTY
-        } else {
-            self.shrink(part)
+        let center = self.center.as_dvec3();
+        let r2 = f64::from(self.radius) * f64::from(self.radius);
+        // From the centre to the nearest point of the box.
+        let off = center.clamp(part.min.as_dvec3(), part.max.as_dvec3()) - center;
+        if off.length_squared() > r2 {
+            return Aabb::EMPTY;
         }
-    }
-
-    /// On each axis the ball reaches as far as its disc at the box's nearest point of the other two axes.
-    fn shrink(&self, part: Aabb) -> Aabb {
+        // On each axis the ball reaches as far as its disc at the nearest point of the other two.
         let mut shrunk = part;
         for axis in Axis::ALL {
-            let mut off = self.center.clamp(part.min, part.max) - self.center;
-            off[axis] = 0.0;
-            let half = (self.radius * self.radius - off.length_squared()).max(0.0).sqrt();
-            shrunk.min[axis] = part.min[axis].max(self.center[axis] - half);
-            shrunk.max[axis] = part.max[axis].min(self.center[axis] + half);
+            let i = axis.index();
+            let half = (r2 - (off.length_squared() - off[i] * off[i])).max(0.0).sqrt();
+            shrunk.min[axis] = part.min[axis].max((center[i] - half) as f32);
+            shrunk.max[axis] = part.max[axis].min((center[i] + half) as f32);
         }
         shrunk
     }

@@ -16,6 +16,9 @@ pub struct Wall {
     pub z: [f32; 2],
 }
 
+/// The sine of the angle below which a ray counts as parallel to a wall.
+const PARALLEL: f64 = 1e-10;
+
 impl Wall {
     /// The smallest box around it.
     pub fn bounds(&self) -> Aabb {
@@ -38,7 +41,8 @@ impl Wall {
         let along = self.to.as_dvec2() - self.from.as_dvec2();
         let f = self.from.as_dvec2() - DVec2::new(o.x, o.y);
         let slant = DVec2::new(d.x, d.y).perp_dot(along);
-        if slant == 0.0 {
+        // Parallel, or so nearly that double precision would not say where they meet.
+        if slant.abs() <= PARALLEL * DVec2::new(d.x, d.y).length() * along.length() {
             return None;
         }
         let t = f.perp_dot(along) / slant;
