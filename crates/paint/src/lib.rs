@@ -1,1 +1,23 @@
-//! Figures of solid scenes as pixels on the GPU.
+//! Solid scenes as pixels on the GPU.
+//!
+//! A [`Renderer`] draws a figure's [`Space`](raystep_figure::Space) over the scene's primitives, as a
+//! [`Camera`](raystep_figure::Camera) sees them, into a texture of its own. Where the texture is shown is the caller's business:
+//! with egui, register [`Renderer::view`] as a native texture and show it as an image. Labels are not
+//! drawn here; the caller sets them as text at the points where the camera shows them.
+//!
+//! Colours stay in gamma space from the theme to the texture, as in egui and in SVG, so that the same
+//! translucent fill looks the same on paper and on screen.
+
+mod batch;
+#[cfg(not(target_arch = "wasm32"))]
+mod headless;
+mod mesh;
+mod pipelines;
+mod renderer;
+mod solid;
+mod stream;
+mod target;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use headless::{Headless, NoAdapter};
+pub use renderer::{Frame, Renderer};

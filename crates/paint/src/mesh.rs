@@ -1,0 +1,93 @@
+//! The scene's primitives as one mesh on the GPU, uploaded once.
+
+use std::collections::HashMap;
+
+use bytemuck::{Pod, Zeroable};
+use glam::Vec3;
+use raystep_accel::{PrimId, Primitives, Prims};
+use wgpu::util::DeviceExt;
+
+use crate::solid::triangles;
+
+/// Corners with their normals, and the triangles between them.
+pub(crate) struct Mesh {
+    corners: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    count: u32,
+}
+
+/// The layout of a corner in `mesh.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(crate) struct Corner {
+    position: [f32; 3],
+    /// The mean of its triangles' normals, not of length one.
+    normal: [f32; 3],
+}
+
+impl Mesh {
+    pub(crate) fn new(device: &wgpu::Device, prims: &Prims) -> Mesh {
+        let (positions, mut indices) = match prims {
+            Prims::Mesh(mesh) => (mesh.corners.clone(), mesh.triangles.clone()),
+            Prims::Few(_) => weld(prims),
+        };
+        let mut corners: Vec<Corner> =
+            normals(&positions, &indices).zip(&positions).map(|(normal, p)| corner(*p, normal)).collect();
+        let limit = device.limits().max_buffer_size as usize;
+        if size_of_val(&corners[..]) > limit || size_of_val(&indices[..]) > limit {
+            // More than the device can hold: the marks alone are drawn.
+            corners.clear();
+            indices.clear();
+        }
+        let buffer = |label, contents, usage| {
+            device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
+        };
+        Mesh {
+            count: indices.len() as u32 * 3,
+            corners: buffer("raystep corners", bytemuck::cast_slice(&corners), wgpu::BufferUsages::VERTEX),
+            indices: buffer("raystep triangles", bytemuck::cast_slice(&indices), wgpu::BufferUsages::INDEX),
+        }
+    }
+
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        if self.count > 0 {
+            pass.set_vertex_buffer(0, self.corners.slice(..));
+            pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..self.count, 0, 0..1);
+        }
+    }
+}
+
+fn corner(position: Vec3, normal: Vec3) -> Corner {
+    Corner { position: position.to_array(), normal: normal.to_array() }
+}
+
+/// The triangles of a few shapes, equal corners shared.
+fn weld(prims: &Prims) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+    let (mut positions, mut indices) = (Vec::new(), Vec::new());
+    for prim in 0..prims.len() as u32 {
+        let mut known = HashMap::new();
+        for triangle in triangles(&prims.shape(PrimId(prim))) {
+            indices.push(triangle.map(|p| {
+                *known.entry(p.to_array().map(f32::to_bits)).or_insert_with(|| {
+                    positions.push(p);
+                    positions.len() as u32 - 1
+                })
+            }));
+        }
+    }
+    (positions, indices)
+}
+
+/// For each corner the sum of its triangles' unit normals, each weighed by its area.
+fn normals(positions: &[Vec3], indices: &[[u32; 3]]) -> impl Iterator<Item = Vec3> {
+    let mut sums = vec![Vec3::ZERO; positions.len()];
+    for triangle in indices {
+        let [a, b, c] = triangle.map(|i| positions[i as usize]);
+        let normal = (b - a).cross(c - a);
+        for &i in triangle {
+            sums[i as usize] += normal;
+        }
+    }
+    sums.into_iter().map(Vec3::normalize_or_zero)
+}

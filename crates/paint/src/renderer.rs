@@ -1,0 +1,182 @@
+//! Draws a frame: what a step looks like, into a texture.
+
+use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3};
+use raystep_accel::Prims;
+use raystep_figure::{Camera, Role, Space, Theme};
+
+use crate::batch::Batch;
+use crate::mesh::Mesh;
+use crate::pipelines::Pipelines;
+use crate::stream::Stream;
+use crate::target::Target;
+
+/// What to draw, and how large.
+#[derive(Clone, Copy)]
+pub struct Frame<'a> {
+    /// The scene's primitives.
+    pub prims: &'a Prims,
+    /// A number that changes whenever `prims` do: the mesh is uploaded anew only then.
+    pub generation: u64,
+    /// What the step shows in it.
+    pub space: &'a Space,
+    /// Where it is seen from.
+    pub camera: &'a Camera,
+    /// How roles look.
+    pub theme: &'a Theme,
+    /// Width and height in pixels; brought into the range that the device allows.
+    pub size: [u32; 2],
+    /// How many pixels a point of the theme's line widths is.
+    pub pixels_per_point: f32,
+}
+
+/// Draws frames with one device.
+pub struct Renderer {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    pipelines: Pipelines,
+    view_uniform: wgpu::Buffer,
+    bind_group: wgpu::BindGroup,
+    target: Target,
+    mesh: Option<(u64, Mesh)>,
+    batch: Batch,
+    faces: Stream,
+    lines: Stream,
+    points: Stream,
+}
+
+/// What every shader knows of the view; the layout of `View` in `view.wgsl`.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct ViewUniform {
+    clip_from_world: [[f32; 4]; 4],
+    /// The eye and 1, or the direction towards it and 0.
+    eye: [f32; 4],
+    /// The direction towards the light.
+    light: [f32; 4],
+    /// The colour of the primitives.
+    scene: [f32; 4],
+    size: [f32; 2],
+    pixels_per_point: f32,
+    /// Clip w at the near plane.
+    near: f32,
+}
+
+impl Renderer {
+    /// A renderer for a device. Its pipelines are compiled here, which takes a moment.
+    pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Renderer {
+        let pipelines = Pipelines::new(device);
+        let view_uniform = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("raystep view"),
+            size: size_of::<ViewUniform>() as u64,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        let bind_group = device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("raystep view"),
+            layout: &pipelines.view_layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: view_uniform.as_entire_binding() }],
+        });
+        Renderer {
+            device: device.clone(),
+            queue: queue.clone(),
+            pipelines,
+            view_uniform,
+            bind_group,
+            target: Target::new(device, [1, 1]),
+            mesh: None,
+            batch: Batch::default(),
+            faces: Stream::new("raystep faces"),
+            lines: Stream::new("raystep lines"),
+            points: Stream::new("raystep points"),
+        }
+    }
+
+    /// Draws a frame. Says whether [`view`](Renderer::view) is a new one since the last call, to be registered
+    /// again: that is so when the size has changed, and the first time.
+    pub fn draw(&mut self, frame: &Frame<'_>) -> bool {
+        let most = self.device.limits().max_texture_dimension_2d;
+        let size = frame.size.map(|side| side.clamp(1, most));
+        let renewed = self.target.size != size;
+        if renewed {
+            self.target = Target::new(&self.device, size);
+        }
+        if self.mesh.as_ref().is_none_or(|(generation, _)| *generation != frame.generation) {
+            self.mesh = Some((frame.generation, Mesh::new(&self.device, frame.prims)));
+        }
+        let view = ViewUniform::new(frame, size);
+        self.queue.write_buffer(&self.view_uniform, 0, bytemuck::bytes_of(&view));
+        self.batch.fill(frame);
+        self.faces.write(&self.device, &self.queue, &self.batch.faces);
+        self.lines.write(&self.device, &self.queue, &self.batch.lines);
+        self.points.write(&self.device, &self.queue, &self.batch.points);
+
+        let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.encode(&mut encoder, frame);
+        self.queue.submit([encoder.finish()]);
+        renewed
+    }
+
+    /// The picture: `Rgba8Unorm` in gamma space, opaque.
+    pub fn view(&self) -> &wgpu::TextureView {
+        &self.target.view
+    }
+
+    /// The picture's texture, for copying from.
+    pub fn texture(&self) -> &wgpu::Texture {
+        &self.target.texture
+    }
+
+    fn encode(&self, encoder: &mut wgpu::CommandEncoder, frame: &Frame<'_>) {
+        let ground = frame.theme.style(Role::Panel).fill.map_or([1.0; 4], |fill| unit([fill.r, fill.g, fill.b, 255]));
+        let [r, g, b, a] = ground.map(f64::from);
+        let mut pass = self.target.begin(encoder, wgpu::Color { r, g, b, a });
+        pass.set_bind_group(0, &self.bind_group, &[]);
+        if let Some((_, mesh)) = &self.mesh {
+            pass.set_pipeline(&self.pipelines.mesh);
+            mesh.draw(&mut pass);
+        }
+        // Behind the scene, faint; then in front of it.
+        let Pipelines { hidden, shown, .. } = &self.pipelines;
+        for passes in [hidden, shown] {
+            pass.set_pipeline(&passes.face);
+            self.faces.draw_vertices(&mut pass);
+            pass.set_pipeline(&passes.line);
+            self.lines.draw_quads(&mut pass);
+            pass.set_pipeline(&passes.point);
+            self.points.draw_quads(&mut pass);
+        }
+    }
+}
+
+impl ViewUniform {
+    fn new(frame: &Frame<'_>, size: [u32; 2]) -> ViewUniform {
+        let size = size.map(|side| side as f32);
+        let clip_from_world = frame.camera.clip_from_world(size[0] / size[1]);
+        let (eye, light, near) = match *frame.camera {
+            Camera::Flat { .. } => (Vec3::Z.extend(0.0), Vec3::new(-0.4, 0.5, 1.0), 0.5),
+            Camera::Solid { eye, target, up, .. } => {
+                let back = (eye - target).normalize_or(Vec3::Z);
+                let right = up.cross(back).normalize_or(Vec3::X);
+                // Over the left shoulder.
+                let light = back + back.cross(right) * 0.8 - right * 0.6;
+                (eye.extend(1.0), light, clip_from_world.w_axis.z)
+            }
+        };
+        let scene = frame.theme.style(Role::Scene).fill.map_or([0.5; 4], |fill| unit([fill.r, fill.g, fill.b, fill.a]));
+        ViewUniform {
+            clip_from_world: clip_from_world.to_cols_array_2d(),
+            eye: eye.to_array(),
+            light: light.normalize_or(Vec3::Z).extend(0.0).to_array(),
+            scene,
+            size: Vec2::from(size).to_array(),
+            pixels_per_point: frame.pixels_per_point,
+            near,
+        }
+    }
+}
+
+/// A colour with channels from 0 to 1.
+fn unit(channels: [u8; 4]) -> [f32; 4] {
+    channels.map(|channel| f32::from(channel) / 255.0)
+}
