@@ -30,6 +30,8 @@ pub struct Paragraph {
     pub text: String,
     /// Said only if this field has this value.
     pub only_if: Option<(String, String)>,
+    /// Where it begins.
+    pub(crate) spot: Spot,
 }
 
 impl Beat {

@@ -105,7 +105,8 @@ fn paragraph(
     reading: &mut Reading<'_>,
 ) -> Paragraph {
     check_fields(lines, event, reading);
-    Paragraph { text: joined(lines), only_if }
+    let spot = reading.spot(lines.first().map_or(0, |(at, _)| *at));
+    Paragraph { text: joined(lines), only_if, spot }
 }
 
 /// `if verdict=miss: text`

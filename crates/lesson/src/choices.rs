@@ -54,13 +54,13 @@ impl Ask {
 
     /// The places that the event names, in the order of their ids, so that the order tells nothing.
     fn places(&self, event: &Visit) -> Vec<(String, Value)> {
-        let place = |field: &&str| match event.field(field) {
+        let place = |field: &&'static str| match event.field(field) {
             Some(Value::Place(place)) if *field != "node" || self.about == About::Field("node".to_owned()) => {
                 Some((place, (*field).to_owned()))
             }
             _ => None,
         };
-        let mut places: Vec<(Place, String)> = event.fields().iter().filter_map(|field| place(&field)).collect();
+        let mut places: Vec<(Place, String)> = event.fields().iter().filter_map(place).collect();
         places.sort();
         places.dedup_by_key(|(place, _)| *place);
         places.into_iter().map(|(place, field)| (field, Value::Place(place))).collect()

@@ -112,11 +112,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
 fn plan(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Plan> {
     let (at, kind) = keys.need::<String>("kind", reading)?;
     let rest = keys.rest(reading);
-    let setting = |((key_at, key), (value_at, value)): (At<String>, At<String>)| Setting {
-        key,
-        value,
-        spots: (reading.spot(key_at), reading.spot(value_at)),
-    };
+    let setting = |((at, key), value): (At<String>, String)| Setting { key, value, spot: reading.spot(at) };
     Some(Plan { kind, settings: rest.into_iter().map(setting).collect(), spot: reading.spot(at) })
 }
 

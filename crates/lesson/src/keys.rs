@@ -76,14 +76,14 @@ impl<'t> Keys<'t> {
     }
 
     /// All keys that were not asked for, as text: the parameters of a structure.
-    pub(crate) fn rest(&mut self, reading: &mut Reading<'_>) -> Vec<(At<String>, At<String>)> {
+    pub(crate) fn rest(&mut self, reading: &mut Reading<'_>) -> Vec<(At<String>, String)> {
         let mut rest = Vec::new();
         for (key, value) in self.table {
             if self.asked.iter().any(|asked| asked == key.get_ref()) {
                 continue;
             }
             match text_of(value.get_ref()) {
-                Some(text) => rest.push(((key.span().start, key.get_ref().to_string()), (value.span().start, text))),
+                Some(text) => rest.push(((key.span().start, key.get_ref().to_string()), text)),
                 None => wrong(key.get_ref(), "a word in quotes, a number, true or false", value, reading),
             }
         }

@@ -7,6 +7,7 @@ mod ask;
 mod attributes;
 mod beat;
 mod body;
+mod check;
 mod choices;
 mod head;
 mod keys;
@@ -22,6 +23,7 @@ mod wait;
 
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Paragraph};
+pub use check::check;
 pub use library::Library;
 pub use listing::{Line, Listing};
 pub use play::{Play, PlayError, play};

@@ -170,8 +170,8 @@ pub struct Setting {
     pub key: String,
     /// Its value as text.
     pub value: String,
-    /// Where the key and the value stand.
-    pub(crate) spots: (Spot, Spot),
+    /// Where the key stands.
+    pub(crate) spot: Spot,
 }
 
 /// A ray with a name that says what is to be seen on it.

@@ -1,0 +1,223 @@
+//! Checks the lessons by playing them: every slide on each of its stages with each of its rays.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use raystep_accel::{Structure, Value, Visit};
+use raystep_scene::Scene;
+
+use crate::problem::{listed, misspelt};
+use crate::{Ask, Beat, Library, Listing, Play, Problem, Slide, Spot, Stage, StageKind, names, vocabulary};
+
+/// Everything that is wrong in the lessons, by file and line; nothing if all is well.
+pub fn check(library: &Library) -> Vec<Problem> {
+    let mut checker = Checker { library, problems: library.problems.clone(), built: HashMap::new() };
+    for slide in &library.slides {
+        checker.slide(slide);
+    }
+    checker.problems.sort();
+    checker.problems.dedup();
+    checker.problems
+}
+
+/// A scene and the structure over it.
+type Built = Option<(Arc<Scene>, Arc<Structure>)>;
+
+struct Checker<'a> {
+    library: &'a Library,
+    problems: Vec<Problem>,
+    /// What was built before: slides share scenes and structures.
+    built: HashMap<String, Built>,
+}
+
+impl Checker<'_> {
+    fn say(&mut self, slide: &Slide, spot: Spot, message: impl Into<String>) {
+        self.problems.push(Problem::new(&slide.file, spot, message));
+    }
+
+    fn slide(&mut self, slide: &Slide) {
+        let library = self.library;
+        let listing = library.listing(&slide.listing);
+        if listing.is_none() && !slide.listing.is_empty() {
+            let known: Vec<&str> = library.listings.iter().map(|listing| listing.name.as_str()).collect();
+            self.say(slide, slide.listing_spot, misspelt("listing", &slide.listing, &known));
+        }
+        for stage in &slide.stages {
+            self.beat_rays(slide, stage);
+            if let Some((scene, structure)) = self.build(slide, stage) {
+                self.stage(slide, stage, listing, &scene, &structure);
+            }
+        }
+    }
+
+    /// Every ray that a beat names is a ray of the stage.
+    fn beat_rays(&mut self, slide: &Slide, stage: &Stage) {
+        let known: Vec<&str> = stage.rays.iter().map(|ray| ray.name.as_str()).collect();
+        for beat in &slide.beats {
+            if let Some(name) = beat.ray.as_deref().filter(|name| !known.contains(name)) {
+                let what = format!("ray of the {} stage", stage.kind.name());
+                self.say(slide, beat.ray_spot, misspelt(&what, name, &known));
+            }
+        }
+    }
+
+    /// Builds a stage, or says why that cannot be done.
+    fn build(&mut self, slide: &Slide, stage: &Stage) -> Built {
+        let scene = match Scene::named(&stage.scene) {
+            Ok(scene) => scene,
+            Err(error) => {
+                self.say(slide, stage.scene_spot, error.to_string());
+                return None;
+            }
+        };
+        if scene.flat != (stage.kind == StageKind::Flat) {
+            let is = if scene.flat { "flat" } else { "solid" };
+            self.say(slide, stage.scene_spot, format!("the scene `{}` is {is}, the stage is not", stage.scene));
+        }
+        // Every wrong parameter, not only the first.
+        let mut good = true;
+        match raystep_accel::Rule::default_for(&stage.plan.kind) {
+            Ok(mut rule) => {
+                for setting in &stage.plan.settings {
+                    if let Err(error) = rule.set(&setting.key, &setting.value) {
+                        self.say(slide, setting.spot, error.to_string());
+                        good = false;
+                    }
+                }
+            }
+            Err(error) => {
+                self.say(slide, stage.plan.spot, error.to_string());
+                good = false;
+            }
+        }
+        if !good {
+            return None;
+        }
+        let key = format!(
+            "{} {} {:?}",
+            stage.scene,
+            stage.plan.kind,
+            stage.plan.settings.iter().map(|s| (&s.key, &s.value)).collect::<Vec<_>>()
+        );
+        self.built.entry(key).or_insert_with(|| stage.build().ok()).clone()
+    }
+
+    /// Plays every ray of a stage.
+    fn stage(
+        &mut self,
+        slide: &Slide,
+        stage: &Stage,
+        listing: Option<&Listing>,
+        scene: &Arc<Scene>,
+        structure: &Arc<Structure>,
+    ) {
+        for ray in &stage.rays {
+            let play = Play::new(Arc::clone(scene), Arc::clone(structure), ray.ray, &slide.beats);
+            for promise in &ray.promises {
+                if promise.step(&play.events, 0, scene.flat).is_none() {
+                    self.say(
+                        slide,
+                        ray.spot,
+                        format!("the ray `{}` promises `{promise}`, but that never happens on it", ray.name),
+                    );
+                }
+            }
+            for (index, beat) in slide.beats.iter().enumerate() {
+                self.values(slide, beat, &play);
+                if slide.ray_of(stage, index).is_some_and(|own| own.name == ray.name) {
+                    self.beat(slide, stage, &ray.name, beat, play.beats[index], &play, listing);
+                }
+            }
+        }
+    }
+
+    /// A beat on its own ray: it happens, its listing shows it, and there is something to ask.
+    fn beat(
+        &mut self,
+        slide: &Slide,
+        stage: &Stage,
+        ray: &str,
+        beat: &Beat,
+        step: Option<usize>,
+        play: &Play,
+        listing: Option<&Listing>,
+    ) {
+        let Some((step, event)) = step.and_then(|step| Some((step, play.event(step)?))) else {
+            let seen = play.events.iter().filter(|event| beat.at.matches(event)).count();
+            let message = format!(
+                "`{}` never happens on the ray `{ray}` of the {} stage after the beat before it{}",
+                beat.at,
+                stage.kind.name(),
+                if seen > 0 { format!(" (in the whole walk: {seen})") } else { String::new() },
+            );
+            self.say(slide, beat.spot, message);
+            return;
+        };
+        if let Some(listing) = listing.filter(|listing| listing.line_of(event.name()).is_none()) {
+            self.say(slide, beat.spot, format!("the listing `{}` has no line for `{}`", listing.name, event.name()));
+        }
+        if let Some(ask) = &beat.ask {
+            let choices = ask.choices(play, step);
+            if choices.len() < 2 || !choices.iter().any(|choice| choice.right) {
+                let message =
+                    format!("there is nothing to choose between on the ray `{ray}` of the {} stage", stage.kind.name());
+                self.say(slide, ask.spot, message);
+            }
+            self.reasons(slide, ask, play, event);
+        }
+    }
+
+    /// Every reason is for an answer that can be given.
+    fn reasons(&mut self, slide: &Slide, ask: &Ask, play: &Play, event: &Visit) {
+        let Some(right) = ask.right(play, event) else { return };
+        for reason in ask.reasons.iter().filter(|reason| reason.answer != "else") {
+            let answer = reason.answer.as_str();
+            let mut allowed = spellings(&right);
+            let alike = |field: &&&str| {
+                event.field(field).is_some_and(|value| std::mem::discriminant(&value) == std::mem::discriminant(&right))
+            };
+            match right {
+                Value::Place(_) | Value::Number(_) => allowed.extend(event.fields().iter().filter(alike)),
+                Value::Count(_) if answer.parse::<u32>().is_ok() => continue,
+                Value::Count(_) => {
+                    allowed.push("all");
+                    allowed.extend(vocabulary::events());
+                }
+                _ => {}
+            }
+            if !allowed.contains(&answer) {
+                self.say(slide, reason.spot, misspelt("answer to this question", answer, &allowed));
+            }
+        }
+        if let Value::Word(_, words) = right {
+            for option in ask.options.iter().filter(|option| !words.contains(&option.as_str())) {
+                self.say(slide, ask.spot, misspelt("answer to this question", option, words));
+            }
+        }
+    }
+
+    /// Conditions compare fields with values that they can have.
+    fn values(&mut self, slide: &Slide, beat: &Beat, play: &Play) {
+        let conditions = beat.at.fields.iter().map(|condition| (condition, beat.spot));
+        let paragraphs = beat.paragraphs.iter().filter_map(|p| Some((p.only_if.as_ref()?, p.spot)));
+        let Some(event) = play.events.iter().find(|event| names(&beat.at.event, event.name())) else { return };
+        for ((field, text), spot) in conditions.chain(paragraphs).collect::<Vec<_>>() {
+            let Some(value) = event.field(field) else { continue };
+            let allowed = spellings(&value);
+            if !allowed.is_empty() && !allowed.contains(&text.as_str()) {
+                let message = format!("`{field}` is never `{text}`: it can be {}", listed(&allowed));
+                self.say(slide, spot, message);
+            }
+        }
+    }
+}
+
+/// How a field's values are spelt, where there are but a few.
+fn spellings(value: &Value) -> Vec<&'static str> {
+    match value {
+        Value::Flag(_) => vec!["yes", "no"],
+        Value::Axis(_) => vec!["x", "y", "z"],
+        Value::Word(_, words) => words.to_vec(),
+        _ => Vec::new(),
+    }
+}
