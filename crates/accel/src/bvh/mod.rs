@@ -6,6 +6,8 @@ mod split;
 mod sweep;
 mod walk;
 
+pub(crate) use walk::{BvhWalk, Met};
+
 use crate::{Aabb, BvhOrder, NodeId, PrimId};
 
 /// A binary tree of boxes. Siblings are neighbours in the array of nodes, so that a parent needs the

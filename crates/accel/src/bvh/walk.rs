@@ -8,7 +8,7 @@ use crate::{
 
 impl Accel for Bvh {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
-        let mut walk = BvhWalk { bvh: self, prims, ray, best: Best::new(want), watch };
+        let mut walk = BvhWalk::new(self, prims, ray, want, watch);
         let why = match self.order {
             _ if self.nodes.is_empty() => Ending::Outside,
             BvhOrder::Printed => walk.printed(NodeId::ROOT, 0),
@@ -27,14 +27,20 @@ pub(crate) struct Met {
 
 /// What a walk has at hand.
 pub(crate) struct BvhWalk<'a, P, W> {
-    pub(crate) bvh: &'a Bvh,
-    pub(crate) prims: &'a P,
-    pub(crate) ray: &'a Ray,
+    bvh: &'a Bvh,
+    prims: &'a P,
+    ray: &'a Ray,
     pub(crate) best: Best,
     pub(crate) watch: &'a mut W,
+    /// Whether boxes are compared with the best hit.
+    pub(crate) cuts: bool,
 }
 
-impl<P: Primitives, W: Observer<Visit>> BvhWalk<'_, P, W> {
+impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
+    pub(crate) fn new(bvh: &'a Bvh, prims: &'a P, ray: &'a Ray, want: Want, watch: &'a mut W) -> BvhWalk<'a, P, W> {
+        BvhWalk { bvh, prims, ray, best: Best::new(want), watch, cuts: bvh.order == BvhOrder::Ordered }
+    }
+
     /// The recursion that slide 56 means: every box that the ray meets is opened, whatever was found before.
     /// `depth` second children wait on the call stack.
     fn printed(&mut self, node: NodeId, depth: u32) -> Ending {
@@ -58,7 +64,7 @@ impl<P: Primitives, W: Observer<Visit>> BvhWalk<'_, P, W> {
 
     /// The nearer child first; a box that begins behind the best hit stays closed.
     fn ordered(&mut self) -> Ending {
-        let Some(mut here) = self.volume(NodeId::ROOT) else { return Ending::Outside };
+        let Some(mut here) = self.root() else { return Ending::Outside };
         let mut stack = [here; Bvh::DEEPEST];
         let mut depth = 0;
         loop {
@@ -108,14 +114,19 @@ impl<P: Primitives, W: Observer<Visit>> BvhWalk<'_, P, W> {
         }
     }
 
-    /// Tests a node's volume; nothing if the ray misses it or, in the ordered walk, has a nearer hit already.
+    /// Tests the root's volume.
+    pub(crate) fn root(&mut self) -> Option<Met> {
+        if self.bvh.nodes.is_empty() { None } else { self.volume(NodeId::ROOT) }
+    }
+
+    /// Tests a node's volume; nothing if the ray misses it or has a nearer hit already.
     pub(crate) fn volume(&mut self, node: NodeId) -> Option<Met> {
         let place = Place::Node(node);
         let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, self.ray.range(), place, self.watch);
         let Interval { near: t_near, far: t_far } = within;
         let verdict = if within.is_empty() {
             Verdict::Miss
-        } else if self.bvh.order == BvhOrder::Ordered && self.best.rules_out(t_near) {
+        } else if self.cuts && self.best.rules_out(t_near) {
             Verdict::Cut
         } else {
             Verdict::Hit

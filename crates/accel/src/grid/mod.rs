@@ -4,6 +4,8 @@ mod build;
 mod resolution;
 mod walk;
 
+pub(crate) use walk::Crossing;
+
 use std::ops::RangeInclusive;
 
 use glam::Vec3;

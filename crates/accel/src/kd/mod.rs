@@ -6,6 +6,8 @@ mod reference;
 mod split;
 mod walk;
 
+pub(crate) use walk::{Part, Stack, enter, split};
+
 use node::{Kind, Node};
 
 use crate::{Aabb, Axis, Margin, NodeId, PrimId};

@@ -10,9 +10,9 @@ use crate::{
 
 /// A node and the part of the ray that may lie in it.
 #[derive(Clone, Copy)]
-struct Part {
-    node: NodeId,
-    live: Interval,
+pub(crate) struct Part {
+    pub(crate) node: NodeId,
+    pub(crate) live: Interval,
 }
 
 impl Accel for Kd {
@@ -77,7 +77,7 @@ impl Kd {
     }
 
     /// The part of the ray in the root's box; none if it misses.
-    fn enter(&self, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Interval> {
+    pub(crate) fn enter(&self, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Interval> {
         if self.bounds.is_empty() {
             return None;
         }
@@ -89,14 +89,14 @@ impl Kd {
     }
 }
 
-fn enter(here: Part, prims: u32, leaf: bool, watch: &mut impl Observer<Visit>) {
+pub(crate) fn enter(here: Part, prims: u32, leaf: bool, watch: &mut impl Observer<Visit>) {
     let Interval { near: t_near, far: t_far } = here.live;
     watch.on(Visit::Enter { place: Place::Node(here.node), t_near, t_far, prims, leaf });
 }
 
 /// Splits the interval of an inner node between its children `[below, above]`: the child to walk now and,
 /// if the ray meets both, the one to walk later.
-fn split(
+pub(crate) fn split(
     here: Part,
     axis: Axis,
     plane: f32,
@@ -136,17 +136,17 @@ fn split(
 }
 
 /// The parts that wait, the next one on top. No deeper than the tree.
-struct Stack {
+pub(crate) struct Stack {
     parts: [Part; Kd::DEEPEST],
     len: usize,
 }
 
 impl Stack {
-    fn new() -> Stack {
+    pub(crate) fn new() -> Stack {
         Stack { parts: [Part { node: NodeId::ROOT, live: Interval::ALL }; Kd::DEEPEST], len: 0 }
     }
 
-    fn push(&mut self, part: Part, watch: &mut impl Observer<Visit>) {
+    pub(crate) fn push(&mut self, part: Part, watch: &mut impl Observer<Visit>) {
         self.parts[self.len] = part;
         self.len += 1;
         let Interval { near: t_near, far: t_far } = part.live;
@@ -154,7 +154,7 @@ impl Stack {
     }
 
     /// The next part, or why there is none. What begins behind the best hit is dropped.
-    fn next(&mut self, best: &Best, watch: &mut impl Observer<Visit>) -> Result<Part, Ending> {
+    pub(crate) fn next(&mut self, best: &Best, watch: &mut impl Observer<Visit>) -> Result<Part, Ending> {
         let mut why = Ending::Exhausted;
         while self.len > 0 {
             self.len -= 1;
