@@ -6,7 +6,7 @@ use crate::{Aabb, Axes, Axis, GridRule, Resolution};
 /// No grid has more cells than this.
 const MOST_CELLS: u64 = 1 << 24;
 /// No grid has more references than this.
-const MOST_REFERENCES: u64 = 1 << 25;
+const MOST_REFERENCES: u64 = 1 << 24;
 
 /// The number of cells that `rule` asks for along each axis of a box with `prims` primitives in it.
 pub(super) fn asked(rule: &GridRule, bounds: &Aabb, prims: usize) -> [u32; 3] {

@@ -1,0 +1,137 @@
+//! What builders tell is all there is to know: folding it gives the finished structure.
+
+use glam::Vec3;
+use raystep_accel::*;
+
+/// Small triangles at random places.
+fn mesh(seed: u64, count: usize) -> Mesh {
+    let mut random = Random::new(seed);
+    let mut mesh = Mesh::default();
+    for i in 0..count as u32 {
+        let mut point =
+            |size: f32| Vec3::new(random.range(-size, size), random.range(-size, size), random.range(-size, size));
+        let center = point(5.0);
+        mesh.corners.extend([center + point(0.3), center + point(0.3), center + point(0.3)]);
+        mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+    }
+    mesh
+}
+
+fn bvh_rules() -> impl Iterator<Item = BvhRule> {
+    BvhSplit::ALL.iter().map(|&split| BvhRule { split, leaf_size: 1, ..BvhRule::default() })
+}
+
+#[test]
+fn cells_hold_what_settled_in_them() {
+    let mesh = mesh(1, 200);
+    for resolution in Resolution::ALL {
+        let rule = GridRule { resolution: *resolution, factor: 2.0, ..GridRule::default() };
+        let mut events: Vec<Grow> = Vec::new();
+        let grid = Grid::build(&mesh, &rule, &mut events).unwrap();
+
+        let mut cells: Vec<Vec<PrimId>> = Vec::new();
+        for event in events {
+            match event {
+                Grow::Resolve { nx, ny, nz, bounds, .. } => {
+                    assert_eq!(([nx, ny, nz], bounds), (grid.resolution, grid.bounds));
+                    cells = vec![Vec::new(); (nx * ny * nz) as usize];
+                }
+                Grow::Settle { prim, place: Place::Cell(cell) } => cells[cell.index()].push(prim),
+                _ => {}
+            }
+        }
+        assert_eq!(cells.len(), grid.cell_count());
+        for (cell, prims) in (0..).map(CellId).zip(&cells) {
+            assert_eq!(grid.cell_prims(cell), prims);
+            let [x, y, z] = grid.cell_place(cell);
+            assert_eq!(grid.cell_at(x, y, z), cell);
+        }
+    }
+}
+
+#[test]
+fn nodes_are_what_was_opened_and_split() {
+    let mesh = mesh(2, 200);
+    for rule in bvh_rules() {
+        let mut events: Vec<Grow> = Vec::new();
+        let bvh = Bvh::build(&mesh, &rule, &mut events).unwrap();
+
+        let mut bounds = vec![Aabb::EMPTY; bvh.node_count()];
+        let mut children = vec![None; bvh.node_count()];
+        let mut prims: Vec<Vec<PrimId>> = vec![Vec::new(); bvh.node_count()];
+        for event in events {
+            match event {
+                Grow::Open { node, bounds: b, .. } => bounds[node.index()] = b,
+                Grow::Split { node, below, above, .. } => children[node.index()] = Some([below, above]),
+                Grow::Settle { prim, place: Place::Node(node) } => prims[node.index()].push(prim),
+                _ => {}
+            }
+        }
+        assert_eq!(bvh.node_bounds(), bounds);
+        for node in (0..bvh.node_count() as u32).map(NodeId) {
+            assert_eq!(bvh.children(node), children[node.index()]);
+            assert_eq!(bvh.leaf_prims(node), prims[node.index()]);
+        }
+    }
+}
+
+#[test]
+fn one_primitive_a_leaf_gives_the_same_number_of_nodes_under_every_rule() {
+    let mesh = mesh(3, 1000);
+    for rule in bvh_rules() {
+        assert_eq!(Bvh::build(&mesh, &rule, &mut ()).unwrap().node_count(), 1999);
+    }
+}
+
+#[test]
+fn no_scene_makes_a_hierarchy_too_deep() {
+    // Centres at ever smaller distances, the worst case of the middle rule, and many in one place.
+    let mut shapes: Vec<Shape<'static>> =
+        (0..250).map(|i| Shape::Sphere(Sphere { center: Vec3::X * 2.0_f32.powi(125 - i), radius: 0.0 })).collect();
+    shapes.extend([Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 }); 100]);
+    for rule in bvh_rules() {
+        let bvh = Bvh::build(&shapes.as_slice(), &rule, &mut ()).unwrap();
+        let mut deepest = 0;
+        let mut waiting = vec![(NodeId::ROOT, 0)];
+        while let Some((node, depth)) = waiting.pop() {
+            deepest = deepest.max(depth);
+            waiting.extend(bvh.children(node).into_iter().flatten().map(|child| (child, depth + 1)));
+        }
+        assert!(deepest < Bvh::DEEPEST, "{deepest} under {:?}", rule.split);
+        assert_eq!(bvh.node_count(), 2 * shapes.len() - 1);
+    }
+}
+
+#[test]
+fn grids_stay_within_memory() {
+    // A thousand needles across everything, and a resolution that nobody can afford.
+    let mut mesh = Mesh::default();
+    for i in 0..1000_u32 {
+        let shift = Vec3::splat(i as f32);
+        mesh.corners.extend([shift, Vec3::new(1e4, 1e4, 0.0) - shift, Vec3::new(0.0, 1e4, 1e4) + shift]);
+        mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
+    }
+    let rule = GridRule { cells: [512; 3], ..GridRule::default() };
+    let grid = Grid::build(&mesh, &rule, &mut ()).unwrap();
+    assert!(grid.cell_count() < 1 << 18 && grid.reference_count() > 1000);
+}
+
+/// Gives up at the first question.
+struct GivesUp;
+
+impl Observer<Grow> for GivesUp {
+    fn on(&mut self, _: Grow) {}
+
+    fn cancelled(&self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn builders_give_up_when_told() {
+    let mesh = mesh(4, 10);
+    for kind in ["grid", "kd", "bvh"] {
+        let rule = Rule::default_for(kind).unwrap();
+        assert_eq!(Structure::build(&mesh, &rule, &mut GivesUp), Err(Cancelled), "{kind}");
+    }
+}

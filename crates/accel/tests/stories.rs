@@ -1,0 +1,95 @@
+//! Whole builds and walks through small flat scenes as text: one line an event, in the order of the algorithm.
+
+use std::fmt::Write;
+
+use glam::{Vec2, Vec3};
+use raystep_accel::*;
+
+fn wall(from: [f32; 2], to: [f32; 2]) -> Shape<'static> {
+    Shape::Wall(Wall { from: Vec2::from(from), to: Vec2::from(to), z: [-0.5, 0.5] })
+}
+
+fn disc(x: f32, y: f32, radius: f32) -> Shape<'static> {
+    Shape::Sphere(Sphere { center: Vec3::new(x, y, 0.0), radius })
+}
+
+/// A slanted wall across four of six cells, a disc before it, and walls in two corners.
+fn scene() -> Vec<Shape<'static>> {
+    vec![
+        wall([0.5, 0.2], [2.9, 1.9]),
+        disc(1.55, 0.55, 0.2),
+        wall([0.0, 0.0], [0.0, 0.1]),
+        wall([3.0, 1.9], [3.0, 2.0]),
+    ]
+}
+
+fn ray(o: [f32; 2], to: [f32; 2]) -> Ray {
+    let (o, to) = (Vec2::from(o), Vec2::from(to));
+    Ray::new(o.extend(0.0), (to - o).extend(0.0)).unwrap()
+}
+
+/// The name and the fields of an event.
+fn line(name: &str, fields: &[&'static str], value: impl Fn(&str) -> Option<Value>) -> String {
+    let mut line = format!("{name:<13}");
+    for field in fields {
+        let value = match value(field).unwrap() {
+            Value::Number(number) => format!("{}", (number * 1000.0).round() / 1000.0),
+            Value::Count(count) => count.to_string(),
+            Value::Flag(flag) => flag.to_string(),
+            Value::Axis(axis) => axis.to_string(),
+            Value::Word(word, _) => word.to_owned(),
+            Value::Place(place) => place.to_string(),
+        };
+        write!(line, " {field}={value}").unwrap();
+    }
+    line
+}
+
+fn walked(structure: &Structure, ray: &Ray) -> String {
+    let mut events: Vec<Visit> = Vec::new();
+    structure.intersect(&scene().as_slice(), ray, &mut events);
+    // A flat scene leaves out z and the arithmetic of its slabs.
+    let coarse = events.iter().filter(|event| event.grain() != Grain::Arithmetic);
+    coarse.map(|event| line(event.name(), event.fields(), |field| event.field(field)) + "\n").collect()
+}
+
+fn grown(kind: &str, settings: &[(&str, &str)]) -> (Structure, String) {
+    let mut rule = Rule::default_for(kind).unwrap().flat();
+    for (key, value) in settings {
+        rule.set(key, value).unwrap();
+    }
+    let mut events: Vec<Grow> = Vec::new();
+    let structure = Structure::build(&scene().as_slice(), &rule, &mut events).unwrap();
+    let story = events.iter().map(|event| line(event.name(), event.fields(), |field| event.field(field)) + "\n");
+    (structure, story.collect())
+}
+
+#[test]
+fn a_grid_is_built() {
+    let (_, story) = grown("grid", &[("nx", "3"), ("ny", "2")]);
+    insta::assert_snapshot!(story);
+}
+
+#[test]
+fn a_grid_is_walked() {
+    let (grid, _) = grown("grid", &[("nx", "3"), ("ny", "2")]);
+    insta::assert_snapshot!(walked(&grid, &ray([-1.0, 0.3], [0.0, 0.46])));
+}
+
+#[test]
+fn a_hierarchy_of_boxes_is_built() {
+    let (_, story) = grown("bvh", &[("split", "sweep"), ("leaf_size", "1")]);
+    insta::assert_snapshot!(story);
+}
+
+#[test]
+fn a_hierarchy_of_boxes_is_walked_in_order() {
+    let (bvh, _) = grown("bvh", &[("split", "sweep"), ("leaf_size", "1")]);
+    insta::assert_snapshot!(walked(&bvh, &ray([4.0, 0.0], [3.0, 0.22])));
+}
+
+#[test]
+fn a_hierarchy_of_boxes_is_walked_as_printed() {
+    let (bvh, _) = grown("bvh", &[("split", "sweep"), ("leaf_size", "1"), ("order", "printed")]);
+    insta::assert_snapshot!(walked(&bvh, &ray([4.0, 0.0], [3.0, 0.22])));
+}
