@@ -16,15 +16,13 @@ const MOST: usize = 80;
 pub fn costs(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let title = moment.node.map_or("Costs".to_owned(), |node| format!("Costs of splitting node {node}"));
-    let top = look.heading(&mut figure, &title, "");
     let weighed: Vec<Weighed> = moment.weighed.iter().copied().filter(|w| w.cost.is_finite()).collect();
     let axes: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| weighed.iter().any(|w| w.axis == *axis)).collect();
     if axes.is_empty() {
-        let at = Vec2::new(look.margin(), top + look.line() * 0.5);
-        let says = "No split has been weighed here yet.";
-        write(&mut figure, Role::Quiet, None, at, says, look.text, Face::Regular, Anchor::Start);
+        look.nothing(&mut figure, &title, "No split has been weighed here yet.");
         return figure;
     }
+    let top = look.heading(&mut figure, &title, "");
 
     // Beside each other, over one scale of costs.
     let (least, most) = weighed.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), w| (a.min(w.cost), b.max(w.cost)));

@@ -4,7 +4,7 @@ use glam::Vec2;
 use raystep_accel::Visit;
 
 use crate::fonts::elided;
-use crate::look::{block, write};
+use crate::look::{block, line, write};
 use crate::{Anchor, Face, Figure, Look, Role, fill};
 
 /// One line of an algorithm.
@@ -37,8 +37,8 @@ pub fn listing(lines: &[ListingLine<'_>], event: Option<&Visit>, size: Vec2, loo
     let face_size = look.text * 0.97;
     let left = look.margin() + look.text * 0.6;
     let width = size.x - left - look.margin();
-    let text = |line: &ListingLine<'_>, face| {
-        let indented = format!("{}{}", "  ".repeat(line.indent), line.text);
+    let text = |shown: &ListingLine<'_>, face| {
+        let indented = format!("{}{}", "  ".repeat(shown.indent), shown.text);
         elided(&indented, face, face_size, width)
     };
     let mut y = top + row * 0.5;
@@ -104,6 +104,6 @@ pub fn current_line(lines: &[ListingLine<'_>], event: &Visit) -> Option<usize> {
 /// The ground of the current line, with a bar at its left.
 fn mark(figure: &mut Figure, corner: Vec2, size: Vec2, look: &Look) {
     figure.add(Role::Ground, None, block(corner, size, look.text * 0.2));
-    let bar = Vec2::new((look.text * 0.3).round(), size.y);
-    figure.add(Role::Here, None, block(corner, bar, 0.0));
+    let bar = corner + Vec2::new(1.5, 0.0);
+    figure.add(Role::Here, None, line(bar, bar + Vec2::new(0.0, size.y)));
 }

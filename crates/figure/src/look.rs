@@ -47,6 +47,12 @@ impl Look {
         }
         y + self.text * 1.0
     }
+
+    /// A pane with nothing to draw says why.
+    pub(crate) fn nothing(&self, figure: &mut Figure, title: &str, says: &str) {
+        let at = Vec2::new(self.margin(), self.heading(figure, title, "") + self.line() * 0.5);
+        write(figure, Role::Quiet, None, at, says, self.text, Face::Regular, Anchor::Start);
+    }
 }
 
 /// Adds one line of text.

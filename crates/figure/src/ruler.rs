@@ -11,16 +11,17 @@ use crate::{Anchor, Face, Figure, Ink, Look, Moment, Role, Walk, number, text_wi
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, "t along the ray", "") + if look.titles { 0.0 } else { look.text };
-    let (u, row) = (look.text, look.line());
+    let u = look.text;
     let mut spans = spans(walk, moment);
 
-    // Rows that fit; of more, those furthest down the stack are left out and counted.
+    // Rows stand closer before any is left out; what is left out lies furthest down the stack.
     let bottom = size.y - look.margin() - u * 1.1;
-    let fit = (((bottom - top - u * 0.3) / row) as usize).max(1);
-    let more = spans.len().saturating_sub(fit);
-    if more > 0 {
-        spans.truncate(fit.saturating_sub(1).max(1));
-    }
+    let height = (bottom - top - u * 0.4).max(u);
+    let fit = ((height / (u * 1.2)) as usize).max(1);
+    let more = if spans.len() > fit { spans.len() + 1 - fit } else { 0 };
+    spans.truncate(spans.len() - more);
+    let rows = spans.len() + usize::from(more > 0);
+    let row = (height / rows.max(1) as f32).min(look.line());
     let names = spans.iter().map(|span| text_width(&span.name, Face::Medium, u)).fold(u * 4.5, f32::max);
     let axis = axis(walk, look.margin() + names + u, size.x - look.margin() - u);
 
@@ -32,7 +33,7 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     }
     if more > 0 {
         let at = Vec2::new(look.margin(), top + row * (spans.len() as f32 + 0.5));
-        let says = format!("and {} more on the stack", more + 1);
+        let says = format!("and {more} more on the stack");
         write(&mut figure, Role::Quiet, None, at, &says, look.small(), Face::Regular, Anchor::Start);
     }
     draw_axis(&mut figure, &axis, bottom, look);
@@ -42,6 +43,10 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
 
 /// Everything on one line, names above: for the far end of a lecture hall.
 pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+    // The slabs of a box lie over each other: they need a row each.
+    if moment.slab.is_some() {
+        return ruler(walk, moment, size, &Look { titles: false, ..*look });
+    }
     let mut figure = Figure::new(size);
     let u = look.text;
     let axis = axis(walk, look.margin() + u * 0.6, size.x - look.margin() - u * 0.6);

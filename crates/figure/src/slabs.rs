@@ -22,11 +22,9 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     let done = &walk.events[..moment.step.min(walk.events.len())];
     let last = done.iter().rposition(|event| slab_of(event).is_some());
     let Some((place, slabs)) = last.map(|last| test_up_to(done, last)) else {
-        let top = look.heading(&mut figure, "Slabs", "");
         let ever = walk.events.iter().any(|event| slab_of(event).is_some());
         let says = if ever { "No slab has been cut yet." } else { "This walk cuts no slabs." };
-        let at = Vec2::new(look.margin(), top + look.line() * 0.5);
-        write(&mut figure, Role::Quiet, None, at, says, look.text, Face::Regular, Anchor::Start);
+        look.nothing(&mut figure, "Slabs", says);
         return figure;
     };
 

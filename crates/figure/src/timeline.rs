@@ -5,7 +5,7 @@ use raystep_accel::Visit;
 
 use crate::glyph::Glyph;
 use crate::look::{line, write};
-use crate::{Anchor, Face, Figure, Ink, Look, Role, short, text_width};
+use crate::{Anchor, Face, Figure, Ink, Look, Role, Walk, short, text_width};
 
 /// Most symbols on one track.
 const MOST: usize = 240;
@@ -44,7 +44,8 @@ impl Track {
 }
 
 /// The track with a symbol for each event that has one, the current step and what it is.
-pub fn timeline(events: &[Visit], step: usize, size: Vec2, look: &Look) -> Figure {
+pub fn timeline(walk: &Walk<'_>, step: usize, size: Vec2, look: &Look) -> Figure {
+    let events = walk.events;
     let mut figure = Figure::new(size);
     let track = Track::new(events.len(), size, look);
     let (small, u) = (look.small(), look.text);
@@ -78,7 +79,7 @@ pub fn timeline(events: &[Visit], step: usize, size: Vec2, look: &Look) -> Figur
 
     // One symbol for each event that has one; of a crowd, the one that matters most.
     let above = track.y - 1.25 * u;
-    for (at, glyph, place) in crowd(events, &track, u * 0.8) {
+    for (at, glyph, place) in crowd(walk, &track, u * 0.8) {
         write(
             &mut figure,
             glyph.role(),
@@ -99,11 +100,12 @@ pub fn timeline(events: &[Visit], step: usize, size: Vec2, look: &Look) -> Figur
 }
 
 /// The symbols that stand on the track, at least `apart` points from each other.
-fn crowd(events: &[Visit], track: &Track, apart: f32) -> Vec<(f32, Glyph, Option<raystep_accel::Place>)> {
+fn crowd(walk: &Walk<'_>, track: &Track, apart: f32) -> Vec<(f32, Glyph, Option<raystep_accel::Place>)> {
     let bins = (((track.right - track.left) / apart) as usize).clamp(1, MOST);
-    let dense = events.iter().filter(|event| Glyph::of(event).is_some()).count() > bins
-        || (track.right - track.left) / (events.len().max(1) as f32) < apart;
-    let symbols = events.iter().enumerate().filter_map(|(i, event)| Some((i + 1, Glyph::of(event)?, event.place())));
+    let dense = (track.right - track.left) / (track.steps.max(1) as f32) < apart;
+    let shown = |event: &Visit| Glyph::of(event).filter(|_| !(walk.flat && event.concerns_z()));
+    let events = walk.events.iter().enumerate();
+    let symbols = events.filter_map(|(i, event)| Some((i + 1, shown(event)?, event.place())));
     if !dense {
         return symbols.map(|(step, glyph, place)| (track.x(step), glyph, Some(place))).collect();
     }

@@ -16,10 +16,7 @@ const COUNTED: usize = 9999;
 pub fn tree(walk: &Walk<'_>, moment: &Moment, view: &TreeView, size: Vec2, look: &Look) -> Figure {
     if walk.structure.node_count() == 0 {
         let mut figure = Figure::new(size);
-        let top = look.heading(&mut figure, "Tree", "");
-        let at = Vec2::new(look.margin(), top + look.line() * 0.5);
-        let says = "This structure has no tree.";
-        write(&mut figure, Role::Quiet, None, at, says, look.text, Face::Regular, Anchor::Start);
+        look.nothing(&mut figure, "Tree", "This structure has no tree.");
         return figure;
     }
     draw_tree(&Walked { walk, moment }, view, size, look)

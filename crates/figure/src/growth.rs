@@ -1,0 +1,168 @@
+//! What a builder has done so far, in space and as a tree.
+
+use glam::{Vec2, Vec3};
+use raystep_accel::{Aabb, Axis, CellId, Grow, NodeId, Place, PrimId, Structure};
+
+use crate::branches::{Tree, TreeView};
+use crate::build::GrowMoment;
+use crate::tree::draw_tree;
+use crate::{Figure, Form, Look, Role, Space, SpaceMark};
+
+/// Most boxes of nodes in one picture.
+const BOXES: usize = 300;
+
+/// Most cells of a grid in one picture.
+const CELLS: usize = 1024;
+
+/// Most weighed splits in one picture.
+const TICKS: usize = 120;
+
+/// Space at a moment of a build. `structure` is what the build ends in: it knows where a grid's cells lie.
+pub fn space_of_build(structure: &Structure, moment: &GrowMoment, flat: bool) -> Space {
+    let bounds = structure.bounds();
+    let mut drawing = Drawing { structure, moment, flat, marks: Vec::new() };
+    if !moment.bounds.is_empty() {
+        drawing.add(Role::Edge, Some(Place::World), Form::Box(moment.bounds));
+    }
+    drawing.cells();
+    drawing.nodes();
+    drawing.splits();
+    if let Some(prim) = moment.prim {
+        drawing.add(Role::Here, Some(Place::Prim(prim)), Form::Prim(prim));
+    }
+    let margin = 0.02 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
+    Space { marks: drawing.marks, bounds: bounds.padded(margin), flat }
+}
+
+/// The tree at a moment of a build.
+pub fn tree_of_build(moment: &GrowMoment, view: &TreeView, size: Vec2, look: &Look) -> Figure {
+    if moment.nodes.is_empty() {
+        let mut figure = Figure::new(size);
+        look.nothing(&mut figure, "Tree", "No node has come to be yet.");
+        return figure;
+    }
+    draw_tree(&Growing { moment, path: moment.path() }, view, size, look)
+}
+
+struct Drawing<'a> {
+    structure: &'a Structure,
+    moment: &'a GrowMoment,
+    flat: bool,
+    marks: Vec<SpaceMark>,
+}
+
+impl Drawing<'_> {
+    fn add(&mut self, role: Role, place: Option<Place>, form: Form) {
+        self.marks.push(SpaceMark { form, role, place });
+    }
+
+    /// All cells while they are few; those that hold something; those of the current primitive.
+    fn cells(&mut self) {
+        let (Structure::Grid(grid), Some(_)) = (self.structure, self.moment.resolution) else { return };
+        let outline = |role, cell: CellId| SpaceMark {
+            form: Form::Box(grid.cell_bounds(cell)),
+            role,
+            place: Some(Place::Cell(cell)),
+        };
+        if self.flat && grid.cell_count() <= CELLS {
+            self.marks.extend((0..grid.cell_count() as u32).map(|cell| outline(Role::Edge, CellId(cell))));
+        }
+        let filled = self.moment.cells.keys().rev().take(CELLS);
+        self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));
+        for &(cell, pruned) in &self.moment.rasterised {
+            self.marks.push(outline(if pruned { Role::Dropped } else { Role::Here }, cell));
+        }
+    }
+
+    /// The boxes of the nodes, those being split or waiting for it above all others.
+    fn nodes(&mut self) {
+        let shown = self.moment.nodes.iter().take(BOXES);
+        let rest = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id));
+        for (&id, node) in shown.chain(rest) {
+            let role = node_role(self.moment, id);
+            // Boxes of split nodes only repeat what their children show; the current one stands out.
+            let role = if role == Role::Seen && node.split.is_some() { Role::Edge } else { role };
+            self.add(role, Some(Place::Node(id)), Form::Box(node.bounds));
+        }
+    }
+
+    /// The splits weighed for the current node as ticks at its edges, the one at hand as a whole plane.
+    fn splits(&mut self) {
+        let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
+        let place = Some(Place::Node(*id));
+        for weighed in self.moment.weighed.iter().rev().take(TICKS) {
+            for (from, to) in ticks(&node.bounds, weighed.axis, weighed.plane) {
+                self.add(Role::Candidate, place, Form::Segment(from, to));
+            }
+        }
+        let sheet = |axis: Axis, plane: f32| {
+            let mut sheet = node.bounds;
+            sheet.min[axis] = plane;
+            sheet.max[axis] = plane;
+            Form::Sheet(sheet)
+        };
+        match self.moment.event {
+            Some(Grow::Weigh { axis, plane, .. }) => self.add(Role::Candidate, place, sheet(axis, plane)),
+            Some(Grow::Split { axis, plane, .. }) => self.add(Role::Plane, place, sheet(axis, plane)),
+            _ => {}
+        }
+    }
+}
+
+/// Short lines at the two sides of a box that a plane across `axis` would cut.
+fn ticks(bounds: &Aabb, axis: Axis, plane: f32) -> [(Vec3, Vec3); 2] {
+    let along = if axis == Axis::Y { Axis::X } else { Axis::Y };
+    let length = 0.05 * bounds.extent()[along];
+    let at = |value: f32| {
+        let mut at = bounds.center();
+        at[axis] = plane;
+        at[along] = value;
+        at
+    };
+    let (low, high) = (bounds.min[along], bounds.max[along]);
+    [(at(low), at(low + length)), (at(high - length), at(high))]
+}
+
+/// The state of a node that grows.
+fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
+    match moment.nodes.get(&id) {
+        _ if moment.node == Some(id) => Role::Here,
+        Some(node) if node.split.is_none() && node.leaf.is_none() => Role::Waiting,
+        _ => Role::Seen,
+    }
+}
+
+/// A tree that grows.
+struct Growing<'a> {
+    moment: &'a GrowMoment,
+    path: Vec<NodeId>,
+}
+
+impl Tree for Growing<'_> {
+    fn children(&self, node: NodeId) -> Vec<NodeId> {
+        // A child is drawn once it has come to be.
+        let split = self.moment.nodes.get(&node).and_then(|node| node.split);
+        let pair = split.map_or(Vec::new(), |split| vec![split.below, split.above]);
+        pair.into_iter().filter(|child| self.moment.nodes.contains_key(child)).collect()
+    }
+
+    fn axis(&self, node: NodeId) -> Option<Axis> {
+        self.moment.nodes.get(&node)?.split.map(|split| split.axis)
+    }
+
+    fn prims(&self, node: NodeId) -> Vec<PrimId> {
+        self.moment.nodes.get(&node).map(|node| node.settled.clone()).unwrap_or_default()
+    }
+
+    fn role(&self, node: NodeId) -> Role {
+        node_role(self.moment, node)
+    }
+
+    fn prim_role(&self, prim: PrimId) -> Role {
+        if self.moment.prim == Some(prim) { Role::Here } else { Role::Scene }
+    }
+
+    fn path(&self) -> Vec<NodeId> {
+        if self.path.is_empty() { vec![NodeId::ROOT] } else { self.path.clone() }
+    }
+}
