@@ -22,6 +22,7 @@ mod moment;
 mod number;
 mod role;
 mod ruler;
+mod sentence;
 mod slabs;
 mod space;
 mod spans;
@@ -52,8 +53,9 @@ pub use moment::{Cut, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Wai
 pub use number::{fill, number, value};
 pub use role::Role;
 pub use ruler::{ruler, ruler_line};
+pub use sentence::sentence;
 pub use slabs::slabs;
-pub use space::{Form, Space, SpaceMark};
+pub use space::{Form, Space, SpaceMark, space};
 pub use stack::stack;
 pub use theme::{Color, Dash, Stroke, Style, Theme};
 pub use timeline::{Track, timeline};

@@ -124,7 +124,7 @@ pub struct Cut {
 /// The state of a grid walk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stepping {
-    /// The cell stepped into, or out of the grid from.
+    /// The cell stepped out of.
     pub cell: CellId,
     /// The axis along which the walk stepped.
     pub axis: Axis,
@@ -213,10 +213,11 @@ impl Moment {
             Visit::Volume { place, t_near, t_far, verdict, .. } => {
                 let interval = Interval::new(t_near, t_far);
                 self.volumes.push(Tested { place, interval, verdict });
+                self.live = if self.here.is_none_or(|here| here == place) { interval } else { self.entered };
                 if verdict != Verdict::Hit {
                     self.dropped.push(place);
+                    self.here.take_if(|here| *here == place);
                 }
-                self.live = if self.here.is_none_or(|here| here == place) { interval } else { self.entered };
             }
             Visit::Enter { place, t_near, t_far, .. } => self.enter(place, Interval::new(t_near, t_far)),
             Visit::Plane { node, axis, plane, t, .. } => {

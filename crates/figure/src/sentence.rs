@@ -99,7 +99,7 @@ pub fn sentence(event: &Visit) -> String {
             number(best_t)
         ),
         Visit::Step { cell, axis, t, inside: true, .. } => {
-            format!("The next {axis} plane comes first, at t = {}: step along {axis} into cell {cell}.", number(t))
+            format!("The next {axis} plane comes first, at t = {}: out of cell {cell} over its {axis} face.", number(t))
         }
         Visit::Step { axis, t, .. } => {
             format!("The next {axis} plane comes first, at t = {}: the walk leaves the grid.", number(t))

@@ -25,7 +25,10 @@ impl Walk<'_> {
         match place {
             Place::World => self.world(),
             Place::Node(node) => self.node_bounds.get(node.index()).copied().unwrap_or(Aabb::EMPTY),
-            Place::Cell(_) => Aabb::EMPTY,
+            Place::Cell(cell) => match self.structure {
+                Structure::Grid(grid) if cell.index() < grid.cell_count() => grid.cell_bounds(cell),
+                _ => Aabb::EMPTY,
+            },
             Place::Prim(prim) if prim.index() < self.prims.len() => self.prims.bounds(prim),
             Place::Prim(_) => Aabb::EMPTY,
         }

@@ -1,0 +1,146 @@
+//! A drawing in world space, for any camera.
+
+mod boxes;
+mod cells;
+mod prims;
+mod rays;
+mod slabs;
+
+use glam::Vec3;
+use raystep_accel::{Aabb, Interval, Place, PrimId, Structure};
+
+use crate::{Moment, Role, Walk};
+
+/// What space shows at one step: lines, boxes, points and labels, in world coordinates. The primitives
+/// themselves are drawn from the scene; those to which something happened have a [`Form::Prim`] mark.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Space {
+    /// What is drawn, later ones on top.
+    pub marks: Vec<SpaceMark>,
+    /// What a camera should show.
+    pub bounds: Aabb,
+    /// Whether the scene is flat: seen from straight above, boxes are rectangles.
+    pub flat: bool,
+}
+
+/// A form with a meaning and, where it is about one, a place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpaceMark {
+    /// The drawn form.
+    pub form: Form,
+    /// What it means.
+    pub role: Role,
+    /// What it is about.
+    pub place: Option<Place>,
+}
+
+/// A form in world space.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// The twelve edges and the faint faces of a box.
+    Box(Aabb),
+    /// A rectangle in a plane: a split, or a slab's face. One of the box's sides has no length.
+    Sheet(Aabb),
+    /// A straight line.
+    Segment(Vec3, Vec3),
+    /// A line with a head at its end.
+    Arrow(Vec3, Vec3),
+    /// A ring around a point.
+    Point(Vec3),
+    /// A primitive, to be drawn in the mark's role.
+    Prim(PrimId),
+    /// A label in a rounded box.
+    Label {
+        /// What it labels, if that is a point.
+        at: Vec3,
+        /// What it labels, if that is a box: it lies in one of its corners.
+        within: Option<Aabb>,
+        /// The text.
+        text: String,
+    },
+}
+
+/// What space shows at a moment of a walk.
+pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
+    let bounds = visible(walk);
+    let mut drawing = Drawing { walk, moment, bounds, marks: Vec::new() };
+    match walk.structure {
+        Structure::Grid(grid) => drawing.cells(grid),
+        _ => drawing.nodes(),
+    }
+    drawing.the_box();
+    drawing.prims();
+    drawing.split();
+    drawing.slab();
+    drawing.ray();
+    drawing.hits();
+    drawing.guesses();
+    Space { marks: drawing.marks, bounds, flat: walk.flat }
+}
+
+/// A space being drawn.
+struct Drawing<'a> {
+    walk: &'a Walk<'a>,
+    moment: &'a Moment,
+    bounds: Aabb,
+    marks: Vec<SpaceMark>,
+}
+
+impl Drawing<'_> {
+    fn add(&mut self, role: Role, place: Option<Place>, form: Form) {
+        self.marks.push(SpaceMark { form, role, place });
+    }
+
+    /// A label at a point.
+    fn note(&mut self, role: Role, place: Option<Place>, at: Vec3, text: String) {
+        self.add(role, place, Form::Label { at, within: None, text });
+    }
+
+    /// A label in a corner of a place's box.
+    fn title(&mut self, role: Role, place: Place, text: String) {
+        let bounds = self.walk.bounds(place);
+        if !bounds.is_empty() {
+            self.add(role, Some(place), Form::Label { at: bounds.center(), within: Some(bounds), text });
+        }
+    }
+
+    /// The outline of a place.
+    fn outline(&mut self, role: Role, place: Place) {
+        let bounds = self.walk.bounds(place);
+        if !bounds.is_empty() {
+            self.add(role, Some(place), Form::Box(bounds));
+        }
+    }
+
+    /// A ring where the ray is at `t`, if that is in the picture.
+    fn ring(&mut self, role: Role, place: Option<Place>, t: f32, text: Option<String>) {
+        let at = self.walk.ray.at(t);
+        if !at.is_finite() || !self.bounds.contains(at) {
+            return;
+        }
+        self.add(role, place, Form::Point(at));
+        if let Some(text) = text {
+            self.note(role, place, at, text);
+        }
+    }
+}
+
+/// What the picture is about: the box around everything and, if it is not far off, the ray's origin.
+fn visible(walk: &Walk<'_>) -> Aabb {
+    let world = walk.world();
+    if world.is_empty() {
+        return world.with_point(walk.ray.o).with_point(walk.ray.at(1.0));
+    }
+    let diagonal = world.extent().length();
+    let near = (walk.ray.o - world.center()).length() <= diagonal;
+    let all = if near { world.with_point(walk.ray.o) } else { world };
+    all.padded(0.02 * diagonal)
+}
+
+/// The part of the ray in the picture; empty if there is none.
+fn shown(walk: &Walk<'_>, bounds: &Aabb) -> Interval {
+    let room = bounds.padded(0.04 * bounds.extent().length());
+    let within = Interval::new(0.0, walk.ray.t_max);
+    let part = raystep_accel::slab(&room, &walk.ray, within, Place::World, &mut ());
+    if !part.is_empty() || !bounds.contains(walk.ray.o) { part } else { within }
+}
