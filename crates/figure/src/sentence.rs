@@ -26,7 +26,11 @@ pub fn sentence(event: &Visit) -> String {
             number(t2)
         ),
         Visit::Order { axis, t1, t2, swapped: true, .. } => {
-            format!("The ray runs down the {axis} axis: swapped, it enters at t = {} and leaves at t = {}.", number(t1), number(t2))
+            format!(
+                "The ray runs down the {axis} axis: swapped, it enters at t = {} and leaves at t = {}.",
+                number(t1),
+                number(t2)
+            )
         }
         Visit::Order { axis, t1, t2, .. } => {
             format!("In {axis} the ray enters at t = {} and leaves at t = {}: no swap needed.", number(t1), number(t2))
@@ -59,7 +63,7 @@ pub fn sentence(event: &Visit) -> String {
             };
             format!("The walk enters {place}{kind}, with {}.{holds}", range(t_near, t_far))
         }
-        Visit::Plane { axis, plane, d, .. } if d == 0.0 => {
+        Visit::Plane { axis, plane, d: 0.0, .. } => {
             format!("The ray runs parallel to the plane {axis} = {} and never crosses it.", number(plane))
         }
         Visit::Plane { axis, plane, t, t_near, t_far, .. } => {
@@ -130,7 +134,9 @@ pub fn sentence(event: &Visit) -> String {
         Visit::End { why: Ending::Settled, t, .. } => {
             format!("The hit at t = {} lies before everything that is left: the walk is over.", number(t))
         }
-        Visit::End { hit: true, t, .. } => format!("Nothing is left to visit: the nearest hit is at t = {}.", number(t)),
+        Visit::End { hit: true, t, .. } => {
+            format!("Nothing is left to visit: the nearest hit is at t = {}.", number(t))
+        }
         Visit::End { .. } => "Nothing is left to visit: the ray hits nothing.".to_owned(),
     }
 }
@@ -150,14 +156,30 @@ mod tests {
         let node = NodeId(1);
         let events = [
             Visit::Plane { node, axis: Axis::Y, plane: 2.02, o: 0.53, d: 0.407, t: 3.66, t_near: 0.328, t_far: 5.14 },
-            Visit::Split { node, near: NodeId(2), far: NodeId(5), t: 3.66, t_near: 0.328, t_far: 5.14, side: Side::Both },
+            Visit::Split {
+                node,
+                near: NodeId(2),
+                far: NodeId(5),
+                t: 3.66,
+                t_near: 0.328,
+                t_far: 5.14,
+                side: Side::Both,
+            },
             Visit::Push { node: NodeId(5), t_near: 3.66, t_far: 5.14, depth: 2 },
             Visit::Enter { place: Place::Node(NodeId(2)), t_near: 0.328, t_far: 3.66, prims: 1, leaf: true },
             Visit::Pop { node: NodeId(5), t_near: 3.66, t_far: 5.14, depth: 1 },
             Visit::Test { prim: PrimId(4), t: f32::INFINITY, hit: false },
             Visit::Better { prim: PrimId(7), t: 4.2, before: f32::INFINITY },
             Visit::Beyond { cell: CellId(12), t: 4.2, t_far: 3.9 },
-            Visit::Narrow { place: Place::World, axis: Axis::X, t1: 1.0, t2: 2.0, t_near: 3.0, t_far: 2.0, empty: true },
+            Visit::Narrow {
+                place: Place::World,
+                axis: Axis::X,
+                t1: 1.0,
+                t2: 2.0,
+                t_near: 3.0,
+                t_far: 2.0,
+                empty: true,
+            },
             Visit::End { why: Ending::Settled, hit: true, t: 4.2 },
         ];
         let lines: Vec<String> = events.iter().map(sentence).collect();

@@ -26,11 +26,11 @@ impl Drawing<'_> {
         if let Some(cut) = self.moment.cut {
             self.ring(Role::Tick, Some(Place::Node(cut.node)), cut.t, Some(format!("t = {}", number(cut.t))));
         }
-        if let Some(Visit::Volume { place, t_near, t_far, .. }) = self.moment.event {
-            if t_near <= t_far {
-                self.ring(Role::Tick, Some(place), t_near, Some(format!("t_near = {}", number(t_near))));
-                self.ring(Role::Tick, Some(place), t_far, Some(format!("t_far = {}", number(t_far))));
-            }
+        if let Some(Visit::Volume { place, t_near, t_far, .. }) = self.moment.event
+            && t_near <= t_far
+        {
+            self.ring(Role::Tick, Some(place), t_near, Some(format!("t_near = {}", number(t_near))));
+            self.ring(Role::Tick, Some(place), t_far, Some(format!("t_far = {}", number(t_far))));
         }
     }
 }
