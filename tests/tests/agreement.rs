@@ -1,0 +1,55 @@
+//! Every structure answers exactly as brute force does: the same t, bit for bit, and the same primitive.
+
+use raystep_accel::{Accel, Hit, List, Primitives, Prims, Random, Ray, Structure};
+use raystep_scene::Scene;
+use raystep_tests::rays::Targets;
+use raystep_tests::rules::rules;
+use raystep_tests::scenes::{Case, cases};
+
+/// Shoots `rays` rays at every structure over the scene; the answers must be those of the list.
+/// The rays that hit something are counted.
+fn check(case: &Case, seed: u64, rays: u32) -> u32 {
+    let structures: Vec<(&str, Structure)> = rules()
+        .map(|(line, rule)| {
+            let rule = if case.flat { rule.flat() } else { rule };
+            (line, Structure::build(&case.prims, &rule, &mut ()).unwrap())
+        })
+        .collect();
+    let all: Vec<&Structure> = structures.iter().map(|(_, structure)| structure).collect();
+    let targets = Targets::of(&case.prims, case.flat, &all);
+    let mut random = Random::new(seed);
+    let mut hits = 0;
+    for i in 0..rays {
+        let Some(ray) = targets.ray(&case.prims, i, &mut random) else { continue };
+        let right = List.intersect(&case.prims, &ray, &mut ());
+        hits += u32::from(right.is_some());
+        for (line, structure) in &structures {
+            agrees(structure, &case.prims, &ray, right, &format_args!("{}, {line}, ray {i}", case.name));
+        }
+    }
+    hits
+}
+
+fn agrees(structure: &Structure, prims: &Prims, ray: &Ray, right: Option<Hit>, what: &dyn std::fmt::Display) {
+    let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim));
+    let found = structure.intersect(prims, ray, &mut ());
+    assert!(bits(found) == bits(right), "{what}: {found:?} instead of {right:?}\n{ray:?}");
+    let occluded = structure.occluded(prims, ray, &mut ());
+    assert!(occluded == right.is_some(), "{what}: occluded = {occluded}, hit = {right:?}\n{ray:?}");
+}
+
+#[test]
+fn every_structure_answers_as_brute_force() {
+    const RAYS: u32 = 4000;
+    let cases = cases();
+    assert!(cases.len() as u32 * RAYS >= 100_000, "not enough rays for each structure");
+    let hits: u32 = cases.iter().zip(1..).map(|(case, seed)| check(case, seed, RAYS)).sum();
+    assert!(hits * 5 > cases.len() as u32 * RAYS, "too few rays hit anything: {hits}");
+}
+
+#[test]
+fn the_teapot_too() {
+    let scene = Scene::named("teapot-6321").unwrap();
+    assert_eq!(scene.prims.len(), 6321);
+    check(&Case { name: scene.name, prims: scene.prims, flat: false }, 1, 1000);
+}
