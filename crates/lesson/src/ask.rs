@@ -26,6 +26,8 @@ pub enum About {
     Field(String),
     /// How many such events the whole walk has.
     Count(String),
+    /// Which of these events comes.
+    Event(Vec<String>),
 }
 
 /// Why an answer is wrong.
@@ -33,6 +35,8 @@ pub enum About {
 pub struct Reason {
     /// The answer: a word, `yes`, an axis, a field of the same event, a number.
     pub answer: String,
+    /// What stands on its button, if not the answer itself.
+    pub label: Option<String>,
     /// Markdown, with `{{field}}` of the event.
     pub text: String,
     /// Where it stands.
@@ -42,7 +46,7 @@ pub struct Reason {
 /// One possible answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
-    /// What stands on the button, where the value alone would not do: `"lower"` for a child of a split.
+    /// What stands on the button instead of the value: as the slide says, or `"lower"` for a child of a split.
     pub label: Option<String>,
     /// Its value, for the one formatter.
     pub value: Value,

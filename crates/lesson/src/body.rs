@@ -147,12 +147,17 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
                 check_event(&value, value_at, reading);
                 about = Some(About::Count(value));
             }
+            "event" => {
+                check_event(&value, value_at, reading);
+                about = Some(About::Event(value.split('|').map(str::to_owned).collect()));
+            }
             "options" => options = value.split_whitespace().map(str::to_owned).collect(),
-            _ => reading.problem(key_at, misspelt("attribute of a question", &key, &["field", "count", "options"])),
+            _ => reading
+                .problem(key_at, misspelt("attribute of a question", &key, &["field", "count", "event", "options"])),
         }
     }
     if about.is_none() {
-        reading.problem(start, "a question needs `field=` (of the coming event) or `count=` (of events in the walk)");
+        reading.problem(start, "a question needs `field=` (of the coming event), `event=` (which comes) or `count=` (how many the walk has)");
     }
 
     // The question may run over several lines; each `-` begins an answer.
@@ -169,7 +174,7 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
     Some(Ask { question: joined(question), about: about?, options, reasons, spot: reading.spot(start) })
 }
 
-/// `- answer: reason`
+/// `- answer: reason` or `- answer (what the button says): reason`
 fn reason(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Reason> {
     let (start, first) = lines[0];
     let text = first.trim_start().trim_start_matches("- ");
@@ -181,7 +186,11 @@ fn reason(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<
     said[0] = (start + first.len() - why.len(), why.trim_start());
     check_fields(&said, event, reading);
     let spot = reading.spot(start + first.len() - text.len());
-    Some(Reason { answer: answer.trim().to_owned(), text: joined(&said), spot })
+    let (answer, label) = match answer.trim().strip_suffix(')').and_then(|answer| answer.split_once('(')) {
+        Some((answer, label)) => (answer.trim().to_owned(), Some(label.trim().to_owned())),
+        None => (answer.trim().to_owned(), None),
+    };
+    Some(Reason { answer, label, text: joined(&said), spot })
 }
 
 /// Splits `Title {at=...}` into the title and what stands between the braces; `at` is its first byte.

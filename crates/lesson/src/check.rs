@@ -7,7 +7,7 @@ use raystep_accel::{Structure, Value, Visit};
 use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
-use crate::{Ask, Beat, Library, Listing, Play, Problem, Slide, Spot, Stage, StageKind, names, vocabulary};
+use crate::{About, Ask, Beat, Library, Listing, Play, Problem, Slide, Spot, Stage, StageKind, names, vocabulary};
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well.
 pub fn check(library: &Library) -> Vec<Problem> {
@@ -173,6 +173,9 @@ impl Checker<'_> {
         for reason in ask.reasons.iter().filter(|reason| reason.answer != "else") {
             let answer = reason.answer.as_str();
             let mut allowed = spellings(&right);
+            if let About::Event(events) = &ask.about {
+                allowed.extend(events.iter().map(String::as_str));
+            }
             let alike = |field: &&&str| {
                 event.field(field).is_some_and(|value| std::mem::discriminant(&value) == std::mem::discriminant(&right))
             };
@@ -189,7 +192,7 @@ impl Checker<'_> {
                 self.say(slide, reason.spot, misspelt("answer to this question", answer, &allowed));
             }
         }
-        if let Value::Word(_, words) = right {
+        if let Value::Word(_, words @ [_, ..]) = right {
             for option in ask.options.iter().filter(|option| !words.contains(&option.as_str())) {
                 self.say(slide, ask.spot, misspelt("answer to this question", option, words));
             }

@@ -16,13 +16,14 @@ impl Ask {
         let values = match right {
             Value::Flag(_) => vec![("yes".to_owned(), Value::Flag(true)), ("no".to_owned(), Value::Flag(false))],
             Value::Axis(_) => axes(play.scene.flat),
+            Value::Word(name, []) => self.events(name),
             Value::Word(word, all) => self.words(word, all),
             Value::Place(_) => self.places(event),
             Value::Number(_) => self.numbers(event, right),
             Value::Count(count) => self.counts(play, event, count),
         };
         let choice = |(answer, value): (String, Value)| Choice {
-            label: side(&play.structure, event, &value, play.scene.flat),
+            label: self.label(&answer).or_else(|| side(&play.structure, event, &value, play.scene.flat)),
             value,
             place: if let Value::Place(place) = value { Some(place) } else { None },
             right: same(&value, &right),
@@ -36,6 +37,7 @@ impl Ask {
         match &self.about {
             About::Field(field) => event.field(field),
             About::Count(name) => Some(Value::Count(count(name, &play.events))),
+            About::Event(_) => Some(Value::Word(event.name(), &[])),
         }
     }
 
@@ -43,6 +45,23 @@ impl Ask {
     fn reason(&self, answer: &str) -> Option<String> {
         let said = |answer: &str| self.reasons.iter().find(|reason| reason.answer == answer);
         said(answer).or_else(|| said("else")).map(|reason| reason.text.clone())
+    }
+
+    /// What the slide writes on the button of an answer.
+    fn label(&self, answer: &str) -> Option<String> {
+        self.reasons.iter().find(|reason| reason.answer == answer).and_then(|reason| reason.label.clone())
+    }
+
+    /// The events that may come.
+    fn events(&self, right: &'static str) -> Vec<(String, Value)> {
+        let About::Event(patterns) = &self.about else { return Vec::new() };
+        let known = Visit::NAMES.iter().flat_map(|(known, _)| known.iter().copied());
+        let value = |pattern: &String| {
+            let name =
+                if names(pattern, right) { Some(right) } else { known.clone().find(|name| names(pattern, name)) };
+            Some((pattern.clone(), Value::Word(name?, &[])))
+        };
+        patterns.iter().filter_map(value).collect()
     }
 
     /// The words that the slide offers, or all; the right one in any case.

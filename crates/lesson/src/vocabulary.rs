@@ -30,9 +30,10 @@ pub(crate) fn fields(event: &str) -> Vec<&'static str> {
 /// Says so if there is no such event.
 pub(crate) fn check_event(event: &str, at: usize, reading: &mut Reading<'_>) -> bool {
     let known = events();
-    let good = known.contains(&event);
-    if !good {
-        reading.problem(at, misspelt("event of a walk", event, &known));
+    let mut good = true;
+    for word in event.split('|').filter(|word| !known.contains(word)) {
+        reading.problem(at, misspelt("event of a walk", word, &known));
+        good = false;
     }
     good
 }
@@ -40,7 +41,7 @@ pub(crate) fn check_event(event: &str, at: usize, reading: &mut Reading<'_>) -> 
 /// Says so if the event lacks the field.
 pub(crate) fn check_field(event: &str, field: &str, at: usize, reading: &mut Reading<'_>) {
     let known = fields(event);
-    if !known.contains(&field) && events().contains(&event) {
+    if !known.contains(&field) && event.split('|').all(|word| events().contains(&word)) {
         let message = misspelt(&format!("field of `{event}`"), field, &known);
         let all = if message.contains("did you mean") && !known.is_empty() {
             format!(" It has {}.", listed(&known))

@@ -11,7 +11,7 @@ use crate::vocabulary::{check_event, check_field};
 /// fields must be.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Wait {
-    /// `"split.both"`, or `"split"` for any of them.
+    /// `"split.both"`, `"split"` for any of them, `"pop|drop"` for one or the other.
     pub event: String,
     /// The first, the second ... from where the walk stands.
     pub nth: u32,
@@ -68,9 +68,10 @@ impl fmt::Display for Wait {
     }
 }
 
-/// Whether `name` is `pattern`, or begins with it at a dot.
+/// Whether `name` is `pattern`, or begins with it at a dot; `|` stands between alternatives.
 pub fn names(pattern: &str, name: &str) -> bool {
-    name.strip_prefix(pattern).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    let begins = |word: &str| name.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    pattern.split('|').any(begins)
 }
 
 /// Whether a value is written like this in a slide.
