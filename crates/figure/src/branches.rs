@@ -83,8 +83,10 @@ pub(crate) fn branches<F: Fn(NodeId) -> f32>(tree: &impl Tree, view: &TreeView, 
             None => path = vec![focus],
         }
     }
-    // The lower end of a long path, one level left for the children of its end.
-    let above: Vec<NodeId> = path.drain(..path.len().saturating_sub(room.levels.saturating_sub(1).max(1))).collect();
+    // The lower end of a long path, with a level for the children of its end.
+    let end = path.last().is_some_and(|end| !tree.children(*end).is_empty());
+    let keep = room.levels.saturating_sub(usize::from(end)).max(1);
+    let above: Vec<NodeId> = path.drain(..path.len().saturating_sub(keep)).collect();
     let top = path.first().copied().unwrap_or(NodeId::ROOT);
 
     let mut open: BTreeSet<NodeId> = path.iter().copied().filter(|node| !view.closed.contains(node)).collect();

@@ -39,7 +39,7 @@ pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look
         vec![Entry::new(axis.name(), Role::Text), next, delta, Entry::new(says, Role::Value)]
     });
     let table = Table {
-        heads: vec!["", "next t", "from plane to plane", ""],
+        heads: vec!["", "next t", "delta t", ""],
         rows: rows.collect(),
         current: stepped.and_then(|stepped| axes.clone().position(|axis| axis == stepped)),
         place,

@@ -22,12 +22,15 @@ pub fn costs(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
         look.nothing(&mut figure, &title, "No split has been weighed here yet.");
         return figure;
     }
-    let top = look.heading(&mut figure, &title, "");
+    let remark = moment.cheapest().map_or(String::new(), |least| {
+        format!("cheapest so far: {} at {} = {}", number(least.cost), least.axis, number(least.plane))
+    });
+    let top = look.heading(&mut figure, &title, &remark);
 
     // Beside each other, over one scale of costs.
     let (least, most) = weighed.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), w| (a.min(w.cost), b.max(w.cost)));
     let u = look.text;
-    let (bottom, plot_top) = (size.y - look.margin() - u * 1.2, top + u * 1.2);
+    let (bottom, plot_top) = (size.y - look.margin() - u * 1.2, top + u * 1.6);
     let gap = u * 3.5;
     let width = (size.x - 2.0 * look.margin() - gap * axes.len() as f32) / axes.len() as f32;
     for (index, axis) in axes.iter().enumerate() {
@@ -82,7 +85,7 @@ impl Plot<'_> {
             write(self.figure, Role::Quiet, None, beside, &number(cost), small, Face::Regular, Anchor::End);
         }
         let name = format!("cost, splitting across {axis}");
-        let at = Vec2::new(left + u * 0.5, self.plot_top - u * 0.3);
+        let at = Vec2::new(left + u * 0.5, self.plot_top - u * 0.9);
         write(self.figure, Role::Quiet, None, at, &name, small, Face::Regular, Anchor::Start);
     }
 
@@ -108,20 +111,6 @@ impl Plot<'_> {
         if let Some(cheapest) = cheapest {
             let role = if taken.is_some() { Role::Best } else { Role::Here };
             self.figure.add(role, place, ring(&cheapest));
-            let says = format!("{} at {}", number(cheapest.cost), number(cheapest.plane));
-            let below = at(&cheapest) + Vec2::new(0.0, u * 1.1);
-            let half = crate::text_width(&says, Face::Bold, u) / 2.0;
-            let x = below.x.clamp(self.across.left + half, (self.across.right - half).max(self.across.left + half));
-            write(
-                self.figure,
-                role,
-                place,
-                Vec2::new(x, below.y.min(self.bottom - u * 0.6)),
-                &says,
-                u,
-                Face::Bold,
-                Anchor::Middle,
-            );
         }
     }
 }

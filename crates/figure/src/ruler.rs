@@ -17,24 +17,25 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     // Rows stand closer before any is left out; what is left out lies furthest down the stack.
     let bottom = size.y - look.margin() - u * 1.1;
     let height = (bottom - top - u * 0.4).max(u);
-    let fit = ((height / (u * 1.2)) as usize).max(1);
+    let fit = ((height / (u * 0.85)) as usize).max(1);
     let more = if spans.len() > fit { spans.len() + 1 - fit } else { 0 };
     spans.truncate(spans.len() - more);
     let rows = spans.len() + usize::from(more > 0);
     let row = (height / rows.max(1) as f32).min(look.line());
+    let letters = u.min(row * 0.9);
     let names = spans.iter().map(|span| text_width(&span.name, Face::Medium, u)).fold(u * 4.5, f32::max);
     let axis = axis(walk, look.margin() + names + u, size.x - look.margin() - u);
 
     for (index, span) in spans.iter().enumerate() {
         let y = top + row * (index as f32 + 0.5);
         let name = Vec2::new(look.margin(), y);
-        write(&mut figure, span.role, span.place, name, &span.name, u, Face::Medium, Anchor::Start);
-        draw_span(&mut figure, &axis, span, y, u);
+        write(&mut figure, span.role, span.place, name, &span.name, letters, Face::Medium, Anchor::Start);
+        draw_span(&mut figure, &axis, span, y, letters);
     }
     if more > 0 {
         let at = Vec2::new(look.margin(), top + row * (spans.len() as f32 + 0.5));
-        let says = format!("and {more} more on the stack");
-        write(&mut figure, Role::Quiet, None, at, &says, look.small(), Face::Regular, Anchor::Start);
+        let says = format!("+ {more} more");
+        write(&mut figure, Role::Quiet, None, at, &says, letters, Face::Regular, Anchor::Start);
     }
     draw_axis(&mut figure, &axis, bottom, look);
     draw_points(&mut figure, &axis, moment, top - u * 0.1, bottom, look);
@@ -53,11 +54,16 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> 
     let bottom = size.y - u * 1.5;
     let y = bottom - u * 0.9;
 
+    let now = moment.event.as_ref().and_then(current_t).filter(|t| axis.shows(*t)).map(|t| axis.x(t));
     let mut taken = f32::NEG_INFINITY;
     for span in &spans(walk, moment) {
         draw_span(&mut figure, &axis, span, y, u);
-        let middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
+        let mut middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
         let half = text_width(&span.name, Face::Bold, u) / 2.0;
+        // Beside the line of the current t, not on it.
+        if let Some(now) = now.filter(|now| (now - middle).abs() < half + u * 0.3) {
+            middle = now + half + u * 0.4;
+        }
         // A name that would run into the one before is left out.
         if !span.interval.is_empty() && middle - half > taken {
             let at = Vec2::new(middle, y - u * 1.1);
@@ -66,7 +72,7 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> 
         }
     }
     draw_axis(&mut figure, &axis, bottom, look);
-    draw_points(&mut figure, &axis, moment, y - u * 2.0, bottom, look);
+    draw_points(&mut figure, &axis, moment, y - u * 2.0, bottom, &Look { titles: false, ..*look });
     figure
 }
 
@@ -144,8 +150,11 @@ fn draw_points(figure: &mut Figure, axis: &Ticks, moment: &Moment, top: f32, bot
     let (label, x) = match () {
         () if t > axis.high => (format!("{label} →"), axis.right - half),
         () if t < axis.low => (format!("← {label}"), axis.left + half),
-        () => (label, axis.x(t).clamp(axis.left + half, (axis.right - half).max(axis.left + half))),
+        () => (label, axis.x(t)),
     };
+    // Beside the heading and inside the pane.
+    let heading = if look.titles { look.margin() + u * 7.5 } else { 0.0 };
+    let x = x.max(heading + half).min((axis.right + look.margin() - half).max(0.0));
     let at = Vec2::new(x, top - u * 0.7);
     write(figure, Role::Value, Some(event.place()), at, &label, u, Face::Bold, Anchor::Middle);
 }

@@ -88,6 +88,10 @@ pub(crate) fn extent(walk: &Walk<'_>) -> (f32, f32) {
         }
     }
     let finite = |t: &f32| t.is_finite();
+    // Once a walk goes on inside, the cuts of its first box no longer matter.
+    if walk.events.iter().any(|event| matches!(event, Visit::Enter { .. })) {
+        may.clear();
+    }
     must.retain(finite);
     may.retain(finite);
     let reach = must.iter().map(|t| t.abs()).fold(0.0, f32::max);

@@ -132,9 +132,9 @@ fn legend_row(figure: &mut Figure, events: &[Visit], at: Vec2, right: f32, look:
         if x + width > right {
             break;
         }
-        let at = Vec2::new(x, at.y);
-        write(figure, glyph.role(), None, at, glyph.symbol(), small, Face::Medium, Anchor::Start);
-        let beside = at + Vec2::new(small * 1.2, 0.0);
+        let symbol = Vec2::new(x + small * 0.4, at.y);
+        write(figure, glyph.role(), None, symbol, glyph.symbol(), small, Face::Medium, Anchor::Middle);
+        let beside = Vec2::new(x + small * 1.2, at.y);
         write(figure, Role::Quiet, None, beside, glyph.name(), small, Face::Regular, Anchor::Start);
         x += width + look.text * 1.5;
     }

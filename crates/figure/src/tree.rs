@@ -123,11 +123,11 @@ impl Pen {
 
     /// Least distance between levels.
     fn step(&self) -> f32 {
-        self.u * 2.7
+        self.u * 2.05
     }
 
     fn room(&self) -> Room<impl Fn(NodeId) -> f32 + '_> {
-        let height = self.size.y - self.top - 2.0 * self.radius() - self.u * 2.2;
+        let height = self.size.y - self.top - 2.0 * self.radius() - self.u * 1.9;
         Room {
             width: self.size.x - 2.0 * self.margin - self.u,
             levels: (height / self.step()).max(0.0) as usize + 1,
@@ -141,11 +141,11 @@ impl Pen {
 
         // Spread out to fill the pane, but not so far that siblings seem strangers.
         let width = self.size.x - 2.0 * self.margin - self.u;
-        let spread = (width / branches.tidy.width.max(1.0)).min(1.9);
+        let spread = (width / branches.tidy.width.max(1.0)).min(3.0);
         let left = (self.size.x - branches.tidy.width * spread) / 2.0;
         let levels = branches.shown.iter().map(|branch| branch.level).max().unwrap_or(0);
-        let height = self.size.y - top - 2.0 * self.radius() - self.u * 2.2;
-        let step = (height / levels.max(1) as f32).min(self.u * 4.0);
+        let height = self.size.y - top - 2.0 * self.radius() - self.u * 1.9;
+        let step = (height / levels.max(1) as f32).min(self.u * 3.6);
         let at = |index: usize| {
             let y = top + self.radius() + step * branches.shown[index].level as f32;
             Vec2::new(left + branches.tidy.x[index] * spread, y)
@@ -191,7 +191,7 @@ impl Pen {
         figure.add(role, place, ink);
         write(figure, text_role(role), place, at, &node.to_string(), u * 0.88, Face::MonoMedium, Anchor::Middle);
         if let Some(axis) = tree.axis(node) {
-            let beside = at + Vec2::new(half + u * 0.35, 0.0);
+            let beside = at + Vec2::new(half + u * 0.25, -u * 0.6);
             write(figure, Role::Quiet, place, beside, axis.name(), u * 0.88, Face::Regular, Anchor::Start);
         }
         if leaf {
