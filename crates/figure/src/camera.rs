@@ -3,6 +3,8 @@
 use glam::{Mat4, Vec2, Vec3};
 use raystep_accel::{Ray, RayError};
 
+use crate::lens::Lens;
+
 /// A camera; the one type that projects the world onto a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Camera {
@@ -57,12 +59,7 @@ impl Camera {
 
     /// The point of the page (points, y down) that shows `world`, and its depth (reverse z); nothing behind the eye.
     pub fn project(&self, world: Vec3, size: Vec2) -> Option<(Vec2, f32)> {
-        let clip = self.clip_from_world(size.x / size.y) * world.extend(1.0);
-        if clip.w <= 0.0 {
-            return None;
-        }
-        let ndc = clip.truncate() / clip.w;
-        Some((Vec2::new((ndc.x * 0.5 + 0.5) * size.x, (0.5 - ndc.y * 0.5) * size.y), ndc.z))
+        Lens::new(self, size).point(world)
     }
 
     /// The ray through a point of the page; in a flat scene, the ray straight down onto it.

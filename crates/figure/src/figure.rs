@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::Role;
+use crate::{Image, Role};
 
 /// A drawing of some size. Marks are drawn in order, later ones on top.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,6 +46,15 @@ pub enum Ink {
         max: Vec2,
         /// Radius of its corners.
         round: f32,
+    },
+    /// Pixels, stretched over a rectangle.
+    Image {
+        /// Upper left corner.
+        min: Vec2,
+        /// Lower right corner.
+        max: Vec2,
+        /// The pixels.
+        image: Image,
     },
     /// A circle.
     Circle {

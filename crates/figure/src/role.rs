@@ -35,6 +35,8 @@ pub enum Role {
     Hover,
     /// Edges of cells and trees, axes of rulers.
     Edge,
+    /// A line behind a surface: thin and dotted.
+    Hidden,
     /// Where a mistaken walk goes wrong.
     Wrong,
     /// Plain text.
@@ -53,7 +55,7 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 23] = [
+    pub const ALL: [Role; 24] = [
         Role::Scene,
         Role::Ray,
         Role::Live,
@@ -70,6 +72,7 @@ impl Role {
         Role::Guess,
         Role::Hover,
         Role::Edge,
+        Role::Hidden,
         Role::Wrong,
         Role::Text,
         Role::Quiet,

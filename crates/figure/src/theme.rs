@@ -231,6 +231,7 @@ impl Theme {
             Role::Guess => look(stroke(self.here, 1.8, Dotted), None, self.here),
             Role::Hover => look(stroke(self.text, 2.6, Solid), Some(self.hover.alpha(96)), self.text),
             Role::Edge => look(stroke(self.edge, 1.0, Solid), None, self.quiet),
+            Role::Hidden => look(stroke(self.edge, 0.9, Dotted), None, self.quiet),
             Role::Wrong => hatched(stroke(self.wrong, 3.2, Dashed), tint(self.wrong), self.wrong),
             Role::Text => look(stroke(self.text, 1.2, Solid), None, self.text),
             Role::Quiet => look(stroke(self.edge, 1.0, Solid), None, self.quiet),
@@ -239,6 +240,17 @@ impl Theme {
             Role::Page => look(None, Some(self.page), self.text),
             Role::Panel => look(stroke(self.rule, 1.0, Solid), Some(self.panel), self.text),
         }
+    }
+
+    /// Nothing at all, in the colour of surfaces.
+    pub(crate) fn clear(&self) -> Color {
+        self.surface(1.0).alpha(0)
+    }
+
+    /// A surface in light of this strength, 0 to 1.
+    pub(crate) fn surface(&self, light: f32) -> Color {
+        let (dim, bright) = if self.dark { (0.9, 2.3) } else { (0.68, 1.0) };
+        self.scene.shaded(dim + (bright - dim) * light)
     }
 
     /// How a boxed text of a role looks: the box's outline and fill, and the text on it. Only the current

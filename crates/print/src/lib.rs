@@ -9,6 +9,7 @@ mod formula;
 mod glyphs;
 mod json;
 mod movie;
+mod pixels;
 mod png;
 mod prose;
 mod svg;

@@ -9,6 +9,7 @@ use raystep_figure::{Anchor, Color, Face, Figure, Ink, Mark, Role, Style, Theme,
 use crate::decimal::decimal;
 use crate::formula;
 use crate::glyphs::Glyphs;
+use crate::pixels;
 use crate::typefaces::Typeface;
 
 /// The figure as an SVG file: rounded coordinates, letters as outlines, every mark with its role as its
@@ -70,6 +71,14 @@ impl Writer<'_> {
             Ink::Circle { center, radius } => {
                 let (x, y, r) = (decimal(center.x), decimal(center.y), decimal(*radius));
                 self.shape(&format!(r#"<circle cx="{x}" cy="{y}" r="{r}""#), role, &style);
+            }
+            Ink::Image { min, max, image } => {
+                let [x, y, width, height] = [min.x, min.y, max.x - min.x, max.y - min.y].map(decimal);
+                let data = pixels::data_url(image);
+                let _ = write!(
+                    self.body,
+                    r#"<image x="{x}" y="{y}" width="{width}" height="{height}" preserveAspectRatio="none" href="{data}"/>"#
+                );
             }
             Ink::Arrowhead { tip, along, length } => {
                 let (back, aside) = (*tip - *along * *length, along.perp() * (*length * 0.38));

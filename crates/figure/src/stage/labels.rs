@@ -1,0 +1,219 @@
+//! Where labels go: near what they label, inside the picture, off the ray and off each other.
+
+use glam::Vec2;
+use raystep_accel::Aabb;
+
+use super::corners;
+use crate::lens::Lens;
+use crate::{Anchor, Face, Figure, Form, Ink, Role, Space, text_width};
+
+/// Room around a label's text, in sizes of its face, as `print` and the window draw its box.
+const ASIDE: f32 = 0.5;
+const HALF: f32 = 0.8;
+
+/// Space between a label and what it labels, in points.
+const GAP: f32 = 7.0;
+
+/// A rectangle of the page.
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    min: Vec2,
+    max: Vec2,
+}
+
+impl Spot {
+    fn around(center: Vec2, half: Vec2) -> Spot {
+        Spot { min: center - half, max: center + half }
+    }
+
+    fn center(self) -> Vec2 {
+        (self.min + self.max) * 0.5
+    }
+
+    fn half(self) -> Vec2 {
+        (self.max - self.min) * 0.5
+    }
+
+    /// The area that two rectangles share.
+    fn shared(self, other: Spot) -> f32 {
+        let common = (self.max.min(other.max) - self.min.max(other.min)).max(Vec2::ZERO);
+        common.x * common.y
+    }
+
+    /// The length of a line inside the rectangle.
+    fn length_of(self, from: Vec2, to: Vec2) -> f32 {
+        let along = to - from;
+        let (mut enter, mut leave) = (0.0_f32, 1.0_f32);
+        for axis in 0..2 {
+            if along[axis] == 0.0 {
+                if from[axis] < self.min[axis] || from[axis] > self.max[axis] {
+                    return 0.0;
+                }
+                continue;
+            }
+            let (a, b) = ((self.min[axis] - from[axis]) / along[axis], (self.max[axis] - from[axis]) / along[axis]);
+            enter = enter.max(a.min(b));
+            leave = leave.min(a.max(b));
+        }
+        (leave - enter).max(0.0) * along.length()
+    }
+}
+
+/// What a label should keep off, and how much it matters.
+#[derive(Default)]
+struct Obstacles {
+    lines: Vec<(Vec2, Vec2, f32)>,
+    spots: Vec<(Spot, f32)>,
+}
+
+/// Sets the labels of a space, the most important first; one that fits nowhere is left out.
+pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) {
+    let size = (figure.size.y / 42.0).clamp(11.0, 22.0);
+    let mut obstacles = obstacles(figure);
+    let mut wanted: Vec<_> = space
+        .marks
+        .iter()
+        .filter_map(|mark| match &mark.form {
+            Form::Label { at, within, text } => Some((mark.role, mark.place, *at, *within, text)),
+            _ => None,
+        })
+        .collect();
+    wanted.sort_by_key(|(role, ..)| rank(*role));
+    let mut set = Vec::new();
+    for (role, place, at, within, text) in wanted {
+        let half = Vec2::new(text_width(text, Face::Medium, size) * 0.5 + size * ASIDE, size * HALF);
+        let candidates = match within {
+            Some(bounds) => beside_box(&bounds, lens, half, space.flat),
+            None => beside_point(lens.point(at).map(|(point, _)| point), half),
+        };
+        let cost = |index: usize, spot: Spot| index as f32 * 1.5 + obstacles.cost(spot) + outside(spot, figure.size);
+        let best = candidates
+            .iter()
+            .enumerate()
+            .map(|(index, &spot)| (cost(index, spot), spot))
+            .min_by(|(a, _), (b, _)| a.total_cmp(b));
+        let Some((cost, spot)) = best else { continue };
+        if cost >= HOPELESS && rank(role) > 1 {
+            continue;
+        }
+        obstacles.spots.push((Spot::around(spot.center(), spot.half() + 2.0), HOPELESS));
+        let text = text.clone();
+        let ink = Ink::Text { at: spot.center(), text, size, face: Face::Medium, anchor: Anchor::Middle, boxed: true };
+        set.push((role, place, ink));
+    }
+    for (role, place, ink) in set {
+        figure.add(role, place, ink);
+    }
+}
+
+/// A label that costs as much covers another one or lies outside the picture.
+const HOPELESS: f32 = 1e4;
+
+fn rank(role: Role) -> u32 {
+    match role {
+        Role::Here | Role::Guess => 0,
+        Role::Best | Role::Hit | Role::Tick => 1,
+        Role::Waiting | Role::Missed => 2,
+        _ => 3,
+    }
+}
+
+impl Obstacles {
+    fn cost(&self, spot: Spot) -> f32 {
+        let lines: f32 = self.lines.iter().map(|&(from, to, weight)| spot.length_of(from, to) * weight).sum();
+        let full = (spot.half().x * spot.half().y * 4.0).max(1.0);
+        let spots = self.spots.iter().map(|&(other, weight)| {
+            let share = spot.shared(other) / full;
+            // Covering a label is out of the question, however little of it.
+            if weight >= HOPELESS && share > 0.0 { HOPELESS * (1.0 + share) } else { share * weight }
+        });
+        lines + spots.sum::<f32>()
+    }
+}
+
+/// What is drawn already: the ray above all, then rings, planes and primitives.
+fn obstacles(figure: &Figure) -> Obstacles {
+    let mut found = Obstacles::default();
+    for mark in &figure.marks {
+        let weight = match mark.role {
+            Role::Live => 3.0,
+            Role::Ray | Role::Plane => 1.5,
+            Role::Here | Role::Waiting => 0.5,
+            _ => 0.1,
+        };
+        match &mark.ink {
+            Ink::Line { points } => found.lines.extend(points.windows(2).map(|pair| (pair[0], pair[1], weight))),
+            Ink::Circle { center, radius } => {
+                let ring = matches!(mark.role, Role::Tick | Role::Best | Role::Ray | Role::Hit) && *radius < 10.0;
+                found.spots.push((Spot::around(*center, Vec2::splat(*radius)), if ring { 4000.0 } else { 25.0 }));
+            }
+            Ink::Area { points } if points.len() < 100 && mark.role != Role::Plane => {
+                let min = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+                let max = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+                found.spots.push((Spot { min, max }, 10.0));
+            }
+            Ink::Rect { min, max, .. } => {
+                let (a, b) = (Vec2::new(max.x, min.y), Vec2::new(min.x, max.y));
+                let sides = [(*min, a), (a, *max), (*max, b), (b, *min)];
+                found.lines.extend(sides.into_iter().map(|(from, to)| (from, to, weight * 0.4)));
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+/// What it costs to reach out of the picture.
+fn outside(spot: Spot, size: Vec2) -> f32 {
+    let out = (Vec2::splat(2.0) - spot.min).max(Vec2::ZERO) + (spot.max - (size - 2.0)).max(Vec2::ZERO);
+    if out == Vec2::ZERO { 0.0 } else { HOPELESS * (1.0 + out.length()) }
+}
+
+/// The corners of a flat box, inside where there is room; around the corners of a box in space.
+fn beside_box(bounds: &Aabb, lens: &Lens, half: Vec2, flat: bool) -> Vec<Spot> {
+    let seen: Vec<Vec2> = corners(bounds).iter().filter_map(|&corner| Some(lens.point(corner)?.0)).collect();
+    if seen.is_empty() {
+        return Vec::new();
+    }
+    let min = seen.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+    let max = seen.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let outer = Spot { min, max };
+    let middle = outer.center();
+    let directions =
+        [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)];
+    let mut spots = Vec::new();
+    let room = outer.half() - half - GAP;
+    if flat && room.min_element() >= 0.0 {
+        spots.extend(directions.iter().map(|&(x, y)| Spot::around(middle + room * Vec2::new(x, y), half)));
+    }
+    if !flat {
+        for corner in seen {
+            let away = (corner - middle).signum();
+            spots.push(Spot::around(corner + away * (half + 2.0), half));
+        }
+    }
+    let beyond = outer.half() + half + 3.0;
+    let inner = outer.half() - half;
+    for &(x, y) in &[(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.0), (0.0, 1.0)] {
+        spots.push(Spot::around(middle + Vec2::new(inner.x * x, beyond.y * y), half));
+    }
+    for &(x, y) in &[(-1.0, 0.0), (1.0, 0.0), (-1.0, -1.0), (1.0, 1.0)] {
+        spots.push(Spot::around(middle + Vec2::new(beyond.x * x, inner.y * y), half));
+    }
+    spots
+}
+
+/// All around a point: above first.
+fn beside_point(point: Option<Vec2>, half: Vec2) -> Vec<Spot> {
+    let Some(point) = point else { return Vec::new() };
+    let near = half + GAP + 2.0;
+    let mut spots = Vec::new();
+    for reach in [1.0, 1.7, 2.6] {
+        for (x, y) in
+            [(-0.55, -1.0), (0.55, -1.0), (0.0, -1.0), (0.0, 1.0), (0.55, 1.0), (-0.55, 1.0), (1.0, 0.0), (-1.0, 0.0)]
+        {
+            spots.push(Spot::around(point + Vec2::new(near.x * x, near.y * y * reach), half));
+        }
+    }
+    spots
+}

@@ -1,0 +1,199 @@
+//! A space as a camera sees it: a figure.
+
+mod labels;
+mod shapes;
+
+use glam::{Vec2, Vec3};
+use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
+
+use crate::lens::Lens;
+use crate::{Camera, Figure, Form, Ink, Role, Shaded, Space};
+
+/// What a picture shows of the primitives to which nothing has happened.
+#[derive(Clone, Copy, Debug)]
+pub enum Scenery<'a> {
+    /// Their outlines, pale and thin.
+    Drawn,
+    /// Nothing: they are painted below the figure.
+    Left,
+    /// An image of them; lines behind their surfaces are faint.
+    Shaded(&'a Shaded),
+}
+
+/// The space as `camera` sees it in a picture of this size in points, with labels.
+pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>) -> Figure {
+    let depth = match scenery {
+        Scenery::Shaded(shaded) => Some(shaded),
+        _ => None,
+    };
+    let mut stage = Stage { lens: Lens::new(camera, size), flat: space.flat, depth, figure: Figure::new(size) };
+    match scenery {
+        Scenery::Drawn => stage.scenery(space, prims),
+        Scenery::Left => {}
+        Scenery::Shaded(shaded) => {
+            let image = shaded.image.clone();
+            stage.figure.add(Role::Scene, None, Ink::Image { min: Vec2::ZERO, max: size, image });
+        }
+    }
+    for mark in &space.marks {
+        stage.form(&mark.form, mark.role, mark.place, prims);
+    }
+    labels::place(space, &stage.lens, &mut stage.figure);
+    stage.figure
+}
+
+/// Only the labels of a space, where [`stage`] would put them: for a picture whose marks are painted elsewhere.
+pub fn labels(space: &Space, prims: &Prims, camera: &Camera, size: Vec2) -> Figure {
+    let mut figure = stage(space, prims, camera, size, Scenery::Left);
+    figure.marks.retain(|mark| matches!(mark.ink, Ink::Text { .. }));
+    figure
+}
+
+/// A picture being drawn.
+struct Stage<'a> {
+    lens: Lens,
+    flat: bool,
+    depth: Option<&'a Shaded>,
+    figure: Figure,
+}
+
+/// Radius of a ring, in points.
+const RING: f32 = 6.0;
+
+/// Length of an arrow's head, in points.
+const HEAD: f32 = 13.0;
+
+impl Stage<'_> {
+    /// The primitives that no mark of the space draws.
+    fn scenery(&mut self, space: &Space, prims: &Prims) {
+        let marked: std::collections::BTreeSet<PrimId> = space
+            .marks
+            .iter()
+            .filter_map(|mark| if let Form::Prim(prim) = mark.form { Some(prim) } else { None })
+            .collect();
+        for prim in (0..prims.len() as u32).map(PrimId).filter(|prim| !marked.contains(prim)) {
+            self.prim(prims, prim, Role::Scene);
+        }
+    }
+
+    fn form(&mut self, form: &Form, role: Role, place: Option<Place>, prims: &Prims) {
+        match form {
+            Form::Box(bounds) => self.bounds(bounds, role, place),
+            Form::Sheet(bounds) => self.sheet(bounds, role, place),
+            Form::Segment(from, to) => self.line(*from, *to, role, place),
+            Form::Arrow(from, to) => self.arrow(*from, *to, role, place),
+            Form::Point(at) => {
+                if let Some((center, _)) = self.lens.point(*at) {
+                    let radius = if role == Role::Ray { RING * 0.75 } else { RING };
+                    self.figure.add(role, place, Ink::Circle { center, radius });
+                }
+            }
+            Form::Prim(prim) if prim.index() < prims.len() => self.prim(prims, *prim, role),
+            Form::Prim(_) | Form::Label { .. } => {}
+        }
+    }
+
+    /// A rectangle of the plane, or the twelve edges of a box in space.
+    fn bounds(&mut self, bounds: &Aabb, role: Role, place: Option<Place>) {
+        let corners = corners(bounds);
+        if self.flat {
+            let seen: Vec<Vec2> = corners.iter().filter_map(|&corner| Some(self.lens.point(corner)?.0)).collect();
+            let min = seen.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+            let max = seen.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+            self.figure.add(role, place, Ink::Rect { min, max, round: 0.0 });
+            return;
+        }
+        for (index, &from) in corners.iter().enumerate() {
+            for axis in [1, 2, 4] {
+                if index & axis == 0 {
+                    self.line(from, corners[index | axis], role, place);
+                }
+            }
+        }
+    }
+
+    /// A line of the plane, or a rectangle in space.
+    fn sheet(&mut self, bounds: &Aabb, role: Role, place: Option<Place>) {
+        if self.flat {
+            self.line(bounds.min.with_z(0.0), bounds.max.with_z(0.0), role, place);
+            return;
+        }
+        // Of the eight corners, the four that differ along the two axes with a length.
+        let corners = corners(bounds);
+        let extent = bounds.extent();
+        let around: &[usize] = if extent.x == 0.0 {
+            &[0, 2, 6, 4]
+        } else if extent.y == 0.0 {
+            &[0, 1, 5, 4]
+        } else {
+            &[0, 1, 3, 2]
+        };
+        let around: Vec<Vec3> = around.iter().map(|&index| corners[index]).collect();
+        if let Some(points) = self.lens.polygon(&around) {
+            self.figure.add(role, place, Ink::Area { points });
+        }
+    }
+
+    fn arrow(&mut self, from: Vec3, to: Vec3, role: Role, place: Option<Place>) {
+        self.line(from, to, role, place);
+        if let (Some([(tail, _), _]), Some((tip, _))) = (self.lens.segment(from, to), self.lens.point(to)) {
+            let along = (tip - tail).normalize_or_zero();
+            if along != Vec2::ZERO {
+                self.figure.add(role, place, Ink::Arrowhead { tip, along, length: HEAD });
+            }
+        }
+    }
+
+    /// A line; what lies behind a surface is faint.
+    fn line(&mut self, from: Vec3, to: Vec3, role: Role, place: Option<Place>) {
+        let Some([from, to]) = self.lens.segment(from, to) else { return };
+        let Some(shaded) = self.depth else {
+            self.figure.add(role, place, Ink::Line { points: vec![from.0, to.0] });
+            return;
+        };
+        // Depth is linear along a projected line.
+        let pieces = ((to.0 - from.0).length() / 2.0).ceil().clamp(1.0, 4096.0) as usize;
+        let at = |piece: usize| {
+            let share = piece as f32 / pieces as f32;
+            (from.0 + (to.0 - from.0) * share, from.1 + (to.1 - from.1) * share)
+        };
+        let hides = |piece: usize| {
+            let ((a, near), (b, far)) = (at(piece), at(piece + 1));
+            shaded.hides((a + b) * 0.5, (near + far) * 0.5, self.figure.size)
+        };
+        let mut start = 0;
+        let mut runs = Vec::new();
+        for piece in 0..pieces {
+            if piece + 1 == pieces || hides(piece) != hides(piece + 1) {
+                runs.push((start, piece + 1, hides(piece)));
+                start = piece + 1;
+            }
+        }
+        for (start, end, hidden) in runs {
+            let role = if hidden { behind(role) } else { role };
+            self.figure.add(role, place, Ink::Line { points: vec![at(start).0, at(end).0] });
+        }
+    }
+}
+
+/// How a line looks where a surface lies before it.
+fn behind(role: Role) -> Role {
+    match role {
+        Role::Live | Role::Ray => Role::Ray,
+        Role::Here | Role::Seen => Role::Seen,
+        Role::Waiting => Role::Waiting,
+        _ => Role::Hidden,
+    }
+}
+
+/// The corners of a box: bit 0 of the index is x, bit 1 y, bit 2 z.
+fn corners(bounds: &Aabb) -> [Vec3; 8] {
+    std::array::from_fn(|index| {
+        let pick = |bit: usize, low: f32, high: f32| if index & bit == 0 { low } else { high };
+        Vec3::new(
+            pick(1, bounds.min.x, bounds.max.x),
+            pick(2, bounds.min.y, bounds.max.y),
+            pick(4, bounds.min.z, bounds.max.z),
+        )
+    })
+}

@@ -1,0 +1,61 @@
+//! Primitives as ink.
+
+use glam::{Vec2, Vec3};
+use raystep_accel::{Disc, Place, PrimId, Primitives, Prims, Shape, Sphere, Wall};
+
+use super::Stage;
+use crate::{Ink, Role};
+
+/// Corners of a circle seen from the side.
+const ROUND: usize = 48;
+
+impl Stage<'_> {
+    pub(super) fn prim(&mut self, prims: &Prims, prim: PrimId, role: Role) {
+        let place = Some(Place::Prim(prim));
+        match prims.shape(prim) {
+            Shape::Triangle(triangle) => self.area(&[triangle.a, triangle.b, triangle.c], role, place),
+            Shape::Sphere(sphere) => self.sphere(&sphere, role, place),
+            Shape::Disc(disc) => self.area(&rim(&disc), role, place),
+            Shape::Wall(wall) if self.flat => {
+                let (from, to) = (wall.from.extend(0.0), wall.to.extend(0.0));
+                self.line(from, to, role, place);
+            }
+            Shape::Wall(wall) => self.area(&upright(&wall), role, place),
+            Shape::Prism(prism) if self.flat => {
+                let outline: Vec<Vec3> = prism.outline.iter().map(|corner| corner.extend(0.0)).collect();
+                self.area(&outline, role, place);
+            }
+            Shape::Prism(prism) => prism.walls().for_each(|wall| self.area(&upright(&wall), role, place)),
+        }
+    }
+
+    fn area(&mut self, corners: &[Vec3], role: Role, place: Option<Place>) {
+        if let Some(points) = self.lens.polygon(corners) {
+            self.figure.add(role, place, Ink::Area { points });
+        }
+    }
+
+    fn sphere(&mut self, sphere: &Sphere, role: Role, place: Option<Place>) {
+        if let Some((center, _)) = self.lens.point(sphere.center) {
+            let radius = sphere.radius * self.lens.scale_at(sphere.center);
+            self.figure.add(role, place, Ink::Circle { center, radius });
+        }
+    }
+}
+
+/// The rim of a round plate.
+fn rim(disc: &Disc) -> Vec<Vec3> {
+    let aside = disc.normal.any_orthogonal_vector().normalize_or_zero() * disc.radius;
+    let across = disc.normal.normalize_or_zero().cross(aside);
+    let at = |index: usize| {
+        let angle = index as f64 / ROUND as f64 * std::f64::consts::TAU;
+        let turn = Vec2::new(libm::cos(angle) as f32, libm::sin(angle) as f32);
+        disc.center + aside * turn.x + across * turn.y
+    };
+    (0..ROUND).map(at).collect()
+}
+
+fn upright(wall: &Wall) -> [Vec3; 4] {
+    let [foot, head] = wall.z;
+    [wall.from.extend(foot), wall.to.extend(foot), wall.to.extend(head), wall.from.extend(head)]
+}
