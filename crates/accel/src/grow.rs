@@ -43,6 +43,10 @@ vocabulary! {
         Weigh ["weigh"] { node: NodeId, axis: Axis, plane: f32, below: u32, above: u32, cost: f32 }
         /// A split was taken; the children are `below` and `above`.
         Split ["split"] { node: NodeId, axis: Axis, plane: f32, below: NodeId, above: NodeId, cost: f32 }
+        /// A cell was cut through its middle into `ways` equal children, side by side from `first`.
+        Divide ["divide"] { node: NodeId, first: NodeId, ways: u32, at_x: f32, at_y: f32, at_z: f32 }
+        /// A node was looked at while the structure was changed.
+        Touch ["touch"] { node: NodeId }
         /// A node stays a leaf with so many references.
         Leaf ["leaf"] { node: NodeId, prims: u32, why: LeafReason }
         /// A primitive is referred to from a leaf or a cell, after those that settled there before it.
@@ -67,6 +71,8 @@ impl Grow {
             Grow::Open { .. } => "open",
             Grow::Weigh { .. } => "weigh",
             Grow::Split { .. } => "split",
+            Grow::Divide { .. } => "divide",
+            Grow::Touch { .. } => "touch",
             Grow::Leaf { .. } => "leaf",
             Grow::Settle { .. } => "settle",
             Grow::Merge { .. } => "merge",
@@ -85,6 +91,8 @@ impl Grow {
             Grow::Open { node, .. }
             | Grow::Weigh { node, .. }
             | Grow::Split { node, .. }
+            | Grow::Divide { node, .. }
+            | Grow::Touch { node }
             | Grow::Leaf { node, .. }
             | Grow::Merge { node, .. }
             | Grow::Move { node, .. }

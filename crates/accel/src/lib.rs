@@ -22,6 +22,7 @@ mod list;
 mod mailbox;
 mod margin;
 mod mistakes;
+mod octree;
 mod one_box;
 mod prims;
 mod random;
@@ -45,12 +46,13 @@ pub use kd::Kd;
 pub use list::List;
 pub use margin::Margin;
 pub use mistakes::{Example, Mistake};
+pub use octree::{Octree, Outside};
 pub use one_box::OneBox;
 pub use prims::{Disc, Mesh, Primitives, Prims, Prism, Shape, Sphere, Triangle, Wall};
 pub use random::Random;
 pub use ray::{Hit, Ray, RayError};
 pub use rule::{
-    Allowed, BvhOrder, BvhRule, BvhSplit, GridRule, KdRule, KdSplit, Parameter, Resolution, Rule, RuleError,
+    Allowed, BvhOrder, BvhRule, BvhSplit, GridRule, KdRule, KdSplit, OctreeRule, Parameter, Resolution, Rule, RuleError,
 };
 pub use slab::slab;
 pub use structure::Structure;

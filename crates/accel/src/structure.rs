@@ -1,8 +1,8 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, Axis, Bvh, Cancelled, Grid, Grow, Hit, Kd, List, NodeId, Observer, OneBox, PrimId, Primitives, Ray,
-    Rule, Visit, Want,
+    Aabb, Accel, Axis, Bvh, Cancelled, Grid, Grow, Hit, Kd, List, NodeId, Observer, Octree, OneBox, PrimId, Primitives,
+    Ray, Rule, Visit, Want,
 };
 
 /// A structure of any kind.
@@ -16,6 +16,8 @@ pub enum Structure {
     Grid(Grid),
     /// A kd-tree.
     Kd(Kd),
+    /// An octree, in a flat scene a quadtree.
+    Octree(Octree),
     /// A hierarchy of boxes.
     Bvh(Bvh),
 }
@@ -35,6 +37,7 @@ impl Structure {
             Rule::Slab => Structure::Slab(OneBox::around(prims)),
             Rule::Grid(rule) => Structure::Grid(Grid::build(prims, rule, watch)?),
             Rule::Kd(rule) => Structure::Kd(Kd::build(prims, rule, watch)?),
+            Rule::Octree(rule) => Structure::Octree(Octree::build(prims, rule, watch)?),
             Rule::Bvh(rule) => Structure::Bvh(Bvh::build(prims, rule, watch)?),
         })
     }
@@ -46,6 +49,7 @@ impl Structure {
             Structure::Slab(one) => one.bounds,
             Structure::Grid(grid) => grid.bounds,
             Structure::Kd(tree) => tree.bounds(),
+            Structure::Octree(tree) => tree.bounds(),
             Structure::Bvh(tree) => tree.bounds(),
         }
     }
@@ -55,6 +59,7 @@ impl Structure {
         match self {
             Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => 0,
             Structure::Kd(tree) => tree.node_count(),
+            Structure::Octree(tree) => tree.node_count(),
             Structure::Bvh(tree) => tree.node_count(),
         }
     }
@@ -64,6 +69,7 @@ impl Structure {
         let pair = match self {
             Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => None,
             Structure::Kd(tree) => tree.children(node),
+            Structure::Octree(tree) => return tree.children(node),
             Structure::Bvh(tree) => tree.children(node),
         };
         pair.map_or(Vec::new(), Vec::from)
@@ -74,6 +80,7 @@ impl Structure {
         match self {
             Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => &[],
             Structure::Kd(tree) => tree.leaf_prims(node),
+            Structure::Octree(tree) => tree.leaf_prims(node),
             Structure::Bvh(tree) => tree.leaf_prims(node),
         }
     }
@@ -91,6 +98,7 @@ impl Structure {
         match self {
             Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => Vec::new(),
             Structure::Kd(tree) => tree.node_bounds(),
+            Structure::Octree(tree) => tree.node_bounds(),
             Structure::Bvh(tree) => tree.node_bounds(),
         }
     }
@@ -102,6 +110,7 @@ impl Structure {
             Structure::Slab(one) => size_of_val(one),
             Structure::Grid(grid) => grid.bytes(),
             Structure::Kd(tree) => tree.bytes(),
+            Structure::Octree(tree) => tree.bytes(),
             Structure::Bvh(tree) => tree.bytes(),
         }
     }
@@ -114,6 +123,7 @@ impl Accel for Structure {
             Structure::Slab(one) => one.walk(prims, ray, want, watch),
             Structure::Grid(grid) => grid.walk(prims, ray, want, watch),
             Structure::Kd(tree) => tree.walk(prims, ray, want, watch),
+            Structure::Octree(tree) => tree.walk(prims, ray, want, watch),
             Structure::Bvh(tree) => tree.walk(prims, ray, want, watch),
         }
     }

@@ -8,7 +8,11 @@ impl Octree {
     ///
     /// # Errors
     /// `watch` asked to give up.
-    pub fn build(prims: &impl Primitives, rule: &OctreeRule, watch: &mut impl Observer<Grow>) -> Result<Octree, Cancelled> {
+    pub fn build(
+        prims: &impl Primitives,
+        rule: &OctreeRule,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Octree, Cancelled> {
         // Compute the bounding box.
         let mut bounds = Aabb::EMPTY;
         for prim in (0..prims.len() as u32).map(PrimId) {
@@ -19,8 +23,15 @@ impl Octree {
             }
         }
         let everything = (0..prims.len() as u32).map(PrimId).collect();
-        let mut tree =
-            Octree { bounds, margin: Margin::of(&bounds), rule: *rule, nodes: vec![Node::Leaf(everything)], free: Vec::new() };
+        let mut tree = Octree {
+            bounds,
+            margin: Margin::of(&bounds),
+            rule: *rule,
+            nodes: vec![Node::Leaf(everything)],
+            refs: prims.len(),
+            most_refs: 64 * prims.len() + (1 << 16),
+            free: Vec::new(),
+        };
         tree.grow(prims, NodeId::ROOT, bounds, 0, watch)?;
         Ok(tree)
     }
@@ -44,8 +55,12 @@ impl Octree {
 
             // Termination criteria: few objects, or deep enough.
             let few = held <= self.rule.min_objects;
-            if few || depth >= self.rule.max_depth {
-                let why = if few { LeafReason::Few } else { LeafReason::Deep };
+            if few || depth >= self.rule.max_depth || self.refs >= self.most_refs {
+                let why = match () {
+                    () if few => LeafReason::Few,
+                    () if depth >= self.rule.max_depth => LeafReason::Deep,
+                    () => LeafReason::Crowded,
+                };
                 watch.on(Grow::Leaf { node, prims: held, why });
                 for &prim in self.leaf_prims(node) {
                     watch.on(Grow::Settle { prim, place: Place::Node(node) });
@@ -55,7 +70,14 @@ impl Octree {
 
             // Eight equal cells; a primitive goes to each that it overlaps.
             let first = self.divide(prims, node, &cell);
-            watch.on(Grow::Divide { node, first, ways: self.ways(), at_x: cell.center().x, at_y: cell.center().y, at_z: cell.center().z });
+            watch.on(Grow::Divide {
+                node,
+                first,
+                ways: self.ways(),
+                at_x: cell.center().x,
+                at_y: cell.center().y,
+                at_z: cell.center().z,
+            });
             for number in (0..self.ways()).rev() {
                 open.push((NodeId(first.0 + number), self.child_cell(&cell, number), depth + 1));
             }
@@ -69,9 +91,11 @@ impl Octree {
         let Node::Leaf(held) = std::mem::replace(&mut self.nodes[node.index()], Node::Inner(first)) else {
             unreachable!("only leaves are divided")
         };
+        self.refs -= held.len();
         for number in 0..self.ways() {
             let child = self.child_cell(cell, number);
-            let overlapping = held.iter().copied().filter(|&prim| self.overlaps(prims, prim, &child)).collect();
+            let overlapping: Vec<_> = held.iter().copied().filter(|&prim| self.overlaps(prims, prim, &child)).collect();
+            self.refs += overlapping.len();
             self.nodes[(first.0 + number) as usize] = Node::Leaf(overlapping);
         }
         first

@@ -21,7 +21,12 @@ impl Octree {
     ///
     /// # Errors
     /// The primitive reaches out of the root's cell; the tree stays as it was.
-    pub fn insert(&mut self, prims: &impl Primitives, prim: PrimId, watch: &mut impl Observer<Grow>) -> Result<(), Outside> {
+    pub fn insert(
+        &mut self,
+        prims: &impl Primitives,
+        prim: PrimId,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<(), Outside> {
         if !self.bounds.encloses(&prims.bounds(prim)) {
             return Err(Outside);
         }
@@ -38,10 +43,11 @@ impl Octree {
                 Node::Leaf(held) => {
                     if let Err(at) = held.binary_search(&prim) {
                         held.insert(at, prim);
+                        self.refs += 1;
                         watch.on(Grow::Settle { prim, place: Place::Node(node) });
                     }
                     // A change is small: it is never given up half way.
-                    let Ok(()) | Err(Cancelled) = self.grow(prims, node, cell, depth, &mut ());
+                    let (Ok(()) | Err(Cancelled)) = self.grow(prims, node, cell, depth, &mut ());
                 }
             }
         }
@@ -64,7 +70,12 @@ impl Octree {
                         open.push((NodeId(first.0 + number), child));
                     }
                 }
-                Node::Leaf(held) => held.retain(|&other| other != prim),
+                Node::Leaf(held) => {
+                    if let Ok(at) = held.binary_search(&prim) {
+                        held.remove(at);
+                        self.refs -= 1;
+                    }
+                }
             }
         }
         // Upwards: children come after their parents.
@@ -82,9 +93,11 @@ impl Octree {
             let Node::Leaf(prims) = child else { return };
             held.extend_from_slice(prims);
         }
+        let copies = held.len();
         held.sort_unstable();
         held.dedup();
         if held.len() as u32 <= self.rule.min_objects {
+            self.refs -= copies - held.len();
             self.nodes[block].fill(Node::Leaf(Vec::new()));
             self.nodes[node.index()] = Node::Leaf(held);
             self.free.push(first);

@@ -12,13 +12,17 @@ use crate::{Aabb, Margin, NodeId, OctreeRule, PrimId};
 ///
 /// Nodes are leaves exactly when they hold at most `min_objects` primitives or lie at `max_depth`. That
 /// depends on the primitives alone and not on the order in which they came, so a tree that is changed is
-/// the tree that would have been built.
+/// the tree that would have been built (unless a hostile scene met the bound on references).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Octree {
     bounds: Aabb,
     margin: Margin,
     rule: OctreeRule,
     nodes: Vec<Node>,
+    /// How many references all leaves hold.
+    refs: usize,
+    /// How many they may hold before nothing is divided any more: what keeps hostile scenes bounded.
+    most_refs: usize,
     /// First nodes of blocks of children that a deletion gave back.
     free: Vec<NodeId>,
 }
@@ -73,8 +77,7 @@ impl Octree {
 
     /// How many bytes the structure's arrays take.
     pub fn bytes(&self) -> usize {
-        let lists: usize = self.nodes.iter().map(|node| if let Node::Leaf(prims) = node { prims.len() } else { 0 }).sum();
-        size_of_val(self.nodes.as_slice()) + lists * size_of::<PrimId>()
+        size_of_val(self.nodes.as_slice()) + self.refs * size_of::<PrimId>()
     }
 
     /// How many children an inner node has.
@@ -90,5 +93,4 @@ impl Octree {
             if number >> axis.index() & 1 == 0 { lower } else { upper }
         })
     }
-
 }

@@ -1,13 +1,22 @@
 //! A ray through an octree, slide 44: as through a kd-tree, with up to four of the eight children in ray order.
 
 use super::{Node, Octree};
+use crate::mailbox::Mailbox;
 use crate::{
-    Aabb, Accel, Axis, Best, Ending, Hit, Interval, List, Mailbox, NodeId, Observer, Place, Primitives, Ray, Verdict, Visit,
+    Aabb, Accel, Axis, Best, Ending, Hit, Interval, List, NodeId, Observer, Place, Primitives, Ray, Verdict, Visit,
     Want, slab, test,
 };
 
 /// A child that the ray meets: its number, and its part of the ray.
-type Part = (u32, Interval);
+type Child = (u32, Interval);
+
+/// A node, its cell and the part of the ray that may lie in it.
+#[derive(Clone, Copy)]
+struct Part {
+    node: NodeId,
+    cell: Aabb,
+    live: Interval,
+}
 
 impl Accel for Octree {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
@@ -16,83 +25,83 @@ impl Accel for Octree {
             return List.walk(prims, ray, want, watch);
         }
         let mut best = Best::new(want);
-        let mut mailbox = Mailbox::new(self.rule.mailbox);
-        let end = |why: Ending, best: &Best| Visit::End { why, hit: best.hit.is_some(), t: best.t() };
-
-        // Clip the ray to the root's cell.
-        if self.bounds.is_empty() {
-            watch.on(end(Ending::Outside, &best));
-            return None;
-        }
-        let root = slab(&self.bounds, ray, ray.range(), Place::Node(NodeId::ROOT), watch);
-        let verdict = if root.is_empty() { Verdict::Miss } else { Verdict::Hit };
-        let place = Place::Node(NodeId::ROOT);
-        watch.on(Visit::Volume { place, t_near: root.near, t_far: root.far, best_t: best.t(), verdict });
-        if root.is_empty() {
-            watch.on(end(Ending::Outside, &best));
-            return None;
-        }
-
-        let mut stack: Vec<(NodeId, Aabb, Interval)> = Vec::new();
-        let mut here = Some((NodeId::ROOT, self.bounds, root));
-        while let Some((node, cell, part)) = here {
-            here = match &self.nodes[node.index()] {
-                Node::Inner(first) => {
-                    watch.on(Visit::Enter { place: Place::Node(node), t_near: part.near, t_far: part.far, prims: 0, leaf: false });
-                    // Order the children along the ray; all but the first wait.
-                    let (children, count) = self.order(node, ray, &cell, part, watch);
-                    let child = |(number, part): Part| (NodeId(first.0 + number), self.child_cell(&cell, number), part);
-                    for &later in children[1..count].iter().rev() {
-                        let (node, cell, part) = child(later);
-                        stack.push((node, cell, part));
-                        watch.on(Visit::Push { node, t_near: part.near, t_far: part.far, depth: stack.len() as u32 });
-                    }
-                    Some(child(children[0]))
-                }
-                Node::Leaf(held) => {
-                    let (t_near, t_far) = (part.near, part.far);
-                    watch.on(Visit::Enter { place: Place::Node(node), t_near, t_far, prims: held.len() as u32, leaf: true });
-                    // Test the leaf's primitives, keep the nearest.
-                    for &prim in held {
-                        if mailbox.tested(prim) {
-                            watch.on(Visit::Skip { prim });
-                            continue;
-                        }
-                        test(prims, prim, ray, &mut best, watch);
-                        if best.answered() {
-                            watch.on(end(Ending::Found, &best));
-                            return best.hit;
-                        }
-                    }
-                    // The next child that waits; done if the hit lies before it.
-                    let next = stack.pop();
-                    if let Some((node, _, part)) = next {
-                        let (t_near, t_far, depth) = (part.near, part.far, stack.len() as u32);
-                        if best.rules_out(t_near) {
-                            watch.on(Visit::Drop { node, t_near, t_far, best_t: best.t(), depth });
-                            while let Some((node, _, part)) = stack.pop() {
-                                let (t_near, t_far, depth) = (part.near, part.far, stack.len() as u32);
-                                watch.on(Visit::Drop { node, t_near, t_far, best_t: best.t(), depth });
-                            }
-                            watch.on(end(Ending::Settled, &best));
-                            return best.hit;
-                        }
-                        watch.on(Visit::Pop { node, t_near, t_far, depth });
-                    }
-                    next
-                }
-            };
-        }
-        watch.on(end(Ending::Exhausted, &best));
+        let why = self.find(prims, ray, &mut best, watch);
+        watch.on(Visit::End { why, hit: best.hit.is_some(), t: best.t() });
         best.hit
     }
 }
 
 impl Octree {
+    /// The walk itself: fills `best` and says why it ended.
+    fn find(&self, prims: &impl Primitives, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) -> Ending {
+        // The part of the ray in the tree's box.
+        let Some(live) = self.enter(ray, watch) else { return Ending::Outside };
+        let mut here = Part { node: NodeId::ROOT, cell: self.bounds, live };
+        let mut stack: Vec<Part> = Vec::new();
+        let mut mailbox = Mailbox::new();
+
+        loop {
+            let Interval { near: t_near, far: t_far } = here.live;
+            let place = Place::Node(here.node);
+            match &self.nodes[here.node.index()] {
+                Node::Inner(first) => {
+                    // Inner node: order the children along the ray; all but the first wait.
+                    watch.on(Visit::Enter { place, t_near, t_far, prims: 0, leaf: false });
+                    let (children, count) = self.order(here, ray, watch);
+                    let part = |(number, live): Child| Part {
+                        node: NodeId(first.0 + number),
+                        cell: self.child_cell(&here.cell, number),
+                        live,
+                    };
+                    for &later in children[1..count].iter().rev() {
+                        let Part { node, live: Interval { near: t_near, far: t_far }, .. } = part(later);
+                        stack.push(part(later));
+                        watch.on(Visit::Push { node, t_near, t_far, depth: stack.len() as u32 });
+                    }
+                    here = part(children[0]);
+                    continue;
+                }
+                Node::Leaf(held) => {
+                    // Leaf: intersect.
+                    watch.on(Visit::Enter { place, t_near, t_far, prims: held.len() as u32, leaf: true });
+                    for &prim in held {
+                        if self.rule.mailbox && mailbox.holds(prim) {
+                            watch.on(Visit::Skip { prim });
+                            continue;
+                        }
+                        test(prims, prim, ray, best, watch);
+                        mailbox.put(prim);
+                        if best.answered() {
+                            return Ending::Found;
+                        }
+                    }
+                }
+            }
+            // Next is what waits, unless the best hit lies before it.
+            here = match next(&mut stack, best, watch) {
+                Ok(part) => part,
+                Err(why) => return why,
+            };
+        }
+    }
+
+    /// The part of the ray in the root's cell; none if it misses.
+    fn enter(&self, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Interval> {
+        if self.bounds.is_empty() {
+            return None;
+        }
+        let place = Place::Node(NodeId::ROOT);
+        let live = slab(&self.bounds, ray, ray.range(), place, watch);
+        let verdict = if live.is_empty() { Verdict::Miss } else { Verdict::Hit };
+        watch.on(Visit::Volume { place, t_near: live.near, t_far: live.far, best_t: f32::INFINITY, verdict });
+        (!live.is_empty()).then_some(live)
+    }
+
     /// The children that the ray meets within `part`, in its order: the three middle planes can be crossed
     /// three times, so there are at most four.
-    fn order(&self, node: NodeId, ray: &Ray, cell: &Aabb, part: Interval, watch: &mut impl Observer<Visit>) -> ([Part; 4], usize) {
-        let middle = cell.center();
+    fn order(&self, here: Part, ray: &Ray, watch: &mut impl Observer<Visit>) -> ([Child; 4], usize) {
+        let Interval { near: t_near, far: t_far } = here.live;
+        let middle = here.cell.center();
         let mut number = 0;
         let mut crossings: [Option<(f32, Axis)>; 3] = [None; 3];
         for &axis in self.rule.axes.list() {
@@ -106,13 +115,13 @@ impl Octree {
                 continue;
             }
             let t = (plane - o) / d;
-            watch.on(Visit::Plane { node, axis, plane, o, d, t, t_near: part.near, t_far: part.far });
+            watch.on(Visit::Plane { node: here.node, axis, plane, o, d, t, t_near, t_far });
             // Before the crossing the ray is on the side it comes from.
-            let crossed = t <= part.near;
+            let crossed = t <= t_near;
             if (d > 0.0) == crossed {
                 number |= bit;
             }
-            if !crossed && t <= part.far {
+            if !crossed && t <= t_far {
                 crossings[axis.index()] = Some((t, axis));
             }
         }
@@ -122,16 +131,32 @@ impl Octree {
         });
 
         // Each crossing ends one child and begins the next.
-        let mut children = [(0, part); 4];
+        let mut children = [(0, here.live); 4];
         let mut count = 0;
-        let mut near = part.near;
+        let mut near = t_near;
         for (t, axis) in crossings.into_iter().flatten() {
             children[count] = (number, Interval::new(near, t));
             count += 1;
             number ^= 1 << axis.index();
             near = t;
         }
-        children[count] = (number, Interval::new(near, part.far));
+        children[count] = (number, Interval::new(near, t_far));
         (children, count + 1)
     }
+}
+
+/// The next part that waits, or why there is none. What begins behind the best hit is dropped.
+fn next(stack: &mut Vec<Part>, best: &Best, watch: &mut impl Observer<Visit>) -> Result<Part, Ending> {
+    let mut why = Ending::Exhausted;
+    while let Some(part) = stack.pop() {
+        let (node, depth) = (part.node, stack.len() as u32);
+        let Interval { near: t_near, far: t_far } = part.live;
+        if !best.rules_out(t_near) {
+            watch.on(Visit::Pop { node, t_near, t_far, depth });
+            return Ok(part);
+        }
+        watch.on(Visit::Drop { node, t_near, t_far, best_t: best.t(), depth });
+        why = Ending::Settled;
+    }
+    Err(why)
 }

@@ -3,11 +3,13 @@
 mod bvh;
 mod grid;
 mod kd;
+mod octree;
 mod parameter;
 
 pub use bvh::{BvhOrder, BvhRule, BvhSplit};
 pub use grid::{GridRule, Resolution};
 pub use kd::{KdRule, KdSplit};
+pub use octree::OctreeRule;
 pub use parameter::{Allowed, Parameter, RuleError};
 
 use crate::{Axes, Measure};
@@ -25,6 +27,8 @@ pub enum Rule {
     Grid(GridRule),
     /// A kd-tree.
     Kd(KdRule),
+    /// An octree, in a flat scene a quadtree.
+    Octree(OctreeRule),
     /// A hierarchy of boxes.
     Bvh(BvhRule),
 }
@@ -44,6 +48,7 @@ impl Rule {
             "slab" => Ok(Rule::Slab),
             "grid" => Ok(Rule::Grid(GridRule::default())),
             "kd" => Ok(Rule::Kd(KdRule::default())),
+            "octree" => Ok(Rule::Octree(OctreeRule::default())),
             "bvh" => Ok(Rule::Bvh(BvhRule::default())),
             _ => Err(RuleError::Kind { found: kind.to_owned(), nearest: nearest(kind, Rule::KINDS) }),
         }
@@ -56,6 +61,7 @@ impl Rule {
             Rule::Slab => "slab",
             Rule::Grid(_) => "grid",
             Rule::Kd(_) => "kd",
+            Rule::Octree(_) => "octree",
             Rule::Bvh(_) => "bvh",
         }
     }
@@ -68,6 +74,7 @@ impl Rule {
             Rule::List | Rule::Slab => {}
             Rule::Grid(rule) => rule.axes = axes,
             Rule::Kd(rule) => (rule.axes, rule.measure) = (axes, measure),
+            Rule::Octree(rule) => rule.axes = axes,
             Rule::Bvh(rule) => (rule.axes, rule.measure) = (axes, measure),
         }
         self
@@ -100,6 +107,7 @@ impl Rule {
             Rule::List | Rule::Slab => Vec::new(),
             Rule::Grid(rule) => rule.slots(),
             Rule::Kd(rule) => rule.slots(),
+            Rule::Octree(rule) => rule.slots(),
             Rule::Bvh(rule) => rule.slots(),
         }
     }
