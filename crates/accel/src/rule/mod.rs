@@ -36,7 +36,7 @@ pub enum Rule {
 impl Rule {
     /// The kinds that answer rays, by the names that slides and the command line use. Slides know one more,
     /// `"slab"`, which only tests the box.
-    pub const KINDS: [&'static str; 4] = ["list", "grid", "kd", "bvh"];
+    pub const KINDS: [&'static str; 5] = ["list", "grid", "kd", "octree", "bvh"];
 
     /// The kind called `kind` with the parameters it has when nobody sets any.
     ///
@@ -139,7 +139,7 @@ mod tests {
             Rule::default_for("kt"),
             "",
             "",
-            "there is no structure \"kt\"; did you mean \"kd\"? (list, grid, kd or bvh)",
+            "there is no structure \"kt\"; did you mean \"kd\"? (list, grid, kd, octree or bvh)",
         );
         check(
             Rule::default_for("kd"),
