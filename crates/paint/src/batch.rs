@@ -146,26 +146,25 @@ impl Pen<'_> {
         if bounds.is_empty() {
             return;
         }
+        // Two faces of a box lie over each other.
+        let fill = style.fill.map(|fill| Color { a: fill.a / 2, ..fill });
+        let veil = Style { fill: fill.filter(|_| bounds.extent().min_element() > 0.0).or(style.fill), ..*style };
         let e = bounds.extent();
         for axis in Axis::ALL {
             let (u, v) = others(axis);
-            if e[u] <= 0.0 && e[v] <= 0.0 {
-                // Four edges that are points, or a line drawn as an edge of another axis.
+            if e[u] <= 0.0 || e[v] <= 0.0 {
                 continue;
             }
             let ends = if e[axis] > 0.0 { &[bounds.min[axis], bounds.max[axis]][..] } else { &[bounds.min[axis]][..] };
-            if e[u] > 0.0 && e[v] > 0.0 {
-                for &at in ends {
-                    let corner = |s: f32, t: f32| {
-                        let mut p = bounds.min;
-                        p[axis] = at;
-                        p[u] += e[u] * s;
-                        p[v] += e[v] * t;
-                        p
-                    };
-                    let [a, b, c, d] = [corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)];
-                    self.quad([a, b, c, d], style);
-                }
+            for &at in ends {
+                let corner = |on_u: f32, on_v: f32| {
+                    let mut p = bounds.min;
+                    p[axis] = at;
+                    p[u] += e[u] * on_u;
+                    p[v] += e[v] * on_v;
+                    p
+                };
+                self.quad([corner(0.0, 0.0), corner(1.0, 0.0), corner(1.0, 1.0), corner(0.0, 1.0)], &veil);
             }
         }
         self.edges(bounds, style);

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use raystep_accel::Prims;
-use raystep_figure::{Camera, Role, Space, Theme};
+use raystep_figure::{Camera, Color, Role, Space, Theme};
 
 use crate::batch::Batch;
 use crate::mesh::Mesh;
@@ -128,7 +128,7 @@ impl Renderer {
     }
 
     fn encode(&self, encoder: &mut wgpu::CommandEncoder, frame: &Frame<'_>) {
-        let ground = frame.theme.style(Role::Panel).fill.map_or([1.0; 4], |fill| unit([fill.r, fill.g, fill.b, 255]));
+        let ground = frame.theme.style(Role::Panel).fill.map_or([1.0; 4], unit);
         let [r, g, b, a] = ground.map(f64::from);
         let mut pass = self.target.begin(encoder, wgpu::Color { r, g, b, a });
         pass.set_bind_group(0, &self.bind_group, &[]);
@@ -151,8 +151,8 @@ impl Renderer {
 
 impl ViewUniform {
     fn new(frame: &Frame<'_>, size: [u32; 2]) -> ViewUniform {
-        let size = size.map(|side| side as f32);
-        let clip_from_world = frame.camera.clip_from_world(size[0] / size[1]);
+        let size = Vec2::new(size[0] as f32, size[1] as f32);
+        let clip_from_world = frame.camera.clip_from_world(size.x / size.y);
         let (eye, light, near) = match *frame.camera {
             Camera::Flat { .. } => (Vec3::Z.extend(0.0), Vec3::new(-0.4, 0.5, 1.0), 0.5),
             Camera::Solid { eye, target, up, .. } => {
@@ -163,13 +163,17 @@ impl ViewUniform {
                 (eye.extend(1.0), light, clip_from_world.w_axis.z)
             }
         };
-        let scene = frame.theme.style(Role::Scene).fill.map_or([0.5; 4], |fill| unit([fill.r, fill.g, fill.b, fill.a]));
+        let style = frame.theme.style(Role::Scene);
+        let ink = style.stroke.map_or([0.5; 4], |stroke| unit(stroke.color));
+        let fill = style.fill.map_or(ink, unit);
+        // A body is shaded; a little of its outline's colour keeps the lit side off the page.
+        let scene = std::array::from_fn(|i| 0.7 * fill[i] + 0.3 * ink[i]);
         ViewUniform {
             clip_from_world: clip_from_world.to_cols_array_2d(),
             eye: eye.to_array(),
             light: light.normalize_or(Vec3::Z).extend(0.0).to_array(),
             scene,
-            size: Vec2::from(size).to_array(),
+            size: size.to_array(),
             pixels_per_point: frame.pixels_per_point,
             near,
         }
@@ -177,6 +181,6 @@ impl ViewUniform {
 }
 
 /// A colour with channels from 0 to 1.
-fn unit(channels: [u8; 4]) -> [f32; 4] {
-    channels.map(|channel| f32::from(channel) / 255.0)
+fn unit(color: Color) -> [f32; 4] {
+    [color.r, color.g, color.b, color.a].map(|channel| f32::from(channel) / 255.0)
 }
