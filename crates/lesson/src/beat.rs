@@ -28,7 +28,7 @@ pub struct Beat {
 pub struct Paragraph {
     /// Markdown with `{{field}}` of the event, and formulas between `$` or `$$`.
     pub text: String,
-    /// Said only if this field has this value.
+    /// Said only if this field has this value, or the `event` this name.
     pub only_if: Option<(String, String)>,
     /// Where it begins.
     pub(crate) spot: Spot,
@@ -39,6 +39,7 @@ impl Beat {
     pub fn text(&self, event: &Visit) -> String {
         let said = |paragraph: &&Paragraph| match &paragraph.only_if {
             None => true,
+            Some((field, name)) if field == "event" => wait::names(name, event.name()),
             Some((field, text)) => event.field(field).is_some_and(|value| wait::says(&value, text)),
         };
         self.paragraphs.iter().filter(said).map(|paragraph| paragraph.text.as_str()).collect::<Vec<_>>().join("\n\n")

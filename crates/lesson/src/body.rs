@@ -119,7 +119,11 @@ fn conditional(lines: &[Line<'_>], at: &Wait, reading: &mut Reading<'_>) -> Opti
         reading.problem(start, "write `> if field=value: text`");
         return None;
     };
-    check_field(&at.event, field.trim(), condition_at, reading);
+    if field.trim() == "event" {
+        check_event(value.trim(), condition_at, reading);
+    } else {
+        check_field(&at.event, field.trim(), condition_at, reading);
+    }
     let mut said = lines.to_vec();
     said[0] = (start + first.len() - text.len(), text.trim_start());
     Some(paragraph(&said, Some((field.trim().to_owned(), value.trim().to_owned())), &at.event, reading))

@@ -120,7 +120,11 @@ impl Ask {
         };
         let mut counts = vec![(String::new(), right)];
         let named = self.reasons.iter().filter_map(|r| Some((r.answer.clone(), counted(&r.answer)?)));
-        let near = [right + 1, right + 2, right.saturating_sub(1)].map(|count| (count.to_string(), count));
+        // Neighbours on both sides, in an order that tells nothing about which is right.
+        let apart = 1 + right / 5;
+        let (more, less) = (right + apart, right.saturating_sub(apart));
+        let near = if right % 2 == 0 { [more, less] } else { [less, more] };
+        let near = [near[0], near[1], more + apart].map(|count| (count.to_string(), count));
         for (answer, value) in named.chain(near) {
             if counts.len() < NUMBERS.max(self.reasons.len() + 1) && !counts.iter().any(|(_, other)| *other == value) {
                 counts.push((answer, value));

@@ -34,6 +34,11 @@ impl Library {
         for (path, text) in &files {
             library.add(path, text);
         }
+        for (path, text) in &files {
+            if path == "sections.txt" {
+                library.name_sections(text);
+            }
+        }
         library
     }
 
@@ -74,6 +79,15 @@ impl Library {
             Vec::new()
         };
         self.problems.extend(problems);
+    }
+
+    /// Names the sections by lines of `folder : title`.
+    fn name_sections(&mut self, text: &str) {
+        for (folder, title) in text.lines().filter_map(|line| line.split_once(" : ")) {
+            for slide in self.slides.iter_mut().filter(|slide| slide.section == folder.trim()) {
+                title.trim().clone_into(&mut slide.section_title);
+            }
+        }
     }
 
     /// The listing of that name.

@@ -13,6 +13,8 @@ pub struct Slide {
     pub name: String,
     /// The folder it lies in: `"05-kd-tree"`.
     pub section: String,
+    /// What the section is called: `"kd-trees"`.
+    pub section_title: String,
     /// The numbers of the lecture's slides that it stands for: `"33"`, `"13a"`.
     pub numbers: Vec<String>,
     /// What it is called.
@@ -37,11 +39,6 @@ impl Slide {
         let section = self.section.split('-').next().unwrap_or_default().trim_start_matches('0');
         let number = self.numbers.first().map_or(self.name.as_str(), String::as_str);
         format!("{section}/{number}")
-    }
-
-    /// The section's name in words: `"kd tree"`.
-    pub fn section_title(&self) -> String {
-        self.section.split('-').skip(1).collect::<Vec<_>>().join(" ")
     }
 
     /// `"slides 33-38"`, `"slide 12"`.
@@ -82,6 +79,7 @@ impl Slide {
         Some(Slide {
             name: name.to_owned(),
             section: section.to_owned(),
+            section_title: section.split('-').skip(1).collect::<Vec<_>>().join(" "),
             numbers: head.numbers,
             title: head.title,
             listing: head.listing,
