@@ -123,7 +123,7 @@ impl Ask {
         // Neighbours on both sides, in an order that tells nothing about which is right.
         let apart = 1 + right / 5;
         let (more, less) = (right + apart, right.saturating_sub(apart));
-        let near = if right % 2 == 0 { [more, less] } else { [less, more] };
+        let near = if right.is_multiple_of(2) { [more, less] } else { [less, more] };
         let near = [near[0], near[1], more + apart].map(|count| (count.to_string(), count));
         for (answer, value) in named.chain(near) {
             if counts.len() < NUMBERS.max(self.reasons.len() + 1) && !counts.iter().any(|(_, other)| *other == value) {

@@ -13,8 +13,8 @@ pub struct Slide {
     pub name: String,
     /// The folder it lies in: `"05-kd-tree"`.
     pub section: String,
-    /// What the section is called: `"kd-trees"`.
-    pub section_title: String,
+    /// What the section is called.
+    pub(crate) section_title: String,
     /// The numbers of the lecture's slides that it stands for: `"33"`, `"13a"`.
     pub numbers: Vec<String>,
     /// What it is called.
@@ -39,6 +39,11 @@ impl Slide {
         let section = self.section.split('-').next().unwrap_or_default().trim_start_matches('0');
         let number = self.numbers.first().map_or(self.name.as_str(), String::as_str);
         format!("{section}/{number}")
+    }
+
+    /// What the section is called: `"kd-trees"`.
+    pub fn section_title(&self) -> &str {
+        &self.section_title
     }
 
     /// `"slides 33-38"`, `"slide 12"`.
