@@ -196,21 +196,3 @@ impl GrowMoment {
         }
     }
 }
-
-/// What a builder's event says, in a few words.
-pub fn short_grow(event: &Grow) -> &'static str {
-    match event {
-        Grow::Widen { .. } => "the box grows",
-        Grow::Resolve { .. } => "the resolution is chosen",
-        Grow::Rasterise { .. } => "a primitive's box meets a cell",
-        Grow::Prune { .. } => "the primitive itself does not",
-        Grow::Open { .. } => "a node comes to be",
-        Grow::Weigh { .. } => "a split is weighed",
-        Grow::Split { .. } => "the split is taken",
-        Grow::Leaf { .. } => "the node stays a leaf",
-        Grow::Settle { .. } => "a reference is stored",
-        Grow::Merge { .. } => "two nodes become one",
-        Grow::Move { .. } => "a node moves",
-        Grow::Renumber { .. } => "a node gets its final number",
-    }
-}

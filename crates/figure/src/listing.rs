@@ -1,11 +1,10 @@
 //! The algorithm as text, the line of the current event marked, its numbers right under it.
 
 use glam::Vec2;
-use raystep_accel::Visit;
 
 use crate::fonts::elided;
 use crate::look::{block, line, write};
-use crate::{Anchor, Face, Figure, Look, Role, fill};
+use crate::{Anchor, Face, Fact, Figure, Look, Role, fill};
 
 /// One line of an algorithm.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +20,7 @@ pub struct ListingLine<'a> {
 }
 
 /// The lines, with the one marked in which `event` happens. Of a long listing, the part around it.
-pub fn listing(lines: &[ListingLine<'_>], event: Option<&Visit>, size: Vec2, look: &Look) -> Figure {
+pub fn listing<E: Fact>(lines: &[ListingLine<'_>], event: Option<&E>, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, "Walk", "");
     let current = event.and_then(|event| current_line(lines, event));
@@ -64,7 +63,7 @@ pub fn listing(lines: &[ListingLine<'_>], event: Option<&Visit>, size: Vec2, loo
                 y += row;
                 let indented = format!("{}{values}", "  ".repeat(lines[index].indent + 1));
                 let values = elided(&indented, Face::MonoMedium, face_size, width);
-                let place = event.map(Visit::place);
+                let place = event.map(Fact::place);
                 write(
                     &mut figure,
                     Role::Value,
@@ -97,7 +96,7 @@ pub fn listing(lines: &[ListingLine<'_>], event: Option<&Visit>, size: Vec2, loo
 }
 
 /// The first line in which the event happens.
-pub fn current_line(lines: &[ListingLine<'_>], event: &Visit) -> Option<usize> {
+pub fn current_line(lines: &[ListingLine<'_>], event: &impl Fact) -> Option<usize> {
     lines.iter().position(|line| line.events.iter().any(|name| name == event.name()))
 }
 

@@ -1,6 +1,8 @@
 //! The one formatter of numbers: three significant digits, everywhere.
 
-use raystep_accel::{Value, Visit};
+use raystep_accel::Value;
+
+use crate::Fact;
 
 /// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros.
 pub fn number(x: f32) -> String {
@@ -37,7 +39,7 @@ pub fn value(value: &Value) -> String {
 }
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
-pub fn fill(template: &str, event: &Visit) -> String {
+pub fn fill(template: &str, event: &impl Fact) -> String {
     let mut filled = String::with_capacity(template.len());
     let mut rest = template;
     while let Some(start) = rest.find("{{") {
@@ -78,7 +80,7 @@ fn trimmed(digits: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use raystep_accel::{Axis, NodeId};
+    use raystep_accel::{Axis, NodeId, Visit};
 
     use super::*;
 

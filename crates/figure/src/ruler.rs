@@ -10,7 +10,9 @@ use crate::{Anchor, Face, Figure, Ink, Look, Moment, Role, Walk, number, text_wi
 /// A row for each known interval over one axis.
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let top = look.heading(&mut figure, "t along the ray", "") + if look.titles { 0.0 } else { look.text };
+    // Without a heading, room for the number of the current t; slabs have none.
+    let label = if look.titles || moment.slab.is_some() { 0.0 } else { look.text };
+    let top = look.heading(&mut figure, "t along the ray", "") + label;
     let u = look.text;
     let mut spans = spans(walk, moment);
 
@@ -44,8 +46,17 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
 
 /// Everything on one line, names above: for the far end of a lecture hall.
 pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
-    // The slabs of a box lie over each other: they need a row each.
-    if moment.slab.is_some() {
+    // Of a node about to be left, the part before what waits next.
+    let mut spans = spans(walk, moment);
+    if let (Some(first), Some(next)) = (spans.first().map(|span| span.interval), moment.stack.last())
+        && first.near < next.near
+        && next.near < first.far
+    {
+        spans[0].interval.far = next.near;
+    }
+    // What lies over each other, as slabs and boxes do, needs a row each.
+    let apart = spans.windows(2).all(|pair| pair[0].interval.far <= pair[1].interval.near);
+    if moment.slab.is_some() || !apart {
         return ruler(walk, moment, size, &Look { titles: false, ..*look });
     }
     let mut figure = Figure::new(size);
@@ -56,7 +67,7 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> 
 
     let now = moment.event.as_ref().and_then(current_t).filter(|t| axis.shows(*t)).map(|t| axis.x(t));
     let mut taken = f32::NEG_INFINITY;
-    for span in &spans(walk, moment) {
+    for span in &spans {
         draw_span(&mut figure, &axis, span, y, u);
         let mut middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
         let half = text_width(&span.name, Face::Bold, u) / 2.0;

@@ -1,11 +1,10 @@
 //! The walk from its first step to its last, to be scrubbed.
 
 use glam::Vec2;
-use raystep_accel::Visit;
+use raystep_accel::{Grow, Place};
 
-use crate::glyph::Glyph;
 use crate::look::{line, write};
-use crate::{Anchor, Face, Figure, Ink, Look, Role, Walk, short, text_width};
+use crate::{Anchor, Face, Fact, Figure, Ink, Look, Role, Symbol, Walk, text_width};
 
 /// Most symbols on one track.
 const MOST: usize = 240;
@@ -43,31 +42,28 @@ impl Track {
     }
 }
 
-/// The track with a symbol for each event that has one, the current step and what it is.
-pub fn timeline(walk: &Walk<'_>, step: usize, size: Vec2, look: &Look) -> Figure {
-    let events = walk.events;
+/// The track of a walk with a symbol for each event that has one, the current step and what it is. While
+/// a question is open, `hide_ahead` leaves out what is still to come.
+pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
+    draw(walk.events, walk.flat, step, hide_ahead, size, look)
+}
+
+/// The track of a build.
+pub fn timeline_of_build(events: &[Grow], step: usize, size: Vec2, look: &Look) -> Figure {
+    draw(events, false, step, false, size, look)
+}
+
+fn draw<E: Fact>(events: &[E], flat: bool, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let track = Track::new(events.len(), size, look);
     let (small, u) = (look.small(), look.text);
 
     // What is shown now, in words.
     let count = format!("step {step} of {}", events.len());
-    let says = match step.checked_sub(1).and_then(|i| events.get(i)) {
-        Some(event) => short(event),
-        None => "before the walk",
-    };
-    let left = look.margin();
-    write(&mut figure, Role::Text, None, Vec2::new(left, track.y - 0.65 * u), &count, u, Face::Bold, Anchor::Start);
-    write(
-        &mut figure,
-        Role::Quiet,
-        None,
-        Vec2::new(left, track.y + 0.75 * u),
-        says,
-        small,
-        Face::Regular,
-        Anchor::Start,
-    );
+    let says = step.checked_sub(1).and_then(|i| events.get(i)).map_or("at the very beginning", Fact::short);
+    let (above, below) = (Vec2::new(look.margin(), track.y - 0.65 * u), Vec2::new(look.margin(), track.y + 0.75 * u));
+    write(&mut figure, Role::Text, None, above, &count, u, Face::Bold, Anchor::Start);
+    write(&mut figure, Role::Quiet, None, below, says, small, Face::Regular, Anchor::Start);
 
     // The track, its part played so far, and the handle.
     let now = Vec2::new(track.x(step), track.y);
@@ -78,64 +74,54 @@ pub fn timeline(walk: &Walk<'_>, step: usize, size: Vec2, look: &Look) -> Figure
     }
 
     // One symbol for each event that has one; of a crowd, the one that matters most.
-    let above = track.y - 1.25 * u;
-    for (at, glyph, place) in crowd(walk, &track, u * 0.8) {
-        write(
-            &mut figure,
-            glyph.role(),
-            place,
-            Vec2::new(at, above),
-            glyph.symbol(),
-            u * 0.85,
-            Face::Medium,
-            Anchor::Middle,
-        );
+    let told = if hide_ahead { &events[..step.min(events.len())] } else { events };
+    for (x, symbol, place) in crowd(told, flat, &track, u * 0.8) {
+        let at = Vec2::new(x, track.y - 1.25 * u);
+        write(&mut figure, symbol.role, Some(place), at, symbol.sign, u * 0.85, Face::Medium, Anchor::Middle);
     }
     for role in [Role::Page, Role::Here] {
         figure.add(role, None, Ink::Circle { center: now, radius: u * 0.5 });
     }
 
-    legend_row(&mut figure, events, Vec2::new(track.left, track.y + 1.5 * u), track.right, look);
+    legend_row(&mut figure, told, Vec2::new(track.left, track.y + 1.5 * u), track.right, look);
     figure
 }
 
 /// The symbols that stand on the track, at least `apart` points from each other.
-fn crowd(walk: &Walk<'_>, track: &Track, apart: f32) -> Vec<(f32, Glyph, Option<raystep_accel::Place>)> {
-    let bins = (((track.right - track.left) / apart) as usize).clamp(1, MOST);
-    let dense = (track.right - track.left) / (track.steps.max(1) as f32) < apart;
-    let shown = |event: &Visit| Glyph::of(event).filter(|_| !(walk.flat && event.concerns_z()));
-    let events = walk.events.iter().enumerate();
-    let symbols = events.filter_map(|(i, event)| Some((i + 1, shown(event)?, event.place())));
-    if !dense {
-        return symbols.map(|(step, glyph, place)| (track.x(step), glyph, Some(place))).collect();
+fn crowd<E: Fact>(events: &[E], flat: bool, track: &Track, apart: f32) -> Vec<(f32, Symbol, Place)> {
+    let shown = |event: &E| event.symbol().filter(|_| !(flat && event.concerns_z()));
+    let symbols = events.iter().enumerate().filter_map(|(i, event)| Some((i + 1, shown(event)?, event.place())));
+    let length = track.right - track.left;
+    if length / track.steps.max(1) as f32 >= apart {
+        return symbols.map(|(step, symbol, place)| (track.x(step), symbol, place)).collect();
     }
-    let mut best: Vec<Option<(Glyph, raystep_accel::Place)>> = vec![None; bins];
-    for (step, glyph, place) in symbols {
-        let bin = &mut best[(step * (bins - 1)) / track.steps.max(1)];
-        if bin.is_none_or(|(other, _)| glyph > other) {
-            *bin = Some((glyph, place));
+    // More steps than there is room for symbols: one for each stretch of the track.
+    let bins = ((length / apart) as usize).clamp(1, MOST);
+    let mut best: Vec<Option<(Symbol, Place)>> = vec![None; bins];
+    for (step, symbol, place) in symbols {
+        let bin = &mut best[step * (bins - 1) / track.steps.max(1)];
+        if bin.is_none_or(|(other, _)| symbol.rank > other.rank) {
+            *bin = Some((symbol, place));
         }
     }
-    let width = (track.right - track.left) / bins as f32;
-    let middle = |bin: usize| track.left + (bin as f32 + 0.5) * width;
-    best.iter()
-        .enumerate()
-        .filter_map(|(bin, best)| best.map(|(glyph, place)| (middle(bin), glyph, Some(place))))
-        .collect()
+    let middle = |bin: usize| track.left + (bin as f32 + 0.5) * length / bins as f32;
+    let filled = best.into_iter().enumerate();
+    filled.filter_map(|(bin, best)| best.map(|(symbol, place)| (middle(bin), symbol, place))).collect()
 }
 
 /// The symbols that occur, with their names.
-fn legend_row(figure: &mut Figure, events: &[Visit], at: Vec2, right: f32, look: &Look) {
+fn legend_row<E: Fact>(figure: &mut Figure, events: &[E], at: Vec2, right: f32, look: &Look) {
     let (small, mut x) = (look.small(), at.x);
-    for glyph in Glyph::ALL.into_iter().filter(|glyph| events.iter().any(|event| Glyph::of(event) == Some(*glyph))) {
-        let width = small * 1.2 + text_width(glyph.name(), Face::Regular, small);
+    let occurs = |symbol: &&Symbol| events.iter().any(|event| event.symbol().as_ref() == Some(symbol));
+    for symbol in E::SYMBOLS.iter().filter(occurs) {
+        let width = small * 1.2 + text_width(symbol.name, Face::Regular, small);
         if x + width > right {
             break;
         }
-        let symbol = Vec2::new(x + small * 0.4, at.y);
-        write(figure, glyph.role(), None, symbol, glyph.symbol(), small, Face::Medium, Anchor::Middle);
+        let sign = Vec2::new(x + small * 0.4, at.y);
+        write(figure, symbol.role, None, sign, symbol.sign, small, Face::Medium, Anchor::Middle);
         let beside = Vec2::new(x + small * 1.2, at.y);
-        write(figure, Role::Quiet, None, beside, glyph.name(), small, Face::Regular, Anchor::Start);
+        write(figure, Role::Quiet, None, beside, symbol.name, small, Face::Regular, Anchor::Start);
         x += width + look.text * 1.5;
     }
 }

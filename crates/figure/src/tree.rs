@@ -157,8 +157,15 @@ impl Pen {
                 self.edge(figure, tree, &path, (branch, at(index)), (&branches.shown[child], at(child)));
             }
         }
+        // A node's axis stands on the side where no edge runs: away from its parent.
+        let mut left_of_parent = vec![false; branches.shown.len()];
+        for branch in &branches.shown {
+            if let [left, _, ..] = branch.children[..] {
+                left_of_parent[left] = true;
+            }
+        }
         for (index, branch) in branches.shown.iter().enumerate() {
-            self.node(figure, tree, branch, at(index));
+            self.node(figure, tree, branch, at(index), left_of_parent[index]);
         }
     }
 
@@ -176,7 +183,7 @@ impl Pen {
     }
 
     /// A circle for an inner node with its axis beside it, a square for a leaf with its primitives below.
-    fn node(&self, figure: &mut Figure, tree: &impl Tree, branch: &Branch, at: Vec2) {
+    fn node(&self, figure: &mut Figure, tree: &impl Tree, branch: &Branch, at: Vec2, left: bool) {
         let (node, u) = (branch.node, self.u);
         let place = Some(Place::Node(node));
         let role = tree.role(node);
@@ -191,8 +198,9 @@ impl Pen {
         figure.add(role, place, ink);
         write(figure, text_role(role), place, at, &node.to_string(), u * 0.88, Face::MonoMedium, Anchor::Middle);
         if let Some(axis) = tree.axis(node) {
-            let beside = at + Vec2::new(half + u * 0.25, -u * 0.6);
-            write(figure, Role::Quiet, place, beside, axis.name(), u * 0.88, Face::Regular, Anchor::Start);
+            let (side, anchor) = if left { (-1.0, Anchor::End) } else { (1.0, Anchor::Start) };
+            let beside = at + Vec2::new(side * (half + u * 0.25), -u * 0.5);
+            write(figure, Role::Quiet, place, beside, axis.name(), u * 0.88, Face::Regular, anchor);
         }
         if leaf {
             self.dots(figure, tree, node, at + Vec2::new(0.0, radius + u * 0.6));

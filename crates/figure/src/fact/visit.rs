@@ -1,0 +1,94 @@
+//! Walks: a symbol for each kind of event, and a few words for each event.
+
+use raystep_accel::{Ending, Place, Value, Verdict, Visit};
+
+use super::{Fact, Symbol};
+use crate::Role;
+
+const SLAB: Symbol = Symbol { sign: "▽", name: "slab", role: Role::Plane, rank: 0 };
+const BOX: Symbol = Symbol { sign: "◇", name: "box", role: Role::Here, rank: 1 };
+const SKIP: Symbol = Symbol { sign: "○", name: "skip", role: Role::Dropped, rank: 2 };
+const MISS: Symbol = Symbol { sign: "|", name: "miss", role: Role::Missed, rank: 3 };
+const CELL: Symbol = Symbol { sign: "▷", name: "next cell", role: Role::Here, rank: 4 };
+const PLANE: Symbol = Symbol { sign: "△", name: "plane", role: Role::Plane, rank: 5 };
+const POP: Symbol = Symbol { sign: "■", name: "pop", role: Role::Waiting, rank: 6 };
+const PUSH: Symbol = Symbol { sign: "□", name: "push", role: Role::Waiting, rank: 7 };
+const DROP: Symbol = Symbol { sign: "×", name: "drop", role: Role::Dropped, rank: 8 };
+const HIT: Symbol = Symbol { sign: "●", name: "hit", role: Role::Hit, rank: 9 };
+
+impl Fact for Visit {
+    const SYMBOLS: &'static [Symbol] = &[SLAB, PLANE, BOX, CELL, PUSH, POP, DROP, SKIP, MISS, HIT];
+
+    fn name(&self) -> &'static str {
+        self.name()
+    }
+
+    fn place(&self) -> Place {
+        self.place()
+    }
+
+    fn field(&self, name: &str) -> Option<Value> {
+        self.field(name)
+    }
+
+    fn concerns_z(&self) -> bool {
+        self.concerns_z()
+    }
+
+    fn symbol(&self) -> Option<Symbol> {
+        Some(match self {
+            Visit::Divide { .. } | Visit::Parallel { .. } => SLAB,
+            Visit::Plane { .. } => PLANE,
+            Visit::Volume { .. } => BOX,
+            Visit::Step { .. } => CELL,
+            Visit::Push { .. } => PUSH,
+            Visit::Pop { .. } => POP,
+            Visit::Drop { .. } => DROP,
+            Visit::Skip { .. } => SKIP,
+            Visit::Test { hit: false, .. } => MISS,
+            Visit::Test { hit: true, .. } => HIT,
+            _ => return None,
+        })
+    }
+
+    fn short(&self) -> &'static str {
+        match self {
+            Visit::Parallel { .. } => "the ray runs along a slab",
+            Visit::Divide { .. } => "a slab cuts the ray",
+            Visit::Order { swapped: true, .. } => "the two cuts are swapped",
+            Visit::Order { .. } => "the two cuts are in order",
+            Visit::Narrow { empty: true, .. } => "nothing of the interval is left",
+            Visit::Narrow { .. } => "the interval narrows",
+            Visit::Volume { verdict: Verdict::Hit, .. } => "the box is met",
+            Visit::Volume { verdict: Verdict::Miss, .. } => "the box is missed",
+            Visit::Volume { verdict: Verdict::Cut, .. } => "the box is too far",
+            Visit::Enter { .. } => match self.name() {
+                "enter.cell" => "a cell is entered",
+                "enter.leaf" => "a leaf is entered",
+                _ => "a node is entered",
+            },
+            Visit::Plane { .. } => "the plane cuts the ray",
+            Visit::Split { .. } => match self.name() {
+                "split.both" => "both children are met",
+                "split.near" => "only the near child is met",
+                _ => "only the far child is met",
+            },
+            Visit::Push { .. } => "a node waits on the stack",
+            Visit::Pop { .. } => "a node comes off the stack",
+            Visit::Drop { .. } => "a node is never opened",
+            Visit::Step { inside: true, .. } => "on to the next cell",
+            Visit::Step { .. } => "the ray leaves the grid",
+            Visit::Probe { found: true, .. } => "the table has the cell",
+            Visit::Probe { .. } => "the table has no such cell",
+            Visit::Skip { .. } => "tested before: skipped",
+            Visit::Test { hit: true, .. } => "a primitive is hit",
+            Visit::Test { .. } => "a primitive is missed",
+            Visit::Better { .. } => "the best hit so far",
+            Visit::Beyond { .. } => "the hit lies beyond the cell",
+            Visit::Distant { .. } => "too far away: brute force",
+            Visit::End { why: Ending::Outside, .. } => "the box is never met",
+            Visit::End { hit: true, .. } => "the nearest hit is found",
+            Visit::End { .. } => "nothing is hit",
+        }
+    }
+}
