@@ -10,7 +10,7 @@ use crate::solid::{outline, triangles};
 
 /// A corner of a translucent triangle; the layout in `face.wgsl`.
 #[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
+#[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct FaceCorner {
     position: [f32; 3],
     fill: [u8; 4],
@@ -20,7 +20,7 @@ pub(crate) struct FaceCorner {
 
 /// A line or an arrow head, widths and lengths in pixels; the layout in `line.wgsl`.
 #[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
+#[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct Line {
     from: [f32; 3],
     to: [f32; 3],
@@ -35,7 +35,7 @@ pub(crate) struct Line {
 
 /// A ring around a point, in pixels; the layout in `point.wgsl`.
 #[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
+#[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
 pub(crate) struct Point {
     center: [f32; 3],
     /// Radius, and width of the ring.
@@ -45,24 +45,18 @@ pub(crate) struct Point {
 }
 
 /// Everything that one step draws over its scene.
-#[derive(Default)]
+#[derive(PartialEq)]
 pub(crate) struct Batch {
     /// Three to a triangle, the farthest first.
     pub(crate) faces: Vec<FaceCorner>,
     pub(crate) lines: Vec<Line>,
     pub(crate) points: Vec<Point>,
-    /// Triangles before they are sorted, with their depths.
-    unsorted: Vec<(f32, [FaceCorner; 3])>,
 }
 
 impl Batch {
-    /// Replaces what it holds by a frame's marks.
-    pub(crate) fn fill(&mut self, frame: &Frame<'_>) {
-        self.faces.clear();
-        self.lines.clear();
-        self.points.clear();
-        self.unsorted.clear();
-        let mut pen = Pen { batch: self, frame, pixels: frame.pixels_per_point };
+    pub(crate) fn new(frame: &Frame<'_>) -> Batch {
+        let pixels = frame.pixels_per_point;
+        let mut pen = Pen { frame, pixels, triangles: Vec::new(), lines: Vec::new(), points: Vec::new() };
         for mark in &frame.space.marks {
             let style = frame.theme.style(mark.role);
             match &mark.form {
@@ -76,17 +70,21 @@ impl Batch {
             }
         }
         // Translucent faces lie over those behind them.
-        self.unsorted.sort_by(|a, b| b.0.total_cmp(&a.0));
-        self.faces.extend(self.unsorted.iter().flat_map(|(_, corners)| corners));
+        pen.triangles.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let faces = pen.triangles.iter().flat_map(|(_, corners)| corners).copied().collect();
+        Batch { faces, lines: pen.lines, points: pen.points }
     }
 }
 
-/// Puts marks into a batch.
+/// Turns marks into what a batch holds.
 struct Pen<'a> {
-    batch: &'a mut Batch,
     frame: &'a Frame<'a>,
     /// In a point of the theme's widths.
     pixels: f32,
+    /// With their distances, not yet sorted.
+    triangles: Vec<(f32, [FaceCorner; 3])>,
+    lines: Vec<Line>,
+    points: Vec<Point>,
 }
 
 impl Pen<'_> {
@@ -97,7 +95,7 @@ impl Pen<'_> {
             _ => [0.0; 2],
         };
         let width = stroke.width * self.pixels;
-        self.batch.lines.push(Line {
+        self.lines.push(Line {
             from: from.to_array(),
             to: to.to_array(),
             width: [width; 2],
@@ -112,7 +110,7 @@ impl Pen<'_> {
         let Some(stroke) = style.stroke else { return };
         let length = (8.0 + 2.5 * stroke.width) * self.pixels;
         self.line(from, to, style, length * 0.5);
-        self.batch.lines.push(Line {
+        self.lines.push(Line {
             from: from.to_array(),
             to: to.to_array(),
             width: [length * 0.8, 0.0],
@@ -124,7 +122,7 @@ impl Pen<'_> {
 
     fn point(&mut self, at: Vec3, style: &Style) {
         let (width, ring) = style.stroke.map_or((0.0, [0; 4]), |stroke| (stroke.width, bytes(stroke.color)));
-        self.batch.points.push(Point {
+        self.points.push(Point {
             center: at.to_array(),
             size: [(4.5 + 0.5 * width) * self.pixels, width * self.pixels],
             ring,
@@ -201,7 +199,7 @@ impl Pen<'_> {
         let fill = style.fill.map_or([0; 4], bytes);
         if fill[3] > 0 || hatch[3] > 0 {
             let corner = |p: Vec3| FaceCorner { position: p.to_array(), fill, hatch };
-            self.batch.unsorted.push((depth, triangle.map(corner)));
+            self.triangles.push((depth, triangle.map(corner)));
         }
     }
 

@@ -39,15 +39,25 @@ pub struct Renderer {
     bind_group: wgpu::BindGroup,
     target: Target,
     mesh: Option<(u64, Mesh)>,
-    batch: Batch,
+    /// What the picture shows now.
+    drawn: Option<Content>,
     faces: Stream,
     lines: Stream,
     points: Stream,
 }
 
+/// Everything that the pixels depend on.
+#[derive(PartialEq)]
+struct Content {
+    generation: u64,
+    ground: [f32; 4],
+    view: ViewUniform,
+    batch: Batch,
+}
+
 /// What every shader knows of the view; the layout of `View` in `view.wgsl`.
 #[repr(C)]
-#[derive(Clone, Copy, Pod, Zeroable)]
+#[derive(Clone, Copy, PartialEq, Pod, Zeroable)]
 struct ViewUniform {
     clip_from_world: [[f32; 4]; 4],
     /// The eye and 1, or the direction towards it and 0.
@@ -85,35 +95,38 @@ impl Renderer {
             bind_group,
             target: Target::new(device, [1, 1]),
             mesh: None,
-            batch: Batch::default(),
+            drawn: None,
             faces: Stream::new("raystep faces"),
             lines: Stream::new("raystep lines"),
             points: Stream::new("raystep points"),
         }
     }
 
-    /// Draws a frame. Says whether [`view`](Renderer::view) is a new one since the last call, to be registered
-    /// again: that is so when the size has changed, and the first time.
+    /// Draws a frame, unless the picture shows it already. Says whether [`view`](Renderer::view) is a new one
+    /// since the last call, to be registered again: that is so when the size has changed, and the first time.
     pub fn draw(&mut self, frame: &Frame<'_>) -> bool {
         let most = self.device.limits().max_texture_dimension_2d;
         let size = frame.size.map(|side| side.clamp(1, most));
         let renewed = self.target.size != size;
+        let content = Content::new(frame, size);
+        if self.drawn.as_ref() == Some(&content) {
+            return false;
+        }
         if renewed {
             self.target = Target::new(&self.device, size);
         }
         if self.mesh.as_ref().is_none_or(|(generation, _)| *generation != frame.generation) {
             self.mesh = Some((frame.generation, Mesh::new(&self.device, frame.prims)));
         }
-        let view = ViewUniform::new(frame, size);
-        self.queue.write_buffer(&self.view_uniform, 0, bytemuck::bytes_of(&view));
-        self.batch.fill(frame);
-        self.faces.write(&self.device, &self.queue, &self.batch.faces);
-        self.lines.write(&self.device, &self.queue, &self.batch.lines);
-        self.points.write(&self.device, &self.queue, &self.batch.points);
+        self.queue.write_buffer(&self.view_uniform, 0, bytemuck::bytes_of(&content.view));
+        self.faces.write(&self.device, &self.queue, &content.batch.faces);
+        self.lines.write(&self.device, &self.queue, &content.batch.lines);
+        self.points.write(&self.device, &self.queue, &content.batch.points);
 
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.encode(&mut encoder, frame);
+        self.encode(&mut encoder, content.ground);
         self.queue.submit([encoder.finish()]);
+        self.drawn = Some(content);
         renewed
     }
 
@@ -127,8 +140,7 @@ impl Renderer {
         &self.target.texture
     }
 
-    fn encode(&self, encoder: &mut wgpu::CommandEncoder, frame: &Frame<'_>) {
-        let ground = frame.theme.style(Role::Panel).fill.map_or([1.0; 4], unit);
+    fn encode(&self, encoder: &mut wgpu::CommandEncoder, ground: [f32; 4]) {
         let [r, g, b, a] = ground.map(f64::from);
         let mut pass = self.target.begin(encoder, wgpu::Color { r, g, b, a });
         pass.set_bind_group(0, &self.bind_group, &[]);
@@ -145,6 +157,17 @@ impl Renderer {
             self.lines.draw_quads(&mut pass);
             pass.set_pipeline(&passes.point);
             self.points.draw_quads(&mut pass);
+        }
+    }
+}
+
+impl Content {
+    fn new(frame: &Frame<'_>, size: [u32; 2]) -> Content {
+        Content {
+            generation: frame.generation,
+            ground: frame.theme.style(Role::Panel).fill.map_or([1.0; 4], unit),
+            view: ViewUniform::new(frame, size),
+            batch: Batch::new(frame),
         }
     }
 }

@@ -2,10 +2,10 @@
 //! With `RAYSTEP_PICTURES=DIR` the pictures are written there to be looked at.
 
 use glam::{Vec3, vec3};
-use raystep_accel::{Aabb, Axis, PrimId, Prims, Shape, Sphere};
-use raystep_figure::{Camera, Form, Role, Space, SpaceMark, Theme};
+use raystep_accel::{Aabb, Accel, PrimId, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_figure::{Camera, Form, Moment, Role, Space, SpaceMark, Theme, Walk};
 use raystep_paint::{Frame, Headless};
-use raystep_scene::Scene;
+use raystep_scene::{Scene, View};
 
 const SIZE: [u32; 2] = [400, 300];
 
@@ -160,7 +160,7 @@ fn odd_marks_do_no_harm() {
             .with(role, Form::Point(Vec3::INFINITY))
             .with(role, Form::Prim(PrimId(0)))
             .with(role, Form::Prim(PrimId(9999)))
-            .with(role, Form::Label { at: Vec3::ZERO, text: "0".to_owned() });
+            .with(role, Form::Label { at: Vec3::ZERO, within: None, text: "0".to_owned() });
     }
     stage.draw(&mut headless);
     // The eye at its target sees nothing, and an enormous or empty size becomes one that can be drawn.
@@ -168,41 +168,42 @@ fn odd_marks_do_no_harm() {
     stage.draw(&mut headless);
 }
 
-/// The roles of a kd walk on the teapot; nothing is asserted but that something is drawn.
+/// Real walks on the teapot; nothing is asserted but that something is drawn.
 #[test]
-fn a_teapot_with_marks() {
+fn walks_on_the_teapot() {
     let Some(mut headless) = device() else { return };
     let scene = Scene::named("teapot-6321").expect("shipped");
-    let view = scene.view;
-    let world = Aabb::new(vec3(-3.0, -2.0, 0.0), vec3(3.43, 2.0, 3.15));
-    let (left, right) = world.cut(Axis::X, 0.4);
-    let (low, high) = left.cut(Axis::Z, 1.6);
-    let ray = |t: f32| vec3(-5.0, -3.0, 3.0).lerp(vec3(5.0, 2.0, 0.2), t);
-    for theme in Theme::ALL {
-        let marks = vec![
-            (Role::Edge, Form::Box(world)),
-            (Role::Waiting, Form::Box(right)),
-            (Role::Dropped, Form::Box(high)),
-            (Role::Here, Form::Box(low)),
-            (Role::Plane, Form::Sheet(Aabb::new(vec3(-3.0, -2.0, 1.6), vec3(0.4, 2.0, 1.6)))),
-            (Role::Ray, Form::Arrow(ray(0.0), ray(1.0))),
-            (Role::Live, Form::Segment(ray(0.2), ray(0.4))),
-            (Role::Missed, Form::Prim(PrimId(1000))),
-            (Role::Missed, Form::Prim(PrimId(1003))),
-            (Role::Hit, Form::Prim(PrimId(1500))),
-            (Role::Best, Form::Prim(PrimId(1400))),
-            (Role::Tick, Form::Point(ray(0.4))),
-            (Role::Best, Form::Point(ray(0.3))),
-        ];
-        let picture = Stage {
-            prims: scene.prims.clone(),
-            generation: 7,
-            camera: Camera::Solid { eye: view.eye, target: view.target, up: view.up, fov_degrees: view.fov_degrees },
-            marks,
-            theme,
+    let View { eye, target, up, fov_degrees } = scene.view;
+    let ray = Ray::new(vec3(-6.0, -3.0, 3.6), vec3(6.1, 2.7, -2.0)).expect("a ray");
+    for (kind, theme) in Rule::KINDS.into_iter().zip(Theme::ALL.into_iter().cycle()) {
+        let rule = Rule::default_for(kind).expect("a kind");
+        let structure = Structure::build(&scene.prims, &rule, &mut ()).expect("nobody cancels");
+        let mut events: Vec<Visit> = Vec::new();
+        structure.intersect(&scene.prims, &ray, &mut events);
+        let node_bounds = structure.node_bounds();
+        let walk = Walk {
+            structure: &structure,
+            prims: &scene.prims,
+            node_bounds: &node_bounds,
+            ray,
+            events: &events,
+            flat: false,
+        };
+        for part in [0.3, 0.6, 1.0] {
+            let step = (events.len() as f32 * part) as usize;
+            let space = raystep_figure::space(&walk, &Moment::at(&walk, step));
+            let pixels = headless.rgba(&Frame {
+                prims: &scene.prims,
+                generation: 7,
+                space: &space,
+                camera: &Camera::Solid { eye, target, up, fov_degrees },
+                theme,
+                size: SIZE,
+                pixels_per_point: 1.0,
+            });
+            let picture = Picture { pixels };
+            assert!(apart(picture.at(20, 20), picture.at(-199, -149)) > 8, "{kind} at step {step}");
+            picture.save(&format!("teapot-{kind}-{part}.png"));
         }
-        .draw(&mut headless);
-        assert!(apart(picture.at(20, 20), picture.at(-199, -149)) > 8, "{}", theme.name);
-        picture.save(&format!("teapot-{}.png", theme.name));
     }
 }
