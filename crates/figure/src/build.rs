@@ -161,6 +161,7 @@ impl GrowMoment {
                     Place::World | Place::Prim(_) => {}
                 }
             }
+            Grow::Divide { node, .. } | Grow::Touch { node } => self.consider(node),
             // Builders that join and move nodes are not among the first four structures.
             Grow::Merge { .. } | Grow::Move { .. } | Grow::Renumber { .. } => {}
         }

@@ -54,6 +54,8 @@ impl Fact for Grow {
             Grow::Settle { .. } => "a reference is stored",
             Grow::Merge { .. } => "two nodes become one",
             Grow::Move { .. } => "a node moves",
+            Grow::Divide { .. } => "a cell is cut into equal children",
+            Grow::Touch { .. } => "a node is looked at",
             Grow::Renumber { .. } => "a node gets its final number",
         }
     }
