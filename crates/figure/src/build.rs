@@ -36,8 +36,10 @@ pub struct GrowNode {
     pub bounds: Aabb,
     /// How many references it holds.
     pub prims: u32,
-    /// How it was split, if it was.
+    /// How it was split in two, if it was.
     pub split: Option<Taken>,
+    /// The nodes that it was split or divided into.
+    pub children: Vec<NodeId>,
     /// Why it stayed a leaf, if it did.
     pub leaf: Option<LeafReason>,
     /// What it refers to, as a leaf.
@@ -129,7 +131,8 @@ impl GrowMoment {
             Grow::Open { node, bounds, prims, .. } => {
                 self.prim = None;
                 self.bounds = self.bounds.union(bounds);
-                let fresh = GrowNode { bounds, prims, split: None, leaf: None, settled: Vec::new() };
+                let fresh =
+                    GrowNode { bounds, prims, split: None, children: Vec::new(), leaf: None, settled: Vec::new() };
                 self.nodes.insert(node, fresh);
                 self.consider(node);
             }
@@ -141,8 +144,16 @@ impl GrowMoment {
                 self.consider(node);
                 if let Some(node) = self.nodes.get_mut(&node) {
                     node.split = Some(Taken { axis, plane, below, above, cost });
+                    node.children = vec![below, above];
                 }
             }
+            Grow::Divide { node, first, ways, .. } => {
+                self.consider(node);
+                if let Some(node) = self.nodes.get_mut(&node) {
+                    node.children = (first.0..first.0 + ways).map(NodeId).collect();
+                }
+            }
+            Grow::Touch { node } => self.consider(node),
             Grow::Leaf { node, why, .. } => {
                 self.consider(node);
                 if let Some(node) = self.nodes.get_mut(&node) {
@@ -161,8 +172,7 @@ impl GrowMoment {
                     Place::World | Place::Prim(_) => {}
                 }
             }
-            Grow::Divide { node, .. } | Grow::Touch { node } => self.consider(node),
-            // Builders that join and move nodes are not among the first four structures.
+            // Builders that join and move nodes are not among the structures so far.
             Grow::Merge { .. } | Grow::Move { .. } | Grow::Renumber { .. } => {}
         }
     }
@@ -174,10 +184,8 @@ impl GrowMoment {
 
     /// The path from the root to the node under consideration.
     pub fn path(&self) -> Vec<NodeId> {
-        let parent = |child: &NodeId| {
-            let over = |node: &GrowNode| node.split.is_some_and(|s| s.below == *child || s.above == *child);
-            self.nodes.iter().find(|(_, node)| over(node)).map(|(id, _)| *id)
-        };
+        let parent =
+            |child: &NodeId| self.nodes.iter().find(|(_, node)| node.children.contains(child)).map(|(id, _)| *id);
         let mut path: Vec<NodeId> = std::iter::successors(self.node, parent).collect();
         path.reverse();
         path

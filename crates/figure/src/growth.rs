@@ -81,7 +81,7 @@ impl Drawing<'_> {
         for (&id, node) in shown.chain(rest) {
             let role = node_role(self.moment, id);
             // Boxes of split nodes only repeat what their children show; the current one stands out.
-            let role = if role == Role::Seen && node.split.is_some() { Role::Edge } else { role };
+            let role = if role == Role::Seen && !node.children.is_empty() { Role::Edge } else { role };
             self.add(role, Some(Place::Node(id)), Form::Box(node.bounds));
         }
     }
@@ -127,7 +127,7 @@ fn ticks(bounds: &Aabb, axis: Axis, plane: f32) -> [(Vec3, Vec3); 2] {
 fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
     match moment.nodes.get(&id) {
         _ if moment.node == Some(id) => Role::Here,
-        Some(node) if node.split.is_none() && node.leaf.is_none() => Role::Waiting,
+        Some(node) if node.children.is_empty() && node.leaf.is_none() => Role::Waiting,
         _ => Role::Seen,
     }
 }
@@ -141,9 +141,8 @@ struct Growing<'a> {
 impl Tree for Growing<'_> {
     fn children(&self, node: NodeId) -> Vec<NodeId> {
         // A child is drawn once it has come to be.
-        let split = self.moment.nodes.get(&node).and_then(|node| node.split);
-        let pair = split.map_or(Vec::new(), |split| vec![split.below, split.above]);
-        pair.into_iter().filter(|child| self.moment.nodes.contains_key(child)).collect()
+        let children = self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default();
+        children.into_iter().filter(|child| self.moment.nodes.contains_key(child)).collect()
     }
 
     fn axis(&self, node: NodeId) -> Option<Axis> {

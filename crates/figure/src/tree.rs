@@ -160,8 +160,8 @@ impl Pen {
         // A node's axis stands on the side where no edge runs: away from its parent.
         let mut left_of_parent = vec![false; branches.shown.len()];
         for branch in &branches.shown {
-            if let [left, _, ..] = branch.children[..] {
-                left_of_parent[left] = true;
+            for &child in &branch.children[..branch.children.len() / 2] {
+                left_of_parent[child] = true;
             }
         }
         for (index, branch) in branches.shown.iter().enumerate() {

@@ -36,7 +36,7 @@ impl Fact for Grow {
             Grow::Prune { .. } => PRUNED,
             Grow::Settle { .. } => STORED,
             Grow::Leaf { .. } => LEAF,
-            Grow::Split { .. } => SPLIT,
+            Grow::Split { .. } | Grow::Divide { .. } => SPLIT,
             _ => return None,
         })
     }
@@ -50,12 +50,12 @@ impl Fact for Grow {
             Grow::Open { .. } => "a node comes to be",
             Grow::Weigh { .. } => "a split is weighed",
             Grow::Split { .. } => "the split is taken",
+            Grow::Divide { .. } => "the cell is divided",
+            Grow::Touch { .. } => "a node is looked at",
             Grow::Leaf { .. } => "the node stays a leaf",
             Grow::Settle { .. } => "a reference is stored",
             Grow::Merge { .. } => "two nodes become one",
             Grow::Move { .. } => "a node moves",
-            Grow::Divide { .. } => "a cell is cut into equal children",
-            Grow::Touch { .. } => "a node is looked at",
             Grow::Renumber { .. } => "a node gets its final number",
         }
     }
