@@ -4,7 +4,7 @@ use crate::attributes::{self, Attribute};
 use crate::problem::misspelt;
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{About, Ask, Beat, Paragraph, Reason, Wait, template, wait};
+use crate::{About, Ask, Beat, Paragraph, Reason, Wait, template, vocabulary, wait};
 
 /// A line of the body with the byte where it begins.
 type Line<'a> = (usize, &'a str);
@@ -42,8 +42,9 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     };
     let mut at_event = wait::parse(&event, wait_at, reading)?;
     for (key_at, key, value) in fields {
-        check_condition(&at_event, &key, key_at, reading);
-        at_event.fields.push((key, value));
+        if check_condition(&at_event, &key, key_at, reading) {
+            at_event.fields.push((key, value));
+        }
     }
 
     let (ray_spot, ray) = ray.map_or((reading.spot(at), None), |(at, name)| (reading.spot(at), Some(name)));
@@ -63,12 +64,14 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
 }
 
 /// A heading's condition is a field of the event it waits for; anything else is a misspelt attribute.
-fn check_condition(at: &Wait, key: &str, key_at: usize, reading: &mut Reading<'_>) {
-    let known = crate::vocabulary::fields(&at.event);
-    if !known.contains(&key) {
+fn check_condition(at: &Wait, key: &str, key_at: usize, reading: &mut Reading<'_>) -> bool {
+    let known = vocabulary::fields(&at.event);
+    let good = known.contains(&key);
+    if !good {
         let allowed: Vec<&str> = ["at", "ray"].into_iter().chain(known).collect();
         reading.problem(key_at, misspelt("attribute of a heading", key, &allowed));
     }
+    good
 }
 
 /// A paragraph, a question or a paragraph with a condition.

@@ -54,7 +54,7 @@ impl Checker<'_> {
     fn beat_rays(&mut self, slide: &Slide, stage: &Stage) {
         let known: Vec<&str> = stage.rays.iter().map(|ray| ray.name.as_str()).collect();
         for beat in &slide.beats {
-            if let Some(name) = beat.ray.as_deref().filter(|name| !known.contains(name)) {
+            if let Some(name) = beat.ray.as_deref().filter(|name| !known.is_empty() && !known.contains(name)) {
                 let what = format!("ray of the {} stage", stage.kind.name());
                 self.say(slide, beat.ray_spot, misspelt(&what, name, &known));
             }
@@ -111,6 +111,8 @@ impl Checker<'_> {
         scene: &Arc<Scene>,
         structure: &Arc<Structure>,
     ) {
+        // Of a file that could not be read in full, the beats that are left may miss those before them.
+        let readable = self.library.problems.iter().all(|problem| problem.file != slide.file);
         for ray in &stage.rays {
             let play = Play::new(Arc::clone(scene), Arc::clone(structure), ray.ray, &slide.beats);
             for promise in &ray.promises {
@@ -124,7 +126,7 @@ impl Checker<'_> {
             }
             for (index, beat) in slide.beats.iter().enumerate() {
                 self.values(slide, beat, &play);
-                if slide.ray_of(stage, index).is_some_and(|own| own.name == ray.name) {
+                if readable && slide.ray_of(stage, index).is_some_and(|own| own.name == ray.name) {
                     self.beat(slide, stage, &ray.name, beat, play.beats[index], &play, listing);
                 }
             }

@@ -112,7 +112,8 @@ pub(crate) fn read<T: FromToml>(key: &str, value: &Spanned<DeValue<'_>>, reading
 /// Says that a value is of the wrong kind.
 pub(crate) fn wrong(key: &str, what: &str, value: &Spanned<DeValue<'_>>, reading: &mut Reading<'_>) {
     let found = value.get_ref().type_str();
-    reading.problem(value.span().start, format!("`{key}` is {found} here, but should be {what}"));
+    let article = if found.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    reading.problem(value.span().start, format!("`{key}` is {article} {found} here, but should be {what}"));
 }
 
 /// A number, word or flag as the text that a rule is set with.

@@ -36,6 +36,11 @@ impl<'a> Reading<'a> {
         self.problems.push(Problem::new(self.file, spot, message));
     }
 
+    /// How many problems there are so far.
+    pub(crate) fn count(&self) -> usize {
+        self.problems.len()
+    }
+
     /// What was found wrong.
     pub(crate) fn finish(self) -> Vec<Problem> {
         self.problems

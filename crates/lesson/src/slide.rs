@@ -75,10 +75,13 @@ impl Slide {
         };
         // Blanks in place of the first fence: a byte of the head is the same byte of the file.
         let head = head::read(&format!("   {}", &text[3..lines[end].0]), reading);
+        let before = reading.count();
         let beats = body::read(&lines[end + 1..], reading);
-        if beats.is_empty() {
+        // What could not be read may have been a beat or a question.
+        let complete = reading.count() == before;
+        if complete && beats.is_empty() {
             reading.problem(lines[end].0, "a slide has a beat or more: `## Title {at=event}`");
-        } else if beats.iter().all(|beat| beat.ask.is_none()) {
+        } else if complete && beats.iter().all(|beat| beat.ask.is_none()) {
             reading.problem(lines[end].0, "a slide asks a question or more: `> ask {field=near}: question`");
         }
         Some(Slide {

@@ -1,0 +1,26 @@
+//! The glossary and the vocabulary of events name the same things, in the same order.
+
+use raystep_accel::{Grow, Visit};
+
+const GLOSSARY: &str = include_str!("../../../lessons/glossary.md");
+
+/// The names listed under a heading, each with a few words.
+fn listed(heading: &str) -> Vec<&'static str> {
+    let section = GLOSSARY.split("\n## ").find(|section| section.starts_with(heading)).unwrap_or_default();
+    let lines = section.lines().filter_map(|line| line.strip_prefix("- `"));
+    lines
+        .filter_map(|line| line.split_once("`: "))
+        .filter(|(_, words)| words.len() > 10)
+        .map(|(name, _)| name)
+        .collect()
+}
+
+fn names(vocabulary: &[(&'static [&'static str], &[&str])]) -> Vec<&'static str> {
+    vocabulary.iter().flat_map(|(names, _)| names.iter().copied()).collect()
+}
+
+#[test]
+fn every_event_is_in_the_glossary_and_nothing_else() {
+    assert_eq!(listed("Walks"), names(Visit::NAMES));
+    assert_eq!(listed("Builders"), names(Grow::NAMES));
+}

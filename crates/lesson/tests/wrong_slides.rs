@@ -1,0 +1,103 @@
+//! What is said of slides and listings that are wrong: each line names file, line, column, what was
+//! found, and what is allowed.
+
+use raystep_lesson::{Library, check};
+
+const SLIDE: &str = include_str!("good_slide.md");
+const LISTING: &str = "walk\n  t ← (plane − o) / d | plane : {{t}}\n  order | split push\n  leaf | enter test better pop drop\n  done | end\n";
+
+/// All problems of the good slide once `from` in it is replaced by `to`.
+fn said(from: &str, to: &str) -> String {
+    assert!(SLIDE.contains(from), "the good slide has no {from:?}");
+    of_files(&SLIDE.replacen(from, to, 1), LISTING)
+}
+
+fn of_files(slide: &str, listing: &str) -> String {
+    let file = |path: &str, text: &str| (path.to_owned(), text.to_owned());
+    let library = Library::from_files([file("05-kd-tree/1-first.md", slide), file("listings/walk.txt", listing)]);
+    check(&library).iter().map(|problem| format!("  {problem}\n")).collect()
+}
+
+#[test]
+fn the_good_slide_is_good() {
+    assert_eq!(of_files(SLIDE, LISTING), "");
+}
+
+#[test]
+fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
+    let mistakes = [
+        ("no head", "+++\nformat", "format"),
+        ("head not closed", "+++\n## The plane", "## The plane"),
+        ("bad TOML", "title = \"First\"", "title = \"First"),
+        ("unknown format", "format = 1", "format = 2"),
+        ("unknown key", "listing =", "listnig ="),
+        ("key missing", "title = \"First\"\n", ""),
+        ("wrong type", "title = \"First\"", "title = 7"),
+        ("slide is no number", "slide = [33, 38]", "slide = 3.5"),
+        ("empty title", "title = \"First\"", "title = \"\""),
+        ("unknown pane", "\"stack\"", "\"stak\""),
+        ("unknown listing", "\"walk\"", "\"wakl\""),
+        ("missing scene", "flat-twelve", "flat-twleve"),
+        ("scene of the other kind", "flat-twelve", "teapot-6321"),
+        ("no structure", "structure = { kind = \"kd\", max_depth = 6, min_objects = 2 }\n", ""),
+        ("unknown structure", "kind = \"kd\"", "kind = \"kt\""),
+        ("unknown parameter", "max_depth = 6", "max_dept = 6"),
+        ("parameter out of range", "max_depth = 6", "max_depth = 600"),
+        ("parameter is a list", "max_depth = 6", "max_depth = [6]"),
+        ("rays are no list", "rays = [", "rays = 3\nstrahlen = ["),
+        ("one ray only", "  { name = \"far hit\", from = [0.1, 1.2], towards = [8, 4] },\n", ""),
+        ("same ray twice", "\"far hit\"", "\"near hit\""),
+        ("unknown key of a ray", "from = [-0.5, 0.2]", "form = [-0.5, 0.2]"),
+        ("point of four numbers", "[-0.5, 0.2]", "[-0.5, 0.2, 0, 1]"),
+        ("ray without direction", "towards = [8.2, 3.9]", "towards = [-0.5, 0.2]"),
+        ("towards and direction", "towards = [8.2, 3.9]", "towards = [8.2, 3.9], direction = [1, 0]"),
+        ("broken promise", "\"drop\"", "\"split.far\""),
+        ("misspelt promise", "\"drop\"", "\"dorp\""),
+        ("no stage", "[flat]", "[flach]"),
+        ("text above the beats", "## The plane", "Hello.\n\n## The plane"),
+        ("no beats", "## ", "### "),
+        ("beat without event", "{at=plane}", ""),
+        ("empty heading", "## The plane {", "## {"),
+        ("braces not closed", "{at=plane}", "{at=plane"),
+        ("misspelt event", "at=split.both", "at=split.bth"),
+        ("unknown event", "at=split.both", "at=explosion"),
+        ("misspelt attribute", "ray=\"far hit\"", "rya=\"far hit\""),
+        ("unknown ray", "ray=\"far hit\"", "ray=\"far hitt\""),
+        ("quotation mark not closed", "ray=\"far hit\"", "ray=\"far hit"),
+        ("beat that never happens", "at=drop", "at=skip"),
+        ("beat after the end", "at=plane", "at=end"),
+        ("the hundredth of few", "at=drop", "at=drop#100"),
+        ("number is no number", "at=drop", "at=drop#two"),
+        ("condition on an unknown field", "at=drop", "at=drop dept=0"),
+        ("condition that cannot be", "side=both", "side=bth"),
+        ("unknown field in the text", "{{plane}}", "{{plain}}"),
+        ("field that this event lacks", "{{best_t}}", "{{plane}}"),
+        ("field not closed", "{{best_t}}", "{{best_t}"),
+        ("question about an unknown field", "field=near", "field=nera"),
+        ("question about nothing", "{field=near}", "{}"),
+        ("question without text", "Which child first?", ""),
+        ("unknown attribute of a question", "{field=near}", "{feld=near}"),
+        ("reason for no answer", "- far: Only", "- fra: Only"),
+        ("answer without reason", "- far: Only", "- far Only"),
+        ("no question", "> ask {field=near}: Which child first?\n> - far: Only later.\n", ""),
+        ("nothing to choose between", "The best is", "> ask {field=node}: Which?\n\nThe best is"),
+    ];
+    let mut table = String::new();
+    for (what, from, to) in mistakes {
+        let found = if what == "no question" || what == "no beats" {
+            of_files(&SLIDE.replace(from, to), LISTING)
+        } else {
+            said(from, to)
+        };
+        assert!(!found.is_empty(), "{what} goes unnoticed");
+        table += &format!("{what}\n{found}");
+    }
+    for (what, listing) in [
+        ("listing with an unknown event", LISTING.replace("| end", "| ende")),
+        ("listing with an unknown field", LISTING.replace("{{t}}", "{{tt}}")),
+        ("listing without a line for an event", LISTING.replace("push", "")),
+    ] {
+        table += &format!("{what}\n{}", of_files(SLIDE, &listing));
+    }
+    insta::assert_snapshot!(table);
+}
