@@ -12,6 +12,7 @@ mod batch;
 #[cfg(not(target_arch = "wasm32"))]
 mod headless;
 mod mesh;
+mod pen;
 mod pipelines;
 mod renderer;
 mod solid;

@@ -42,6 +42,7 @@ pub struct Renderer {
     /// What the picture shows now.
     drawn: Option<Content>,
     faces: Stream,
+    buried: Stream,
     lines: Stream,
     points: Stream,
 }
@@ -97,6 +98,7 @@ impl Renderer {
             mesh: None,
             drawn: None,
             faces: Stream::new("raystep faces"),
+            buried: Stream::new("raystep buried faces"),
             lines: Stream::new("raystep lines"),
             points: Stream::new("raystep points"),
         }
@@ -120,6 +122,7 @@ impl Renderer {
         }
         self.queue.write_buffer(&self.view_uniform, 0, bytemuck::bytes_of(&content.view));
         self.faces.write(&self.device, &self.queue, &content.batch.faces);
+        self.buried.write(&self.device, &self.queue, &content.batch.buried);
         self.lines.write(&self.device, &self.queue, &content.batch.lines);
         self.points.write(&self.device, &self.queue, &content.batch.points);
 
@@ -150,9 +153,9 @@ impl Renderer {
         }
         // Behind the scene, faint; then in front of it.
         let Pipelines { hidden, shown, .. } = &self.pipelines;
-        for passes in [hidden, shown] {
+        for (passes, faces) in [(hidden, &self.buried), (shown, &self.faces)] {
             pass.set_pipeline(&passes.face);
-            self.faces.draw_vertices(&mut pass);
+            faces.draw_vertices(&mut pass);
             pass.set_pipeline(&passes.line);
             self.lines.draw_quads(&mut pass);
             pass.set_pipeline(&passes.point);

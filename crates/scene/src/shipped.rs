@@ -94,7 +94,8 @@ fn teapot_on_floor() -> Scene {
         title: "The Utah teapot on a floor".to_owned(),
         prims: Prims::Mesh(mesh),
         flat: false,
-        view: View::fitting(&bounds, FROM, Vec3::Z),
+        // Room for the boxes around it.
+        view: View::fitting(&bounds.padded(0.4), FROM, Vec3::Z),
         note: "Newell's 32 patches (1975), each cut into 10×10 quads: 6400 triangles, less the 80 that collapse \
                at the poles of lid and base. The floor, one triangle more, is our guess at the lecture's 6321."
             .to_owned(),

@@ -21,10 +21,10 @@ fn vertex(@location(0) position: vec3<f32>, @location(1) fill: vec4<f32>, @locat
 @fragment
 fn fragment(in: Face) -> @location(0) vec4<f32> {
     // Thin diagonal lines, at the same distance on the page wherever the face is.
-    let step = 6.0 * view.pixels_per_point;
+    let step = 7.0 * view.pixels_per_point;
     let along = (in.clip.x + in.clip.y) / step;
     let off = abs(fract(along) - 0.5) * step;
-    let line = clamp(0.9 * view.pixels_per_point - off + 0.5, 0.0, 1.0) * in.hatch.a;
+    let line = clamp(0.6 * view.pixels_per_point - off + 0.5, 0.0, 1.0) * in.hatch.a;
     let alpha = line + in.fill.a * (1.0 - line);
     let color = (in.hatch.rgb * line + in.fill.rgb * in.fill.a * (1.0 - line)) / max(alpha, 1e-6);
     return vec4(color, alpha * FADE);

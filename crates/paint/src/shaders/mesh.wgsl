@@ -32,6 +32,6 @@ fn fragment(in: Shaded) -> @location(0) vec4<f32> {
     let lambert = max(dot(normal, view.light.xyz), 0.0);
     let facing = max(dot(normal, to_eye), 0.0);
     // In gamma space, so that the steps look even.
-    let shade = 0.66 + 0.32 * lambert + 0.10 * facing;
-    return vec4(view.scene.rgb * min(shade, 1.06), 1.0);
+    let shade = 0.6 + 0.42 * lambert + 0.08 * facing;
+    return vec4(view.scene.rgb * min(shade, 1.08), 1.0);
 }
