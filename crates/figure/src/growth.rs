@@ -6,7 +6,8 @@ use raystep_accel::{Aabb, Axis, CellId, Grow, NodeId, Place, PrimId, Structure};
 use crate::branches::{Tree, TreeView};
 use crate::build::GrowMoment;
 use crate::tree::draw_tree;
-use crate::{Figure, Form, Look, Role, Space, SpaceMark};
+use crate::work::counted;
+use crate::{Figure, Form, Look, Role, Space, SpaceMark, number};
 
 /// Most boxes of nodes in one picture.
 const BOXES: usize = 300;
@@ -22,7 +23,8 @@ pub fn space_of_build(structure: &Structure, moment: &GrowMoment, flat: bool) ->
     let bounds = structure.bounds();
     let mut drawing = Drawing { structure, moment, flat, marks: Vec::new() };
     if !moment.bounds.is_empty() {
-        drawing.add(Role::Edge, Some(Place::World), Form::Box(moment.bounds));
+        let widens = matches!(moment.event, Some(Grow::Widen { .. }));
+        drawing.add(if widens { Role::Here } else { Role::Edge }, Some(Place::World), Form::Box(moment.bounds));
     }
     drawing.cells();
     drawing.nodes();
@@ -54,6 +56,12 @@ struct Drawing<'a> {
 impl Drawing<'_> {
     fn add(&mut self, role: Role, place: Option<Place>, form: Form) {
         self.marks.push(SpaceMark { form, role, place });
+    }
+
+    /// A label in a corner of a node's box.
+    fn title(&mut self, role: Role, node: NodeId, bounds: Aabb, text: String) {
+        let form = Form::Label { at: bounds.center(), within: Some(bounds), text };
+        self.add(role, Some(Place::Node(node)), form);
     }
 
     /// All cells while they are few; those that hold something; those of the current primitive.
@@ -102,9 +110,23 @@ impl Drawing<'_> {
             Form::Sheet(sheet)
         };
         match self.moment.event {
-            Some(Grow::Weigh { axis, plane, .. }) => self.add(Role::Candidate, place, sheet(axis, plane)),
-            Some(Grow::Split { axis, plane, .. }) => self.add(Role::Plane, place, sheet(axis, plane)),
-            _ => {}
+            Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
+                self.add(Role::Candidate, place, sheet(axis, plane));
+                self.title(
+                    Role::Candidate,
+                    *id,
+                    node.bounds,
+                    format!("{below} below, {above} above: {}", number(cost)),
+                );
+            }
+            Some(Grow::Split { axis, plane, .. }) => {
+                self.add(Role::Plane, place, sheet(axis, plane));
+                self.title(Role::Here, *id, node.bounds, format!("{id} split at {axis} = {}", number(plane)));
+            }
+            _ => {
+                let count = counted(u64::from(node.prims), "primitive", "primitives");
+                self.title(Role::Here, *id, node.bounds, format!("{id}: {count}"));
+            }
         }
     }
 }
@@ -127,8 +149,9 @@ fn ticks(bounds: &Aabb, axis: Axis, plane: f32) -> [(Vec3, Vec3); 2] {
 fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
     match moment.nodes.get(&id) {
         _ if moment.node == Some(id) => Role::Here,
-        Some(node) if node.children.is_empty() && node.leaf.is_none() => Role::Waiting,
-        _ => Role::Seen,
+        Some(node) if !node.children.is_empty() || node.leaf.is_some() => Role::Seen,
+        // Named by its parent's split, still to be built.
+        _ => Role::Waiting,
     }
 }
 
@@ -140,9 +163,7 @@ struct Growing<'a> {
 
 impl Tree for Growing<'_> {
     fn children(&self, node: NodeId) -> Vec<NodeId> {
-        // A child is drawn once it has come to be.
-        let children = self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default();
-        children.into_iter().filter(|child| self.moment.nodes.contains_key(child)).collect()
+        self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default()
     }
 
     fn axis(&self, node: NodeId) -> Option<Axis> {

@@ -55,7 +55,7 @@ impl Look {
     }
 }
 
-/// Adds one line of text.
+/// Adds one line of text, if there is any.
 pub(crate) fn write(
     figure: &mut Figure,
     role: Role,
@@ -66,6 +66,9 @@ pub(crate) fn write(
     face: Face,
     anchor: Anchor,
 ) {
+    if text.is_empty() {
+        return;
+    }
     figure.add(role, place, Ink::Text { at, text: text.to_owned(), size, face, anchor, boxed: false });
 }
 

@@ -50,6 +50,10 @@ pub fn fill(template: &str, event: &impl Fact) -> String {
             break;
         };
         match event.field(opened[2..end].trim()) {
+            // Nobody reads "3.5 − −1".
+            Some(Value::Number(x)) if x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']) => {
+                filled.push_str(&format!("({})", number(x)));
+            }
             Some(found) => filled.push_str(&value(&found)),
             None => filled.push_str(&opened[..end + 2]),
         }
@@ -126,5 +130,7 @@ mod tests {
             "y = 2.02 cuts node 1 at 3.66; {{other}} {t}"
         );
         assert_eq!(fill("{{t", &event), "{{t");
+        let event = Visit::Test { prim: raystep_accel::PrimId(0), t: -1.0, hit: true };
+        assert_eq!(fill("3 − {{t}}, {{t}} − 3", &event), "3 − (−1), −1 − 3");
     }
 }

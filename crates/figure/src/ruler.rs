@@ -10,8 +10,9 @@ use crate::{Anchor, Face, Figure, Ink, Look, Moment, Role, Walk, number, text_wi
 /// A row for each known interval over one axis.
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    // Without a heading, room for the number of the current t; slabs have none.
-    let label = if look.titles || moment.slab.is_some() { 0.0 } else { look.text };
+    // Without a heading, room for the number of the current t, if there is one.
+    let labelled = moment.event.as_ref().and_then(current_t).is_some();
+    let label = if look.titles || !labelled { 0.0 } else { look.text };
     let top = look.heading(&mut figure, "t along the ray", "") + label;
     let u = look.text;
     let mut spans = spans(walk, moment);

@@ -1,0 +1,197 @@
+//! The panes on a small flat scene: what they draw, and that nothing is cut off at any step.
+
+use glam::{Vec2, Vec3};
+use raystep_accel::{Aabb, Accel, Grow, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_figure::*;
+
+/// Six discs, a structure over them and a walk through it.
+struct Played {
+    prims: Prims,
+    structure: Structure,
+    bounds: Vec<Aabb>,
+    ray: Ray,
+    events: Vec<Visit>,
+    grown: Vec<Grow>,
+}
+
+impl Played {
+    fn new(kind: &str, settings: &[(&str, &str)]) -> Played {
+        let disc = |x, y, radius| Shape::Sphere(Sphere { center: Vec3::new(x, y, 0.0), radius });
+        let discs = [disc(1.0, 3.0, 0.5), disc(2.0, 1.0, 0.4), disc(4.0, 3.5, 0.5), disc(5.0, 1.0, 0.5)];
+        let more = [disc(7.0, 2.6, 0.5), disc(7.5, 0.5, 0.3)];
+        let prims = Prims::Few(discs.into_iter().chain(more).collect());
+        let mut rule = Rule::default_for(kind).unwrap();
+        for (key, value) in settings {
+            rule.set(key, value).unwrap();
+        }
+        let mut grown = Vec::new();
+        let structure = Structure::build(&prims, &rule.flat(), &mut grown).unwrap();
+        let ray = Ray::new(Vec3::new(-1.0, 1.8, 0.0), Vec3::new(1.0, 0.1, 0.0)).unwrap();
+        let mut events = Vec::new();
+        structure.intersect(&prims, &ray, &mut events);
+        let bounds = structure.node_bounds();
+        Played { prims, structure, bounds, ray, events, grown }
+    }
+
+    fn walk(&self) -> Walk<'_> {
+        let Played { structure, prims, bounds, ray, events, .. } = self;
+        Walk { structure, prims, node_bounds: bounds, ray: *ray, events, flat: true }
+    }
+
+    /// The step of the `nth` event of this name.
+    fn step(&self, name: &str, nth: usize) -> usize {
+        let mut named = self.events.iter().enumerate().filter(|(_, event)| event.name() == name);
+        named.nth(nth).map(|(index, _)| index + 1).unwrap_or_else(|| panic!("no {name}"))
+    }
+}
+
+/// Marks as text, one a line, points rounded.
+fn told(figure: &Figure) -> String {
+    let point = |p: Vec2| format!("{:.0},{:.0}", p.x, p.y);
+    let line = |mark: &Mark| {
+        let ink = match &mark.ink {
+            Ink::Line { points } => {
+                format!("line {}", points.iter().map(|p| point(*p)).collect::<Vec<_>>().join(" "))
+            }
+            Ink::Area { points } => format!("area of {}", points.len()),
+            Ink::Rect { min, max, .. } => format!("rect {} {}", point(*min), point(*max)),
+            Ink::Circle { center, radius } => format!("circle {} r{radius:.0}", point(*center)),
+            Ink::Arrowhead { tip, .. } => format!("arrow {}", point(*tip)),
+            Ink::Text { at, text, .. } => format!("{text:?} {}", point(*at)),
+            other => format!("{other:?}"),
+        };
+        let place = mark.place.map_or(String::new(), |place| format!("   ({place})"));
+        format!("{:<8} {ink}{place}", format!("{:?}", mark.role))
+    };
+    figure.marks.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+fn check(name: &str, figure: &Figure) {
+    insta::assert_snapshot!(name, told(figure));
+}
+
+const LOOK: Look = Look::WINDOW;
+
+#[test]
+fn a_plane_cuts_the_ray() {
+    let played = Played::new("kd", &[("min_objects", "1")]);
+    let walk = played.walk();
+    let moment = Moment::at(&walk, played.step("plane", 1));
+    check("kd_ruler", &ruler(&walk, &moment, Vec2::new(790.0, 118.0), &LOOK));
+    check("kd_ruler_line", &ruler_line(&walk, &moment, Vec2::new(790.0, 90.0), &LOOK));
+    check("kd_tree", &tree(&walk, &moment, &TreeView::default(), Vec2::new(790.0, 160.0), &LOOK));
+    check("kd_stack", &stack(&walk, &moment, true, Vec2::new(400.0, 160.0), &LOOK));
+    check("kd_work", &work(&walk, &moment, None, Vec2::new(400.0, 160.0), &LOOK));
+    check("kd_timeline", &timeline(&walk, moment.step, false, Vec2::new(1000.0, 80.0), &LOOK));
+}
+
+#[test]
+fn a_slab_narrows_the_ray() {
+    let played = Played::new("bvh", &[]);
+    let walk = played.walk();
+    let moment = Moment::at(&walk, played.step("slab.narrow", 1));
+    check("slab_table", &slabs(&walk, &moment, Vec2::new(440.0, 120.0), &LOOK));
+    check("slab_ruler", &ruler(&walk, &moment, Vec2::new(790.0, 118.0), &LOOK));
+}
+
+#[test]
+fn the_step_to_the_next_cell_names_its_axis_only_when_taken() {
+    let played = Played::new("grid", &[]);
+    let walk = played.walk();
+    let step = played.step("step", 1);
+    let pane = |step, hide| cells(&walk, &Moment::at(&walk, step), hide, Vec2::new(300.0, 150.0), &LOOK);
+    check("cells_stepped", &pane(step, false));
+    for figure in [pane(step - 1, false), pane(step, true)] {
+        assert!(!told(&figure).contains("smallest"));
+    }
+    // The numbers stand there all the same.
+    let numbers = |figure: &Figure| told(figure).lines().filter(|line| line.contains("\"x\"")).count();
+    assert_eq!(numbers(&pane(step, true)), numbers(&pane(step, false)));
+}
+
+#[test]
+fn the_line_of_the_event_is_marked_with_its_numbers() {
+    let played = Played::new("kd", &[]);
+    let names = ["plane".to_owned()];
+    let values = Some("({{plane}} − {{o}}) / {{d}} = {{t}}");
+    let lines: Vec<ListingLine<'_>> = (0..20)
+        .map(|index| ListingLine {
+            indent: index % 3,
+            text: "a line",
+            events: if index == 12 { &names } else { &[] },
+            values: if index == 12 { values } else { None },
+        })
+        .collect();
+    let event = played.events[played.step("plane", 0) - 1];
+    check("listing", &listing(&lines, Some(&event), Vec2::new(300.0, 170.0), &LOOK));
+}
+
+#[test]
+fn a_build_shows_what_it_weighs() {
+    let played = Played::new("kd", &[("min_objects", "1")]);
+    let step = played.grown.iter().position(|event| matches!(event, Grow::Split { .. })).unwrap() + 1;
+    let moment = GrowMoment::at(&played.grown, step);
+    check("build_costs", &costs(&moment, Vec2::new(440.0, 150.0), &LOOK));
+    check("build_tree", &tree_of_build(&moment, &TreeView::default(), Vec2::new(400.0, 150.0), &LOOK));
+}
+
+#[test]
+fn the_last_moment_of_a_build_is_the_structure() {
+    for kind in ["kd", "bvh"] {
+        let played = Played::new(kind, &[]);
+        let moment = GrowMoment::at(&played.grown, played.grown.len());
+        assert_eq!(moment.nodes.len(), played.structure.node_count());
+        for (id, node) in &moment.nodes {
+            assert_eq!(node.children, played.structure.children(*id));
+            assert_eq!(node.settled, played.structure.leaf_prims(*id));
+        }
+    }
+}
+
+#[test]
+fn nothing_is_cut_off_at_any_step() {
+    for kind in ["list", "slab", "grid", "kd", "bvh"] {
+        let played = Played::new(kind, &[]);
+        let walk = played.walk();
+        for step in 0..=played.events.len() {
+            let moment = Moment::at(&walk, step);
+            for text in [13.0, 24.0] {
+                let look = Look { text, titles: true };
+                let size = |x: f32, y: f32| Vec2::new(x, y) * (text / 13.0);
+                let wide = size(600.0, 130.0);
+                let narrow = size(380.0, 150.0);
+                let view = TreeView::default();
+                let panes = [
+                    ("ruler", ruler(&walk, &moment, wide, &look)),
+                    ("line", ruler_line(&walk, &moment, wide, &look)),
+                    ("tree", tree(&walk, &moment, &view, wide, &look)),
+                    ("timeline", timeline(&walk, step, false, size(900.0, 80.0), &look)),
+                    ("stack", stack(&walk, &moment, true, narrow, &look)),
+                    ("work", work(&walk, &moment, None, narrow, &look)),
+                    ("slabs", slabs(&walk, &moment, narrow, &look)),
+                    ("cells", cells(&walk, &moment, false, narrow, &look)),
+                ];
+                for (name, figure) in panes {
+                    assert!(figure.marks.len() <= 300, "{kind} {name} step {step}: {} marks", figure.marks.len());
+                    for mark in &figure.marks {
+                        inside(&figure, mark, &format!("{kind} {name} step {step}"));
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A mark's text lies in its figure.
+fn inside(figure: &Figure, mark: &Mark, what: &str) {
+    let Ink::Text { at, text, size, face, anchor, .. } = &mark.ink else { return };
+    let width = text_width(text, *face, *size);
+    let left = match anchor {
+        Anchor::Start => at.x,
+        Anchor::Middle => at.x - width / 2.0,
+        Anchor::End => at.x - width,
+    };
+    let fits =
+        left >= -0.5 && left + width <= figure.size.x + 0.5 && at.y >= 0.3 * size && at.y + 0.3 * size <= figure.size.y;
+    assert!(fits, "{what}: {text:?} at {at} does not fit into {}", figure.size);
+}
