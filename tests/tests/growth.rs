@@ -1,0 +1,174 @@
+//! What every builder keeps to: its events are the whole story, and no scene makes it run away.
+
+use std::collections::BTreeMap;
+
+use glam::Vec3;
+use raystep_accel::{
+    Aabb, Axis, Cancelled, CellId, Grow, Mesh, NodeId, Observer, Place, PrimId, Primitives, Prims, Rule, Structure,
+};
+use raystep_scene::Scene;
+use raystep_tests::rules::{rule, rules};
+use raystep_tests::scenes::cases;
+
+/// A structure as its builder's events tell it.
+#[derive(Default)]
+struct Told {
+    bounds: Option<Aabb>,
+    resolution: [u32; 3],
+    boxes: BTreeMap<NodeId, Aabb>,
+    splits: BTreeMap<NodeId, (Axis, f32, [NodeId; 2])>,
+    settled: BTreeMap<Place, Vec<PrimId>>,
+    leaves: BTreeMap<NodeId, u32>,
+}
+
+impl Observer<Grow> for Told {
+    fn on(&mut self, event: Grow) {
+        match event {
+            Grow::Widen { bounds, .. } => self.bounds = Some(bounds),
+            Grow::Resolve { nx, ny, nz, .. } => self.resolution = [nx, ny, nz],
+            Grow::Open { node, bounds, .. } => assert!(self.boxes.insert(node, bounds).is_none()),
+            Grow::Split { node, axis, plane, below, above, .. } => {
+                assert!(self.splits.insert(node, (axis, plane, [below, above])).is_none());
+            }
+            Grow::Leaf { node, prims, .. } => assert!(self.leaves.insert(node, prims).is_none()),
+            Grow::Settle { prim, place } => self.settled.entry(place).or_default().push(prim),
+            _ => {}
+        }
+    }
+}
+
+impl Told {
+    fn settled(&self, place: Place) -> &[PrimId] {
+        self.settled.get(&place).map_or(&[], Vec::as_slice)
+    }
+
+    /// Nothing in the structure differs from what was told, and nothing was told that is not in it.
+    fn matches(&self, structure: &Structure) {
+        assert_eq!(structure.bounds(), self.bounds.unwrap_or(Aabb::EMPTY));
+        if let Structure::Grid(grid) = structure {
+            assert_eq!(grid.resolution, self.resolution);
+            let cells = (0..grid.cell_count() as u32).map(CellId);
+            assert!(cells.into_iter().all(|cell| grid.cell_prims(cell) == self.settled(Place::Cell(cell))));
+            return;
+        }
+        assert_eq!(structure.node_count(), self.boxes.len());
+        assert_eq!(structure.node_count(), self.splits.len() + self.leaves.len());
+        for (i, bounds) in structure.node_bounds().into_iter().enumerate() {
+            let node = NodeId(i as u32);
+            assert_eq!(bounds, self.boxes[&node]);
+            let split = self.splits.get(&node);
+            assert_eq!(structure.children(node), split.map_or(vec![], |&(_, _, children)| children.to_vec()));
+            assert_eq!(structure.leaf_prims(node), self.settled(Place::Node(node)));
+            if let Structure::Kd(tree) = structure {
+                assert_eq!(tree.split(node), split.map(|&(axis, plane, _)| (axis, plane)));
+            }
+        }
+        assert!(self.leaves.iter().all(|(&node, &prims)| structure.leaf_prims(node).len() == prims as usize));
+    }
+}
+
+#[test]
+fn folding_what_a_builder_tells_gives_its_structure() {
+    for case in cases() {
+        for (line, rule) in rules() {
+            let rule = if case.flat { rule.flat() } else { rule };
+            let mut told = Told::default();
+            let structure = Structure::build(&case.prims, &rule, &mut told).unwrap();
+            println!("{}, {line}", case.name);
+            told.matches(&structure);
+            // Who watches changes nothing.
+            assert_eq!(Structure::build(&case.prims, &rule, &mut ()).unwrap(), structure);
+        }
+    }
+}
+
+#[test]
+fn every_primitive_is_referred_to() {
+    for case in cases() {
+        for (line, rule) in rules() {
+            let structure = Structure::build(&case.prims, &rule, &mut ()).unwrap();
+            let mut referred = vec![0; case.prims.len()];
+            let nodes = (0..structure.node_count() as u32).map(NodeId);
+            nodes.flat_map(|node| structure.leaf_prims(node)).for_each(|prim| referred[prim.index()] += 1);
+            if let Structure::Grid(grid) = &structure {
+                let cells = (0..grid.cell_count() as u32).map(CellId);
+                cells.flat_map(|cell| grid.cell_prims(cell)).for_each(|prim| referred[prim.index()] += 1);
+            }
+            assert!(referred.iter().all(|&n| n > 0), "{}, {line}: {referred:?}", case.name);
+            if matches!(rule, Rule::Bvh(_)) {
+                assert!(referred.iter().all(|&n| n == 1), "{}, {line}: {referred:?}", case.name);
+            }
+        }
+    }
+}
+
+/// The same triangle, many times.
+fn pile(n: usize) -> Prims {
+    let corners = vec![Vec3::ZERO, Vec3::new(1.0, 0.2, 0.3), Vec3::new(0.3, 1.0, 0.8)];
+    Prims::Mesh(Mesh { corners, triangles: vec![[0, 1, 2]; n] })
+}
+
+/// Thin triangles fanned about a common edge, each a little wider: every plane cuts nearly all of them.
+fn fan(n: usize) -> Prims {
+    let tip = |i: usize| Vec3::new(1.0 + i as f32 / n as f32, i as f32 / n as f32, 1.0);
+    let corners = [Vec3::ZERO, Vec3::ONE].into_iter().chain((0..n).map(tip)).collect();
+    Prims::Mesh(Mesh { corners, triangles: (0..n as u32).map(|i| [0, 1, i + 2]).collect() })
+}
+
+#[test]
+fn triangles_on_top_of_each_other_give_a_bounded_structure() {
+    for (n, prims) in [(100_000, pile(100_000)), (3000, fan(3000))] {
+        for line in ["grid", "kd", "kd split=middle max_depth=64 min_objects=0", "kd split=median max_depth=64", "bvh"]
+        {
+            let structure = Structure::build(&prims, &rule(line), &mut ()).unwrap();
+            let bytes = structure.bytes() / n;
+            assert!(bytes < 2000, "{line}: {bytes} bytes a triangle");
+        }
+    }
+}
+
+#[test]
+fn a_tree_is_never_deeper_than_its_stack() {
+    // Each triangle a quarter of the one before, all at one corner.
+    let triangles: Vec<[u32; 3]> = (0..60).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let size = |i: i32| 0.25f32.powi(i);
+    let corners = (0..60).flat_map(|i| [Vec3::X * size(i), Vec3::Y * size(i), Vec3::Z * size(i)]).collect();
+    let prims = Prims::Mesh(Mesh { corners, triangles });
+    for line in ["kd max_depth=64 min_objects=0 traversal_cost=0", "kd split=middle max_depth=64 min_objects=0", "bvh"]
+    {
+        let mut deepest = 0;
+        let mut watch = raystep_accel::Each(|event| {
+            if let Grow::Open { depth, .. } = event {
+                deepest = deepest.max(depth);
+            }
+        });
+        Structure::build(&prims, &rule(line), &mut watch).unwrap();
+        assert!(deepest <= 72, "{line}: {deepest}");
+    }
+}
+
+/// Gives up after so many nodes or cells.
+struct Patience(u32);
+
+impl Observer<Grow> for Patience {
+    fn on(&mut self, event: Grow) {
+        if matches!(event, Grow::Open { .. } | Grow::Settle { .. }) {
+            self.0 = self.0.saturating_sub(1);
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        self.0 == 0
+    }
+}
+
+#[test]
+fn a_builder_gives_up_when_asked() {
+    let teapot = Scene::named("teapot-6321").unwrap();
+    for line in ["grid", "kd", "bvh"] {
+        for patience in [0, 1, 10, 300] {
+            let built = Structure::build(&teapot.prims, &rule(line), &mut Patience(patience));
+            assert_eq!(built, Err(Cancelled), "{line}");
+        }
+    }
+}

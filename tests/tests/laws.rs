@@ -1,0 +1,279 @@
+//! What every walk of every structure keeps to, whatever the scene and the ray.
+
+use std::collections::BTreeSet;
+
+use glam::Vec3;
+use raystep_accel::{
+    Accel, Cost, Ending, Hit, Interval, NodeId, Observer, Place, Prims, Random, Ray, RayError, Structure, Trace,
+    Verdict, Visit, Want,
+};
+use raystep_tests::rays::Targets;
+use raystep_tests::rules::rules;
+use raystep_tests::scenes::cases;
+
+/// Holds `law` against the walks of every structure over every scene.
+fn check(law: impl Fn(&Structure, &[Visit], Option<Hit>)) {
+    watched(|structure, prims, ray| {
+        for want in [Want::Nearest, Want::Any] {
+            let mut events = Vec::new();
+            let hit = structure.walk(prims, ray, want, &mut events);
+            law(structure, &events, hit);
+        }
+    });
+}
+
+/// Calls `shoot` with rays for every structure over every scene; says where it panicked.
+fn watched(shoot: impl Fn(&Structure, &Prims, &Ray)) {
+    for (case, seed) in cases().iter().zip(1..) {
+        for (line, rule) in rules() {
+            let rule = if case.flat { rule.flat() } else { rule };
+            let structure = Structure::build(&case.prims, &rule, &mut ()).unwrap();
+            let targets = Targets::of(&case.prims, case.flat, &[&structure]);
+            let mut random = Random::new(seed);
+            for i in 0..170 {
+                let Some(ray) = targets.ray(&case.prims, i, &mut random) else { continue };
+                let at = At { what: format!("{}, {line}, ray {i}: {ray:?}", case.name) };
+                shoot(&structure, &case.prims, &ray);
+                drop(at);
+            }
+        }
+    }
+}
+
+/// Says where a law was broken.
+struct At {
+    what: String,
+}
+
+impl Drop for At {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("broken by {}", self.what);
+        }
+    }
+}
+
+fn is_distant(events: &[Visit]) -> bool {
+    matches!(events.first(), Some(Visit::Distant { .. }))
+}
+
+#[test]
+fn who_watches_changes_nothing() {
+    watched(|structure, prims, ray| {
+        for want in [Want::Nearest, Want::Any] {
+            let unwatched = structure.walk(prims, ray, want, &mut ());
+            let (mut cost, mut events, mut short) = (Cost::default(), Vec::new(), Trace::new(5));
+            assert_eq!(structure.walk(prims, ray, want, &mut cost), unwatched);
+            assert_eq!(structure.walk(prims, ray, want, &mut (&mut events, &mut short)), unwatched);
+
+            // Counting the tape is counting the walk.
+            let mut counted = Cost::default();
+            events.iter().for_each(|&event| counted.on(event));
+            assert_eq!(counted, cost);
+
+            // A short tape is the beginning of the long one.
+            let kept = events.len().min(5);
+            assert_eq!(format!("{:?}", short.events), format!("{:?}", &events[..kept]));
+            assert_eq!(short.lost as usize, events.len() - kept);
+        }
+    });
+}
+
+#[test]
+fn the_last_better_hit_is_the_answer() {
+    check(|_, events, hit| {
+        let mut best: Option<Hit> = None;
+        for event in events {
+            match *event {
+                Visit::Better { prim, t, before } => {
+                    assert_eq!(before, best.map_or(f32::INFINITY, |best| best.t));
+                    assert!(best.is_none_or(|best| t < best.t || (t == best.t && prim < best.prim)));
+                    best = Some(Hit { t, prim });
+                }
+                Visit::End { hit: found, t, .. } => {
+                    assert_eq!((found, t), (best.is_some(), best.map_or(f32::INFINITY, |best| best.t)));
+                }
+                _ => {}
+            }
+        }
+        assert_eq!(best, hit);
+    });
+}
+
+#[test]
+fn a_walk_ends_once_and_last() {
+    check(|_, events, hit| {
+        let ends = events.iter().filter(|event| matches!(event, Visit::End { .. })).count();
+        assert_eq!(ends, 1);
+        let Some(&Visit::End { why, .. }) = events.last() else { panic!("the last event is no end") };
+        match why {
+            Ending::Found | Ending::Settled => assert!(hit.is_some()),
+            Ending::Outside => assert!(hit.is_none()),
+            Ending::Exhausted => {}
+        }
+    });
+}
+
+#[test]
+fn each_pop_or_drop_had_its_push() {
+    check(|_, events, _| {
+        let mut stack: Vec<(NodeId, [u32; 2])> = Vec::new();
+        let bits = |near: f32, far: f32| [near.to_bits(), far.to_bits()];
+        for event in events {
+            match *event {
+                Visit::Push { node, t_near, t_far, depth } => {
+                    stack.push((node, bits(t_near, t_far)));
+                    assert_eq!(stack.len(), depth as usize);
+                }
+                Visit::Pop { node, t_near, t_far, depth } => {
+                    assert_eq!(stack.pop(), Some((node, bits(t_near, t_far))));
+                    assert_eq!(stack.len(), depth as usize);
+                }
+                Visit::Drop { node, t_near, t_far, best_t, depth } => {
+                    assert!(best_t < t_near, "dropped what may hold the answer");
+                    assert_eq!(stack.pop(), Some((node, bits(t_near, t_far))));
+                    assert_eq!(stack.len(), depth as usize);
+                }
+                // A shadow ray leaves what waits where it is.
+                Visit::End { why, .. } if why != Ending::Found => assert!(stack.is_empty()),
+                _ => {}
+            }
+        }
+    });
+}
+
+#[test]
+fn a_childs_interval_lies_in_its_parents() {
+    check(|structure, events, _| {
+        if is_distant(events) {
+            return;
+        }
+        let mut within: Vec<Option<Interval>> = vec![None; structure.node_count()];
+        for event in events {
+            let &Visit::Enter { place: Place::Node(node), t_near, t_far, leaf, prims } = event else { continue };
+            assert!(t_near <= t_far);
+            let children = structure.children(node);
+            assert_eq!(leaf, children.is_empty());
+            assert_eq!(prims as usize, structure.leaf_prims(node).len());
+            if let Some(parent) = within[node.index()] {
+                assert!(parent.near <= t_near && t_far <= parent.far, "node {node} leaves its parent's interval");
+            } else {
+                assert_eq!(node, NodeId::ROOT, "node {node} entered before its parent");
+            }
+            within[node.index()] = None;
+            for child in children {
+                assert!(within[child.index()].is_none(), "node {node} entered twice");
+                within[child.index()] = Some(Interval::new(t_near, t_far));
+            }
+        }
+    });
+}
+
+#[test]
+fn a_kd_split_sends_the_ray_where_its_interval_is() {
+    check(|structure, events, _| {
+        for event in events {
+            let &Visit::Split { node, near, far, t, t_near, t_far, side } = event else { continue };
+            let Some((axis, plane)) = structure.split(node) else { continue };
+            let mut children = [near, far];
+            children.sort_unstable();
+            assert_eq!(structure.children(node), children);
+            let cut = events.iter().find_map(|event| match *event {
+                Visit::Plane { node: cut, axis, plane, o, d, t, .. } if cut == node => Some((axis, plane, o, d, t)),
+                _ => None,
+            });
+            let (cut_axis, cut_plane, o, d, cut_t) = cut.expect("a plane before the split");
+            assert_eq!((cut_axis, cut_plane, cut_t.to_bits()), (axis, plane, t.to_bits()));
+            let says = match side.word() {
+                "both" => (t_near < t && t < t_far) || (d == 0.0 && o == plane),
+                "near" => t_far <= t || (d == 0.0 && o != plane),
+                _ => d != 0.0 && t <= t_near,
+            };
+            assert!(says, "{event:?}");
+        }
+    });
+}
+
+#[test]
+fn cells_of_a_walk_are_face_neighbours_and_t_never_falls() {
+    check(|structure, events, _| {
+        let Structure::Grid(grid) = structure else { return };
+        let mut last: Option<([u32; 3], f32)> = None;
+        for event in events {
+            let &Visit::Enter { place: Place::Cell(cell), t_near, t_far, prims, .. } = event else { continue };
+            assert!(t_near <= t_far);
+            assert_eq!(prims as usize, grid.cell_prims(cell).len());
+            let place = grid.cell_place(cell);
+            if let Some((before, left)) = last {
+                let apart: u32 = place.iter().zip(before).map(|(&a, b)| a.abs_diff(b)).sum();
+                assert_eq!(apart, 1, "from {before:?} to {place:?}");
+                assert!(left <= t_near, "t fell from {left} to {t_near}");
+            }
+            last = Some((place, t_far));
+        }
+    });
+}
+
+#[test]
+fn a_mailbox_skips_only_what_was_tested() {
+    check(|_, events, _| {
+        let mut tested = BTreeSet::new();
+        for event in events {
+            match event {
+                Visit::Test { prim, .. } => {
+                    tested.insert(*prim);
+                }
+                Visit::Skip { prim } => assert!(tested.contains(prim)),
+                _ => {}
+            }
+        }
+    });
+}
+
+#[test]
+fn a_missed_box_is_not_opened() {
+    check(|_, events, _| {
+        for pair in events.windows(2) {
+            let [Visit::Volume { place, t_near, t_far, best_t, verdict }, next] = pair else { continue };
+            match verdict {
+                Verdict::Hit => assert!(t_near <= t_far),
+                Verdict::Miss => assert!(t_near > t_far),
+                Verdict::Cut => assert!(t_near <= t_far && best_t < t_near),
+            }
+            if *verdict != Verdict::Hit {
+                assert!(!matches!(next, Visit::Enter { place: entered, .. } if entered == place));
+            }
+        }
+    });
+}
+
+#[test]
+fn every_event_is_in_the_vocabulary() {
+    check(|_, events, _| {
+        for event in events {
+            let (_, fields) = Visit::NAMES.iter().find(|(names, _)| names.contains(&event.name())).expect(event.name());
+            assert_eq!(*fields, event.fields());
+            assert!(fields.iter().all(|field| event.field(field).is_some()));
+        }
+    });
+}
+
+#[test]
+fn rays_that_cannot_be_walked_are_refused() {
+    for wrong in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for i in 0..3 {
+            let mut p = Vec3::ONE;
+            p[i] = wrong;
+            assert_eq!(Ray::new(p, Vec3::X), Err(RayError::Origin));
+            assert_eq!(Ray::new(Vec3::ZERO, p), Err(RayError::Direction));
+        }
+    }
+    for zero in [Vec3::ZERO, -Vec3::ZERO, Vec3::new(0.0, -0.0, 0.0)] {
+        assert_eq!(Ray::new(Vec3::ONE, zero), Err(RayError::NoDirection));
+    }
+    let ray = Ray::new(Vec3::ZERO, Vec3::X).unwrap();
+    assert_eq!(ray.within(f32::NAN, 1.0), Err(RayError::Range));
+    assert_eq!(ray.within(0.0, f32::NAN), Err(RayError::Range));
+    assert_eq!(ray.within(f32::NEG_INFINITY, 1.0), Err(RayError::Range));
+    assert!(ray.within(0.0, f32::INFINITY).is_ok());
+}
