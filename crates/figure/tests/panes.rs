@@ -41,7 +41,7 @@ impl Played {
     /// The step of the `nth` event of this name.
     fn step(&self, name: &str, nth: usize) -> usize {
         let mut named = self.events.iter().enumerate().filter(|(_, event)| event.name() == name);
-        named.nth(nth).map(|(index, _)| index + 1).unwrap_or_else(|| panic!("no {name}"))
+        named.nth(nth).map_or_else(|| panic!("no {name}"), |(index, _)| index + 1)
     }
 }
 
