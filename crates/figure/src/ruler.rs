@@ -40,7 +40,7 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
         let says = format!("+ {more} more");
         write(&mut figure, Role::Quiet, None, at, &says, letters, Face::Regular, Anchor::Start);
     }
-    draw_axis(&mut figure, &axis, bottom, look);
+    draw_axis(&mut figure, &axis, walk.ray.t_min, bottom, look);
     draw_points(&mut figure, &axis, moment, top - u * 0.1, bottom, look);
     figure
 }
@@ -83,7 +83,7 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> 
             taken = middle + half + u * 0.5;
         }
     }
-    draw_axis(&mut figure, &axis, bottom, look);
+    draw_axis(&mut figure, &axis, walk.ray.t_min, bottom, look);
     draw_points(&mut figure, &axis, moment, y - u * 2.0, bottom, &Look { titles: false, ..*look });
     figure
 }
@@ -129,7 +129,7 @@ fn cap(role: Role) -> Role {
     }
 }
 
-fn draw_axis(figure: &mut Figure, axis: &Ticks, y: f32, look: &Look) {
+fn draw_axis(figure: &mut Figure, axis: &Ticks, begin: f32, y: f32, look: &Look) {
     let u = look.text;
     figure.add(Role::Edge, None, line(Vec2::new(axis.left, y), Vec2::new(axis.right, y)));
     for t in axis.marks(u * 4.2) {
@@ -137,6 +137,10 @@ fn draw_axis(figure: &mut Figure, axis: &Ticks, y: f32, look: &Look) {
         figure.add(Role::Edge, None, line(Vec2::new(x, y - u * 0.3), Vec2::new(x, y + u * 0.3)));
         let at = Vec2::new(x, y + u * 1.05);
         write(figure, Role::Quiet, None, at, &number(t), look.small(), Face::Regular, Anchor::Middle);
+    }
+    // Where the ray begins: what lies before it does not count.
+    if axis.shows(begin) {
+        figure.add(Role::Live, None, Ink::Circle { center: Vec2::new(axis.x(begin), y), radius: u * 0.12 });
     }
 }
 

@@ -33,7 +33,7 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     let axes: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| !(walk.flat && *axis == Axis::Z)).collect();
     let rows = axes.iter().map(|axis| row(*axis, &slabs[axis.index()], now)).collect();
     let current = now.and_then(slab_of).and_then(|(_, axis)| axes.iter().position(|other| *other == axis));
-    let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "left of the ray"];
+    let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];
     let end = Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, look);
 
     if let Some(Visit::Narrow { empty: true, t_near, t_far, .. }) =

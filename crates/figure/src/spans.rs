@@ -29,7 +29,7 @@ pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
             let role = if axis == slab.axis { Role::Plane } else { Role::Seen };
             Some(span(&format!("slab {axis}"), Some(slab.place), interval, role))
         });
-        let name = if slab.place == Place::World { "left".to_owned() } else { slab.place.to_string() };
+        let name = if slab.place == Place::World { "so far".to_owned() } else { slab.place.to_string() };
         return cuts.chain([span(&name, Some(slab.place), slab.interval, Role::Live)]).collect();
     }
     if moment.ending.is_some() {

@@ -87,7 +87,8 @@ pub(crate) fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Lo
     // As large as lets the whole tree be drawn; if none does, the smallest size and the part that fits.
     let mut drawn = None;
     for scale in [1.0, 0.85, 0.7] {
-        let pen = Pen { u: u * scale, size, top, margin: look.margin() };
+        let digit = text_width("0", Face::Mono, u * scale * 0.88);
+        let pen = Pen { u: u * scale, digit, size, top, margin: look.margin() };
         let branches = branches(tree, view, &pen.room());
         let whole = branches.whole();
         drawn = Some((pen, branches));
@@ -105,6 +106,8 @@ pub(crate) fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Lo
 struct Pen {
     /// Size of the text around; a node's mark is a little larger.
     u: f32,
+    /// Width of a digit of a node's number.
+    digit: f32,
     size: Vec2,
     top: f32,
     margin: f32,
@@ -117,7 +120,7 @@ impl Pen {
 
     /// Half the width of a node's mark: long numbers stretch the circle.
     fn half_width(&self, node: NodeId) -> f32 {
-        let text = text_width(&node.to_string(), Face::Mono, self.u * 0.88);
+        let text = self.digit * (node.0.checked_ilog10().unwrap_or(0) + 1) as f32;
         (text / 2.0 + self.u * 0.35).max(self.radius())
     }
 
