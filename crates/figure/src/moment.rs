@@ -225,6 +225,7 @@ impl Moment {
                 self.cut = Some(Cut { node, axis, plane, t, children: None });
             }
             Visit::Split { node, near, far, side, .. } => {
+                self.rest();
                 if let Some(cut) = self.cut.as_mut().filter(|cut| cut.node == node) {
                     cut.children = Some((near, far, side));
                 }

@@ -140,7 +140,7 @@ impl Theme {
         hit: Color::hex(0x00694F),
         wrong: Color::hex(0xA3005C),
         hover: Color::hex(0xF0C800),
-        tint: 26,
+        tint: 20,
         weight: 1.0,
     };
 
@@ -184,7 +184,7 @@ impl Theme {
         hit: Color::hex(0x004F3B),
         wrong: Color::hex(0x85004A),
         hover: Color::hex(0xF0C800),
-        tint: 36,
+        tint: 28,
         weight: 1.5,
     };
 
@@ -249,7 +249,7 @@ impl Theme {
 
     /// A surface in light of this strength, 0 to 1.
     pub(crate) fn surface(&self, light: f32) -> Color {
-        let (dim, bright) = if self.dark { (0.9, 2.3) } else { (0.68, 1.0) };
+        let (dim, bright) = if self.dark { (0.9, 2.3) } else { (0.55, 1.0) };
         self.scene.shaded(dim + (bright - dim) * light)
     }
 

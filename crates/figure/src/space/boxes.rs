@@ -1,6 +1,6 @@
 //! The boxes of a tree's nodes, by what became of them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use raystep_accel::{NodeId, Place, Structure, Verdict, Visit};
 
@@ -11,6 +11,12 @@ use crate::{Role, number};
 const FEW_FLAT: usize = 256;
 const FEW_SOLID: usize = 24;
 
+/// Of the way to the current node, so many levels.
+const LEVELS: usize = 3;
+
+/// Of what waits, so many nodes.
+const NEXT: usize = 8;
+
 impl Drawing<'_> {
     /// Every node that matters now, and the boundaries of the rest where they are few.
     pub(super) fn nodes(&mut self) {
@@ -19,15 +25,20 @@ impl Drawing<'_> {
             self.edges();
         }
         let way = self.way();
-        let on_the_way = |place: &Place| few || way.contains_key(place);
+        let on_the_way = |place: &Place| few || way.contains(place);
         let moment = self.moment;
         for &place in moment.dropped.iter().filter(|place| on_the_way(place)) {
             self.outline(Role::Dropped, place);
         }
         for &place in moment.seen.iter().filter(|place| on_the_way(place)) {
-            self.outline(Role::Seen, place);
+            // The outline of an inner node of a flat kd-tree is made of those of its children.
+            let parted = matches!(place, Place::Node(node) if self.walk.structure.split(node).is_some());
+            if !(self.walk.flat && parted) {
+                self.outline(Role::Seen, place);
+            }
         }
-        for waiting in &moment.stack {
+        let waiting = moment.stack.iter().rev().take(if few { usize::MAX } else { NEXT });
+        for waiting in waiting.rev() {
             self.outline(Role::Waiting, Place::Node(waiting.node));
         }
         if let Some(here @ Place::Node(node)) = moment.here {
@@ -48,8 +59,8 @@ impl Drawing<'_> {
         }
     }
 
-    /// The nodes from the root to the current one with all their children.
-    fn way(&self) -> BTreeMap<Place, ()> {
+    /// The current node, the last few it was reached through, and all their children.
+    fn way(&self) -> BTreeSet<Place> {
         let mut parents = BTreeMap::new();
         let opened = self.moment.seen.iter().chain(&self.moment.here);
         for &place in opened {
@@ -58,13 +69,14 @@ impl Drawing<'_> {
                 parents.insert(Place::Node(child), place);
             }
         }
-        let mut way = BTreeMap::new();
+        let mut way = BTreeSet::new();
         let mut at = self.moment.here;
-        while let Some(place) = at {
-            way.insert(place, ());
+        for _ in 0..LEVELS {
+            let Some(place) = at else { break };
+            way.insert(place);
             at = parents.get(&place).copied();
             if let Some(Place::Node(parent)) = at {
-                way.extend(self.walk.structure.children(parent).into_iter().map(|child| (Place::Node(child), ())));
+                way.extend(self.walk.structure.children(parent).into_iter().map(Place::Node));
             }
         }
         way
@@ -91,7 +103,7 @@ impl Drawing<'_> {
     /// Which node on the stack is next, and which are later.
     fn stack_titles(&mut self) {
         let stack = &self.moment.stack;
-        for (index, waiting) in stack.iter().rev().take(8).enumerate() {
+        for (index, waiting) in stack.iter().rev().take(NEXT).enumerate() {
             let word = match index {
                 _ if stack.len() == 1 => "waits",
                 0 => "waits next",

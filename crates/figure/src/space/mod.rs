@@ -7,7 +7,7 @@ mod rays;
 mod slabs;
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Interval, Place, PrimId, Structure};
+use raystep_accel::{Aabb, Axis, Interval, Place, PrimId, Structure};
 
 use crate::{Moment, Role, Walk};
 
@@ -132,15 +132,24 @@ fn visible(walk: &Walk<'_>) -> Aabb {
         return world.with_point(walk.ray.o).with_point(walk.ray.at(1.0));
     }
     let diagonal = world.extent().length();
-    let near = (walk.ray.o - world.center()).length() <= diagonal;
-    let all = if near { world.with_point(walk.ray.o) } else { world };
-    all.padded(0.02 * diagonal)
+    let near = |p: &Vec3| (*p - world.center()).length() <= 2.0 * diagonal;
+    let mut all = world;
+    if near(&walk.ray.o) {
+        all = all.with_point(walk.ray.o);
+    }
+    // A slab test is about where the ray meets the planes, also outside the box.
+    if let (Structure::Slab(_), true) = (walk.structure, walk.flat) {
+        let planes = [Axis::X, Axis::Y].into_iter().flat_map(|axis| [(axis, world.min[axis]), (axis, world.max[axis])]);
+        let crossings = planes.map(|(axis, plane)| walk.ray.at((plane - walk.ray.o[axis]) / walk.ray.d[axis]));
+        all = crossings.filter(|p| p.is_finite() && near(p)).fold(all, Aabb::with_point);
+    }
+    let air = if matches!(walk.structure, Structure::Slab(_)) { 0.08 } else { 0.025 };
+    all.padded(air * diagonal)
 }
 
 /// The part of the ray in the picture; empty if there is none.
 fn shown(walk: &Walk<'_>, bounds: &Aabb) -> Interval {
-    let room = bounds.padded(0.04 * bounds.extent().length());
     let within = Interval::new(0.0, walk.ray.t_max);
-    let part = raystep_accel::slab(&room, &walk.ray, within, Place::World, &mut ());
+    let part = raystep_accel::slab(bounds, &walk.ray, within, Place::World, &mut ());
     if !part.is_empty() || !bounds.contains(walk.ray.o) { part } else { within }
 }

@@ -86,6 +86,10 @@ impl Stage<'_> {
                 if let Some((center, _)) = self.lens.point(*at) {
                     let radius = if role == Role::Ray { RING * 0.75 } else { RING };
                     self.figure.add(role, place, Ink::Circle { center, radius });
+                    // On a solid fill, a ring needs a hole.
+                    if role == Role::Best {
+                        self.figure.add(Role::Page, place, Ink::Circle { center, radius: RING * 0.5 });
+                    }
                 }
             }
             Form::Prim(prim) if prim.index() < prims.len() => self.prim(prims, *prim, role),

@@ -30,9 +30,25 @@ impl Stage<'_> {
     }
 
     fn area(&mut self, corners: &[Vec3], role: Role, place: Option<Place>) {
+        // What a surface covers in part is outlined only.
+        if self.depth.is_some() && self.covered(corners) {
+            for (index, &from) in corners.iter().enumerate() {
+                self.line(from, corners[(index + 1) % corners.len()], role, place);
+            }
+            return;
+        }
         if let Some(points) = self.lens.polygon(corners) {
             self.figure.add(role, place, Ink::Area { points });
         }
+    }
+
+    /// Whether something lies before the middle of a polygon or before a point near one of its corners.
+    fn covered(&self, corners: &[Vec3]) -> bool {
+        let Some(shaded) = self.depth else { return false };
+        let middle = corners.iter().copied().sum::<Vec3>() / corners.len() as f32;
+        let probes = corners.iter().map(|corner| corner.lerp(middle, 0.25)).chain([middle]);
+        let mut seen = probes.filter_map(|probe| self.lens.point(probe));
+        seen.any(|(at, depth)| shaded.hides(at, depth, self.figure.size))
     }
 
     fn sphere(&mut self, sphere: &Sphere, role: Role, place: Option<Place>) {
