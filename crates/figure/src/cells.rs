@@ -44,7 +44,7 @@ pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look
         current: stepped.and_then(|stepped| axes.clone().position(|axis| axis == stepped)),
         place,
     };
-    let mut y = table.draw(&mut figure, top, look) + look.text * 0.9;
+    let mut y = table.draw(&mut figure, top, size.y - 2.2 * look.line(), look) + look.text * 0.9;
 
     let interval = format!("t in [{}, {}]", number(moment.entered.near), number(moment.entered.far));
     write(

@@ -34,13 +34,16 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     let rows = axes.iter().map(|axis| row(*axis, &slabs[axis.index()], now)).collect();
     let current = now.and_then(slab_of).and_then(|(_, axis)| axes.iter().position(|other| *other == axis));
     let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];
-    let end = Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, look);
-
-    if let Some(Visit::Narrow { empty: true, t_near, t_far, .. }) =
-        axes.iter().rev().find_map(|a| slabs[a.index()].narrow)
-    {
+    let empty = axes.iter().rev().find_map(|axis| match slabs[axis.index()].narrow {
+        Some(Visit::Narrow { empty: true, t_near, t_far, .. }) => Some((t_near, t_far)),
+        _ => None,
+    });
+    let room = if empty.is_some() { look.line() } else { 0.0 };
+    let table = Table { heads, rows, current, place: Some(place) };
+    let end = table.draw(&mut figure, top, size.y - room, look);
+    if let Some((t_near, t_far)) = empty {
         let says = format!("Empty: {} > {}. The box is missed.", number(t_near), number(t_far));
-        let at = Vec2::new(look.margin(), end + look.line() * 0.5);
+        let at = Vec2::new(look.margin(), end + look.line() * 0.4);
         write(&mut figure, Role::Wrong, Some(place), at, &says, look.text, Face::Medium, Anchor::Start);
     }
     figure

@@ -43,6 +43,15 @@ pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
         return [ray].into_iter().chain(tested).chain(waiting(moment)).collect();
     };
     let mut spans = vec![span(&here.to_string(), Some(here), moment.entered, Role::Here)];
+    if let (Some(Visit::Step { .. }), Some(step)) = (moment.event, moment.stepping) {
+        // How far it is to the next plane of each axis: the shortest decided.
+        let axes = Axis::ALL.into_iter().filter(|axis| !(walk.flat && *axis == Axis::Z));
+        spans.extend(axes.map(|axis| {
+            let interval = Interval::new(moment.entered.near, step.next[axis.index()]);
+            let role = if axis == step.axis { Role::Plane } else { Role::Seen };
+            span(&format!("next {axis}"), Some(here), interval, role)
+        }));
+    }
     let on_stack = |place| matches!(place, Place::Node(node) if moment.waiting(node).is_some());
     let tested = moment.volumes.iter().filter(|tested| tested.place != here && !on_stack(tested.place));
     spans.extend(tested.map(|tested| box_span(tested.place, tested.interval, tested.verdict)));

@@ -35,12 +35,12 @@ impl Entry {
 }
 
 impl Table {
-    /// Draws the table from `top` down, in smaller letters if it is too large. Returns where it ends.
-    pub(crate) fn draw(&self, figure: &mut Figure, top: f32, look: &Look) -> f32 {
+    /// Draws the table from `top` to at most `bottom`, in smaller letters if it is too large. Returns where it ends.
+    pub(crate) fn draw(&self, figure: &mut Figure, top: f32, bottom: f32, look: &Look) -> f32 {
         let room = figure.size.x - 2.0 * look.margin();
         let natural = self.widths(look.text);
         let total: f32 = natural.iter().sum();
-        let high = (figure.size.y - top) / ((self.rows.len() as f32 + 1.0) * look.text * 1.9);
+        let high = (bottom - top) / ((self.rows.len() as f32 + 1.0) * look.text * 1.9);
         let size = look.text * (room / total.max(1.0)).min(high).clamp(0.6, 1.0);
         let widths = self.widths(size);
         // Spare room goes between the columns, up to a point: eyes follow short rows.
