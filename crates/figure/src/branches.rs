@@ -72,7 +72,7 @@ impl Branches {
 }
 
 /// Most nodes that are drawn: an eye reads no more.
-const MOST: usize = 36;
+pub(crate) const MOST: usize = 36;
 
 /// Chooses what is drawn and lays it out.
 pub(crate) fn branches<F: Fn(NodeId) -> f32>(tree: &impl Tree, view: &TreeView, room: &Room<F>) -> Branches {
@@ -86,27 +86,35 @@ pub(crate) fn branches<F: Fn(NodeId) -> f32>(tree: &impl Tree, view: &TreeView, 
     // The lower end of a long path, with a level for the children of its end.
     let end = path.last().is_some_and(|end| !tree.children(*end).is_empty());
     let keep = room.levels.saturating_sub(usize::from(end)).max(1);
-    let above: Vec<NodeId> = path.drain(..path.len().saturating_sub(keep)).collect();
-    let top = path.first().copied().unwrap_or(NodeId::ROOT);
+    let mut above: Vec<NodeId> = path.drain(..path.len().saturating_sub(keep)).collect();
+    let mut open: BTreeSet<NodeId>;
+    let mut best;
+    loop {
+        open = path.iter().copied().filter(|node| !view.closed.contains(node)).collect();
+        best = grow(tree, path.first().copied().unwrap_or(NodeId::ROOT), &open, room);
+        if best.1.width <= room.width || path.len() < 2 {
+            break;
+        }
+        above.push(path.remove(0));
+    }
+    let top = best.0[0].node;
 
-    let mut open: BTreeSet<NodeId> = path.iter().copied().filter(|node| !view.closed.contains(node)).collect();
-    let mut best = grow(tree, top, &open, room);
     // What the user opened, then level by level: whatever still fits.
     let mut queue: VecDeque<NodeId> = view.opened.iter().copied().chain([top]).collect();
-    let mut tried = BTreeSet::new();
+    let fits = |(shown, tidy): &(Vec<Branch>, Tidy)| shown.len() <= MOST && tidy.width <= room.width;
     while let Some(node) = queue.pop_front() {
-        if !open.contains(&node) && !view.closed.contains(&node) && tried.insert(node) {
+        let Some(branch) = best.0.iter().find(|branch| branch.node == node) else { continue };
+        if branch.closed && branch.level + 1 < room.levels && !view.closed.contains(&node) {
             open.insert(node);
             let more = grow(tree, top, &open, room);
-            if more.0.len() <= MOST && more.1.width <= room.width && more.0.iter().all(|b| b.level < room.levels) {
+            if fits(&more) {
                 best = more;
             } else {
                 open.remove(&node);
             }
         }
-        if open.contains(&node) {
-            queue.extend(tree.children(node));
-        }
+        let shown = best.0.iter().find(|branch| branch.node == node);
+        queue.extend(shown.iter().flat_map(|branch| &branch.children).map(|&child| best.0[child].node));
     }
     Branches { above, shown: best.0, tidy: best.1 }
 }
@@ -134,10 +142,16 @@ fn grow<F: Fn(NodeId) -> f32>(
         }
         index += 1;
     }
-    let twigs: Vec<Twig> = shown
+    let mut twigs: Vec<Twig> = shown
         .iter()
         .map(|branch| Twig { half_width: (room.half_width)(branch.node), children: branch.children.clone() })
         .collect();
+    // What hangs below a closed node takes up room on the next level.
+    for index in (0..shown.len()).filter(|index| shown[*index].closed) {
+        let below = twigs.len();
+        twigs[index].children.push(below);
+        twigs.push(Twig { half_width: twigs[index].half_width, children: Vec::new() });
+    }
     let tidy = tidy(&twigs, room.gap);
     (shown, tidy)
 }

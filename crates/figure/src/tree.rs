@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::Vec2;
 use raystep_accel::{Axis, NodeId, Place, PrimId};
 
-use crate::branches::{Branch, Branches, Room, Tree, TreeView, branches, count_below};
+use crate::branches::{Branch, Branches, MOST, Room, Tree, TreeView, branches, count_below};
 use crate::look::{block, line, write};
 use crate::{Anchor, Face, Figure, Ink, Look, Moment, Role, Walk, text_width};
 
@@ -85,8 +85,10 @@ pub(crate) fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Lo
     let top = look.heading(&mut figure, "Tree", "dots: primitives of a leaf");
 
     // As large as lets the whole tree be drawn; if none does, the smallest size and the part that fits.
+    let small = count_below(tree, view.focus.unwrap_or(NodeId::ROOT), MOST) <= MOST;
+    let scales: &[f32] = if small { &[1.0, 0.85, 0.7] } else { &[0.7] };
     let mut drawn = None;
-    for scale in [1.0, 0.85, 0.7] {
+    for scale in scales {
         let digit = text_width("0", Face::Mono, u * scale * 0.88);
         let pen = Pen { u: u * scale, digit, size, top, margin: look.margin() };
         let branches = branches(tree, view, &pen.room());
