@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Hit, Primitives, Prims, Ray, Shape, Structure};
+use raystep_accel::{Accel, Hit, KdRule, Primitives, Prims, Ray, Rule, Shape, Structure};
 
 use crate::lens::Lens;
 use crate::{Camera, Color, Theme};
@@ -31,9 +31,15 @@ pub struct Shaded {
 /// Rays for a pixel on an edge: a grid of so many by so many.
 const FINE: u32 = 3;
 
-/// Renders the primitives in calm two-sided shading, `width` by `height` pixels.
+/// Renders the primitives in calm two-sided shading, `width` by `height` pixels. A structure that would be
+/// slow at a whole picture (all but well grown kd-trees) gives way to one made for it.
 pub fn shaded(structure: &Structure, prims: &Prims, camera: &Camera, width: u32, height: u32, theme: &Theme) -> Shaded {
     let size = Vec2::new(width as f32, height as f32);
+    let own = match structure {
+        Structure::Kd(tree) if tree.node_count() * 4 >= prims.len() => None,
+        _ => Structure::build(prims, &Rule::Kd(KdRule::default()), &mut ()).ok(),
+    };
+    let structure = own.as_ref().unwrap_or(structure);
     let scene = Scene { structure, prims, camera, size, lens: Lens::new(camera, size), theme };
     let samples: Vec<Sample> = (0..width * height)
         .map(|index| scene.sample(Vec2::new((index % width) as f32 + 0.5, (index / width) as f32 + 0.5)))

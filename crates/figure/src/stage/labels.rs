@@ -84,7 +84,10 @@ pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) {
         let half = Vec2::new(text_width(text, Face::Medium, size) * 0.5 + size * ASIDE, size * HALF);
         let candidates = match within {
             Some(bounds) => beside_box(&bounds, lens, half, space.flat),
-            None => beside_point(lens.point(at).map(|(point, _)| point), half),
+            None => beside_point(
+                lens.point(at).map(|(point, _)| point).filter(|point| within_page(*point, figure.size)),
+                half,
+            ),
         };
         let cost = |index: usize, spot: Spot| index as f32 * 1.5 + obstacles.cost(spot) + outside(spot, figure.size);
         let best = candidates
@@ -161,6 +164,11 @@ fn obstacles(figure: &Figure) -> Obstacles {
         }
     }
     found
+}
+
+/// Whether a point is in the picture.
+fn within_page(point: Vec2, size: Vec2) -> bool {
+    point.cmpge(Vec2::ZERO).all() && point.cmple(size).all()
 }
 
 /// What it costs to reach out of the picture.

@@ -84,7 +84,8 @@ impl Stage<'_> {
             Form::Arrow(from, to) => self.arrow(*from, *to, role, place),
             Form::Point(at) => {
                 if let Some((center, _)) = self.lens.point(*at) {
-                    let radius = if role == Role::Ray { RING * 0.75 } else { RING };
+                    // The ray's origin is a dot, not a dashed ring.
+                    let (role, radius) = if role == Role::Ray { (Role::Live, RING * 0.5) } else { (role, RING) };
                     self.figure.add(role, place, Ink::Circle { center, radius });
                     // On a solid fill, a ring needs a hole.
                     if role == Role::Best {
@@ -185,7 +186,7 @@ fn behind(role: Role) -> Role {
     match role {
         Role::Live | Role::Ray => Role::Ray,
         Role::Here | Role::Seen => Role::Seen,
-        Role::Waiting => Role::Waiting,
+        Role::Waiting | Role::Best | Role::Hit => role,
         _ => Role::Hidden,
     }
 }
