@@ -1,6 +1,6 @@
 //! The cells of a grid: all of them while they are few, else those along the ray.
 
-use raystep_accel::{CellId, Grid, Place, Visit};
+use raystep_accel::{Axis, CellId, Grid, Place, Visit};
 
 use super::{Drawing, Form};
 use crate::{Role, number};
@@ -28,14 +28,13 @@ impl Drawing<'_> {
             self.outline(Role::Here, here);
             self.title(Role::Here, here, format!("{cell} here"));
         }
-        self.next_planes();
     }
 
     /// At a step, where the ray meets the next plane of each axis: the first of them decides.
-    fn next_planes(&mut self) {
+    pub(super) fn next_planes(&mut self) {
         let (Some(Visit::Step { .. }), Some(stepping)) = (self.moment.event, self.moment.stepping) else { return };
-        for axis in [raystep_accel::Axis::X, raystep_accel::Axis::Y, raystep_accel::Axis::Z] {
-            if self.walk.flat && axis == raystep_accel::Axis::Z {
+        for axis in Axis::ALL {
+            if self.walk.flat && axis == Axis::Z {
                 continue;
             }
             let t = stepping.next[axis.index()];

@@ -71,8 +71,9 @@ pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
     drawing.the_box();
     drawing.prims();
     drawing.split();
-    drawing.slab();
     drawing.ray();
+    drawing.slab();
+    drawing.next_planes();
     drawing.hits();
     drawing.guesses();
     Space { marks: drawing.marks, bounds, flat: walk.flat }
