@@ -1,0 +1,305 @@
+//! The window: one `ui` that shows the state and turns what happens into commands.
+
+use std::sync::Arc;
+
+use egui::{CentralPanel, Frame, Panel, Ui, ViewportCommand};
+use raystep_accel::Place;
+use raystep_figure::{Theme, TreeView};
+use raystep_lesson::Library;
+
+use super::command::Command;
+use super::errand::Errands;
+use super::formulas::Formulas;
+use super::keys;
+use super::palette::{self, Palette};
+use super::pictures::Pictures;
+use super::remember::Remembered;
+use super::solid::Solid;
+use super::space_pane::Hold;
+use super::state::{Beside, State};
+use super::toast::Toasts;
+use super::view::RayChoice;
+use super::visuals::{self, fill};
+use super::workshop::{Came, Workshop};
+use super::{bottom, columns, export_dialog, help, lesson_pane, present, top};
+
+/// The window.
+pub struct App {
+    /// What is shown.
+    pub state: State,
+    pub(super) theme: &'static Theme,
+    pub(super) workshop: Workshop,
+    pub(super) formulas: Formulas,
+    pub(super) pictures: Option<Pictures>,
+    pub(super) beside: Option<Arc<super::playback::Playback>>,
+    pub(super) solid: Solid,
+    pub(super) hovered: Option<Place>,
+    pub(super) picked: Option<Place>,
+    pub(super) tree: TreeView,
+    pub(super) hold: Option<Hold>,
+    pub(super) toasts: Toasts,
+    pub(super) errands: Errands,
+    pub(super) remembered: Remembered,
+    pub(super) export: Option<export_dialog::Form>,
+    palette: Option<Palette>,
+    help: bool,
+    styled: Option<&'static str>,
+}
+
+impl App {
+    /// A window on these lessons, standing on a slide.
+    pub fn new(context: &egui::Context, library: Library, slide: usize, remembered: Remembered) -> App {
+        context.set_fonts(super::fonts::definitions());
+        let mut state = State::new(Arc::new(library), slide);
+        state.predict = remembered.predict;
+        let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);
+        context.set_zoom_factor(remembered.zoom.clamp(0.5, 3.0));
+        App {
+            state,
+            theme,
+            workshop: Workshop::new(context.clone()),
+            formulas: Formulas::default(),
+            pictures: None,
+            beside: None,
+            solid: Solid::default(),
+            hovered: None,
+            picked: None,
+            tree: TreeView::default(),
+            hold: None,
+            toasts: Toasts::default(),
+            errands: Errands::new(context.clone()),
+            remembered,
+            export: None,
+            palette: None,
+            help: false,
+            styled: None,
+        }
+    }
+
+    /// Lets lessons in a folder be read again when they are saved.
+    pub fn watch_lessons(&mut self, folder: &std::path::Path) {
+        self.errands.watch(folder);
+    }
+
+    /// Opens a mesh beside the UI thread.
+    pub fn open_mesh(&mut self, path: std::path::PathBuf) {
+        self.errands.load(path);
+    }
+
+    /// Does what a command says.
+    pub fn run(&mut self, ui: &Ui, command: Command) {
+        let context = ui.ctx();
+        match command {
+            Command::FullScreen => {
+                let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
+                context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
+            }
+            Command::Palette => self.palette = Some(Palette::default()),
+            Command::Help => self.help = !self.help,
+            Command::Export => self.export = Some(export_dialog::Form::of(&self.state, self.theme)),
+            Command::Open => self.errands.ask_for_mesh(),
+            Command::Copy => match self.copy(context) {
+                Ok(()) => self.toasts.say(ui, "The picture is on the clipboard."),
+                Err(sentence) => self.toasts.say(ui, sentence),
+            },
+            Command::Cancel => {
+                self.errands.cancel();
+                if self.workshop.cancel() {
+                    self.state.refuse();
+                }
+            }
+            Command::Theme => {
+                let themes = [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR];
+                let now = themes.iter().position(|theme| theme.name == self.theme.name).unwrap_or(0);
+                self.set_theme(themes[(now + 1) % themes.len()]);
+            }
+            Command::ZoomIn => egui::gui_zoom::zoom_in(context),
+            Command::ZoomOut => egui::gui_zoom::zoom_out(context),
+            Command::ZoomReset => context.set_zoom_factor(1.0),
+            Command::Frame => self.frame_here(),
+            Command::Break => {
+                let on = matches!(self.state.beside, Beside::Mistake(_));
+                let any = self.state.playback().is_some_and(|playback| !playback.mistakes.is_empty());
+                self.state.beside = if on || !any { Beside::Nothing } else { Beside::Mistake(0) };
+                if !any {
+                    self.toasts.say(ui, "There is nothing to break in this structure.");
+                }
+            }
+            other => self.state.apply(other),
+        }
+    }
+
+    /// Makes the walk that the state asks for, as far as it is not there.
+    fn catch_up(&mut self, ui: &Ui) {
+        let came = self.workshop.collect();
+        self.came(ui, came);
+        if !self.state.is_current() {
+            let came = self.workshop.ask(&self.state.view, &self.state.library);
+            self.came(ui, came);
+        }
+        self.errands_done(ui);
+        self.catch_up_beside(ui);
+    }
+
+    fn came(&mut self, ui: &Ui, came: Option<Came>) {
+        match came {
+            Some(Came::Walk(playback)) => self.state.arrive(Arc::new(*playback)),
+            Some(Came::Cancelled) => self.state.refuse(),
+            Some(Came::Wrong(sentence)) => {
+                self.toasts.say(ui, sentence);
+                self.state.refuse();
+            }
+            None => {}
+        }
+    }
+
+    pub(super) fn set_theme(&mut self, theme: &'static Theme) {
+        self.theme = theme;
+        theme.name.clone_into(&mut self.remembered.theme);
+    }
+
+    /// The theme's colours and sizes for egui, when they are not set yet.
+    fn dress(&mut self, ui: &mut Ui) {
+        if self.styled != Some(self.theme.name) {
+            self.styled = Some(self.theme.name);
+            let style = visuals::style(self.theme);
+            for theme in [egui::Theme::Light, egui::Theme::Dark] {
+                ui.ctx().set_style_of(theme, style.clone());
+            }
+            ui.set_style(style);
+        }
+    }
+
+    /// A click on a place: an answer, or the step at which the walk meets it next.
+    pub(super) fn pick(&mut self, place: Option<Place>) {
+        if let Some(place) = place.filter(|_| self.state.question().is_some())
+            && self.state.answer_place(place)
+        {
+            return;
+        }
+        self.picked = place.filter(|place| *place != Place::World);
+        let Some(place) = self.picked.filter(|_| self.state.question().is_none()) else { return };
+        if let Some(playback) = self.state.playback() {
+            let now = self.state.view.step;
+            let walk = playback.walk();
+            let next = walk.steps_at(place).find(|step| *step > now).or_else(|| walk.steps_at(place).next());
+            if let Some(step) = next {
+                self.state.go(step);
+            }
+        }
+    }
+
+    /// What lights up: where the pointer is, else what was picked.
+    pub(super) fn lit(&self) -> Option<Place> {
+        self.hovered.or(self.picked)
+    }
+
+    fn dialogs(&mut self, ui: &mut Ui) {
+        if let Some(palette) = &mut self.palette {
+            let (close, chosen) = palette.show(ui, &self.state.library, self.theme);
+            if close {
+                self.palette = None;
+            }
+            match chosen {
+                Some(palette::Choice::Command(command)) => self.run(ui, command),
+                Some(palette::Choice::Slide(slide)) => self.state.show_slide(slide),
+                None => {}
+            }
+        }
+        if self.help && help::page(ui, self.theme) {
+            self.help = false;
+        }
+        self.export_dialog(ui);
+        self.toasts.show(ui, self.theme);
+    }
+
+    fn bars(&mut self, ui: &mut Ui) -> Option<Place> {
+        let bar = Frame::new()
+            .fill(fill(self.theme, raystep_figure::Role::Page))
+            .inner_margin(egui::Margin::symmetric(16, 0));
+        let top = Panel::top("top").exact_size(48.0).frame(bar).resizable(false);
+        match top.show(ui, |ui| top::bar(ui, &self.state, self.theme)).inner {
+            Some(top::Asked::Command(command)) => self.run(ui, command),
+            Some(top::Asked::Slide(slide)) => self.state.show_slide(slide),
+            Some(top::Asked::Ray(ray)) => self.state.show_ray(RayChoice::Named(ray), false),
+            Some(top::Asked::Set(key, value)) => self.state.set(&key, &value),
+            Some(top::Asked::Mistake(mistake)) => {
+                self.state.beside = mistake.map_or(Beside::Nothing, Beside::Mistake);
+            }
+            Some(top::Asked::Theme(theme)) => self.set_theme(theme),
+            None => {}
+        }
+        let bottom = Panel::bottom("bottom").exact_size(80.0).frame(bar).resizable(false);
+        let lit = self.lit();
+        let (asked, under) = bottom.show(ui, |ui| bottom::bar(ui, &self.state, self.theme, lit)).inner;
+        match asked {
+            Some(bottom::Asked::Command(command)) => self.run(ui, command),
+            Some(bottom::Asked::Step(step)) => {
+                self.state.playing = false;
+                self.state.go(step);
+            }
+            None => {}
+        }
+        under
+    }
+
+    fn page(&mut self, ui: &mut Ui) {
+        let mut under = self.bars(ui);
+        let page = Frame::new().fill(fill(self.theme, raystep_figure::Role::Page));
+        let width = ui.available_width();
+        let widest = (width * 0.34).max(230.0);
+        let wanted = self.remembered.lesson.unwrap_or((width * 0.222).clamp(248.0, 400.0));
+        let left = Panel::left("lesson").frame(page).default_size(wanted.min(widest)).size_range(220.0..=widest);
+        let shown = left.show(ui, |ui| lesson_pane::pane(ui, &self.state, self.theme, &mut self.formulas));
+        let taken = shown.response.rect.width();
+        if self.remembered.lesson.is_some() || (taken - wanted).abs() > 2.0 {
+            self.remembered.lesson = Some(taken);
+        }
+        if let Some(command) = shown.inner {
+            self.run(ui, command);
+        }
+        under = columns::right(self, ui).or(under);
+        let ground = Frame::new().fill(fill(self.theme, raystep_figure::Role::Panel));
+        under = CentralPanel::no_frame().frame(ground).show(ui, |ui| columns::center(self, ui)).inner.or(under);
+        self.hover(ui, under);
+    }
+
+    /// What the pointer is on lights up from the next frame on.
+    pub(super) fn hover(&mut self, ui: &Ui, under: Option<Place>) {
+        if under != self.hovered {
+            self.hovered = under;
+            ui.ctx().request_repaint();
+        }
+    }
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        self.dress(ui);
+        let busy = self.palette.is_some() || self.help || self.export.is_some();
+        if !busy {
+            for command in keys::pressed(ui) {
+                self.run(ui, command);
+            }
+        }
+        if ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy {
+            self.picked = None;
+            if self.state.present {
+                self.state.apply(Command::Present);
+            }
+        }
+        self.catch_up(ui);
+        let seconds = ui.input(|input| input.stable_dt).min(0.1);
+        if let Some(wait) = self.state.tick(seconds) {
+            ui.ctx().request_repaint_after_secs(wait.min(0.1));
+        }
+        self.pictures = Pictures::of(self.pictures.take(), &self.state);
+        if self.state.present {
+            present::page(self, ui);
+        } else {
+            self.page(ui);
+        }
+        self.dialogs(ui);
+        self.remember(ui);
+    }
+}

@@ -1,0 +1,162 @@
+//! The panes beside the lesson: space over the ruler and the tree, and the walk, the stack and the work at
+//! the right; in a narrow window tree, walk, stack and work share one place behind tabs.
+
+use egui::{Frame, Panel, Rect, Sense, Ui, vec2};
+use raystep_accel::Place;
+use raystep_figure::{Look, Role};
+
+use super::app::App;
+use super::painter::{paint_figure, place_at};
+use super::pictures::{Pane, main_pane};
+use super::space_pane::glam_size;
+use super::stage_pane;
+use super::state::Beside;
+use super::visuals::fill;
+
+/// Below this width of the window tree, walk, stack and work become tabs.
+const NARROW: f32 = 1400.0;
+
+fn narrow(ui: &Ui) -> bool {
+    ui.ctx().content_rect().width() < NARROW
+}
+
+/// The column at the right.
+pub(super) fn right(app: &mut App, ui: &mut Ui) -> Option<Place> {
+    let whole = ui.ctx().content_rect().width();
+    let frame = Frame::new().fill(fill(app.theme, Role::Page));
+    let wanted = app.remembered.walk.unwrap_or((whole * 0.28).clamp(300.0, 470.0));
+    let range = 280.0..=(whole * 0.42).max(300.0);
+    let panel = Panel::right("walk").frame(frame).default_size(wanted).size_range(range);
+    let shown = panel.show(ui, |ui| if narrow(ui) { tabs(app, ui) } else { stacked(app, ui) });
+    let taken = shown.response.rect.width();
+    if app.remembered.walk.is_some() || (taken - wanted).abs() > 2.0 {
+        app.remembered.walk = Some(taken);
+    }
+    shown.inner
+}
+
+/// Walk, stack and work, one over the other.
+fn stacked(app: &mut App, ui: &mut Ui) -> Option<Place> {
+    let height = ui.available_height();
+    let frame = Frame::new();
+    let sizes = app.remembered.heights;
+    let work = Panel::bottom("work")
+        .frame(frame)
+        .default_size(sizes[0].unwrap_or(height * 0.2))
+        .size_range(90.0..=height * 0.4);
+    let shown = work.show(ui, |ui| pane(app, ui, Pane::Work));
+    app.remembered.note(0, shown.response.rect.height(), height * 0.2);
+    let mut under = shown.inner;
+    let stack = Panel::bottom("stack")
+        .frame(frame)
+        .default_size(sizes[1].unwrap_or(height * 0.22))
+        .size_range(70.0..=height * 0.5);
+    let shown = stack.show(ui, |ui| pane(app, ui, Pane::Stack));
+    app.remembered.note(1, shown.response.rect.height(), height * 0.22);
+    under = shown.inner.or(under);
+    pane(app, ui, Pane::Walk).or(under)
+}
+
+/// One of walk, tree, stack and work, chosen by tabs.
+fn tabs(app: &mut App, ui: &mut Ui) -> Option<Place> {
+    let mut panes = vec![Pane::Walk];
+    panes.extend(main(app));
+    panes.extend([Pane::Stack, Pane::Work]);
+    if !panes.contains(&app.remembered.tab) {
+        app.remembered.tab = Pane::Walk;
+    }
+    Frame::new().inner_margin(egui::Margin { left: 12, right: 8, top: 8, bottom: 4 }).show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 4.0;
+            for tab in &panes {
+                let button = egui::Button::selectable(*tab == app.remembered.tab, tab.name());
+                if ui.add(button).clicked() {
+                    app.remembered.tab = *tab;
+                }
+            }
+        });
+    });
+    // What is short stands under the chosen pane as well.
+    let height = ui.available_height();
+    let chosen = app.remembered.tab;
+    let below = match chosen {
+        Pane::Walk if height > 520.0 => Some(Pane::Stack),
+        Pane::Stack if height > 420.0 => Some(Pane::Work),
+        _ => None,
+    };
+    let mut under = None;
+    if let Some(below) = below {
+        let frame = Frame::new();
+        let panel = Panel::bottom("below").frame(frame).exact_size(height * 0.28).resizable(false);
+        under = panel.show(ui, |ui| pane(app, ui, below)).inner;
+    }
+    pane(app, ui, chosen).or(under)
+}
+
+/// Space, the ruler, and the tree where there is room for it.
+pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
+    let height = ui.available_height();
+    let frame = Frame::new().fill(fill(app.theme, Role::Panel));
+    let mut under = None;
+    let sizes = app.remembered.heights;
+    if let Some(main) = main(app).filter(|_| !narrow(ui)) {
+        let usual = height * 0.2;
+        let panel =
+            Panel::bottom("tree").frame(frame).default_size(sizes[2].unwrap_or(usual)).size_range(80.0..=height * 0.5);
+        let shown = panel.show(ui, |ui| pane(app, ui, main));
+        app.remembered.note(2, shown.response.rect.height(), usual);
+        under = shown.inner;
+    }
+    let usual = (height * 0.15).clamp(100.0, 150.0);
+    let ruler =
+        Panel::bottom("ruler").frame(frame).default_size(sizes[3].unwrap_or(usual)).size_range(80.0..=height * 0.4);
+    let shown = ruler.show(ui, |ui| pane(app, ui, Pane::Ruler));
+    app.remembered.note(3, shown.response.rect.height(), usual);
+    shown.inner.or(stage_pane::stages(app, ui)).or(under)
+}
+
+/// The pane in which the structure of this slide is best seen.
+fn main(app: &App) -> Option<Pane> {
+    let show = app.state.slide().map_or(&[][..], |slide| slide.show.as_slice());
+    main_pane(app.state.playback()?, show)
+}
+
+/// A pane as large as there is room; says which place the pointer is on.
+fn pane(app: &mut App, ui: &mut Ui, pane: Pane) -> Option<Place> {
+    let rect = ui.available_rect_before_wrap();
+    figure(app, ui, pane, rect, &Look::WINDOW)
+}
+
+/// A pane's figure in a rectangle, hovered and clicked.
+pub(super) fn figure(app: &mut App, ui: &mut Ui, pane: Pane, rect: Rect, look: &Look) -> Option<Place> {
+    let response = ui.allocate_rect(rect, Sense::click());
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, pane.name()));
+    let mut pictures = app.pictures.take()?;
+    let library = app.state.library.clone();
+    let code = app.state.slide().and_then(|slide| library.listing(&slide.listing));
+    let tests = app.beside.as_ref().filter(|_| app.state.beside == Beside::BruteForce);
+    let tests = tests.map(|beside| ("brute force", beside.moment(app.state.view.step).cost.prim_tests));
+    let drawn = pictures.pane(pane, glam_size(rect), look, code, &app.tree, tests);
+    paint_figure(&ui.painter_at(rect), rect.min, drawn, app.theme, app.lit());
+    let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);
+    let under = response.hover_pos().and_then(at);
+    let clicked = response.interact_pointer_pos().filter(|_| response.clicked()).map(at);
+    let opened = response.double_clicked().then(|| response.interact_pointer_pos().and_then(at)).flatten();
+    app.pictures = Some(pictures);
+    if let Some(place) = clicked {
+        app.pick(place);
+    }
+    // A second click on a node of a tree puts it on top, or the root back.
+    if let (Pane::Tree, Some(Place::Node(node))) = (pane, opened) {
+        app.tree.focus = (app.tree.focus != Some(node) && node.0 != 0).then_some(node);
+    }
+    under
+}
+
+/// A strip at the top of a picture for its name.
+pub(super) fn strip(rect: Rect, height: f32) -> (Rect, Rect) {
+    (
+        Rect::from_min_size(rect.min, vec2(rect.width(), height)),
+        Rect::from_min_max(rect.min + vec2(0.0, height), rect.max),
+    )
+}

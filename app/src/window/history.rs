@@ -1,0 +1,43 @@
+//! What was done, so that it can be undone.
+
+use super::view::View;
+
+/// The most changes that are kept.
+const MOST: usize = 200;
+
+/// Earlier and later views.
+#[derive(Clone, Debug, Default)]
+pub(super) struct History {
+    past: Vec<View>,
+    future: Vec<View>,
+}
+
+impl History {
+    /// Remembers a view that is about to change.
+    pub(super) fn keep(&mut self, view: View) {
+        self.future.clear();
+        if self.past.len() == MOST {
+            self.past.remove(0);
+        }
+        self.past.push(view);
+    }
+
+    /// The view before the last change; `now` can be brought back by [`History::redo`].
+    pub(super) fn undo(&mut self, now: &View) -> Option<View> {
+        let before = self.past.pop()?;
+        self.future.push(now.clone());
+        Some(before)
+    }
+
+    /// The view after the change last taken back.
+    pub(super) fn redo(&mut self, now: &View) -> Option<View> {
+        let after = self.future.pop()?;
+        self.past.push(now.clone());
+        Some(after)
+    }
+
+    /// Whether there is something to undo, and to redo.
+    pub(super) fn available(&self) -> (bool, bool) {
+        (!self.past.is_empty(), !self.future.is_empty())
+    }
+}

@@ -1,0 +1,72 @@
+//! From keys to commands, while no field has the focus.
+
+use egui::{Event, Key, Modifiers, Ui};
+
+use super::command::{Command, ENTRIES};
+
+/// The commands given by keys in this frame, in order.
+pub(super) fn pressed(ui: &Ui) -> Vec<Command> {
+    if ui.ctx().any_popup_open() {
+        return Vec::new();
+    }
+    let focused = ui.ctx().memory(egui::Memory::focused);
+    if let Some(id) = focused {
+        // Esc lets go of a widget.
+        if ui.input(|input| input.key_pressed(Key::Escape)) {
+            ui.ctx().memory_mut(|memory| memory.surrender_focus(id));
+        }
+        return ui.input(|input| input.events.iter().filter_map(|event| command(event, true)).collect());
+    }
+    ui.input(|input| input.events.iter().filter_map(|event| command(event, false)).collect())
+}
+
+/// The command of an event; `focused` leaves only those with Ctrl and the F keys, which no button takes.
+fn command(event: &Event, focused: bool) -> Option<Command> {
+    let (key, modifiers) = match event {
+        Event::Copy => return (!focused).then_some(Command::Copy),
+        Event::Key { key, pressed: true, modifiers, .. } => (*key, *modifiers),
+        _ => return None,
+    };
+    let entry = ENTRIES.iter().find(|entry| entry.keys.iter().any(|&wanted| given(wanted, key, modifiers)))?;
+    let free = matches!(key, Key::F1 | Key::F5 | Key::F11 | Key::PageDown | Key::PageUp)
+        || modifiers.command && !matches!(entry.command, Command::Undo | Command::Redo | Command::Copy);
+    (!focused || free).then_some(entry.command)
+}
+
+fn given((wanted, wanted_key): (Modifiers, Key), key: Key, modifiers: Modifiers) -> bool {
+    // A question mark or a plus may need Shift to be typed.
+    let typed = matches!(wanted_key, Key::Questionmark | Key::Plus);
+    key == wanted_key
+        && modifiers.command == wanted.command
+        && !modifiers.alt
+        && (typed || modifiers.shift == wanted.shift)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn press(key: Key, modifiers: Modifiers) -> Event {
+        Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers }
+    }
+
+    #[test]
+    fn keys_give_commands() {
+        let ctrl = Modifiers { ctrl: true, command: true, ..Modifiers::NONE };
+        let give = |key, modifiers| command(&press(key, modifiers), false);
+        assert_eq!(give(Key::ArrowRight, Modifiers::NONE), Some(Command::Next));
+        assert_eq!(give(Key::ArrowRight, Modifiers::SHIFT), Some(Command::NextCoarse));
+        assert_eq!(give(Key::Z, ctrl), Some(Command::Undo));
+        assert_eq!(give(Key::Z, ctrl | Modifiers::SHIFT), Some(Command::Redo));
+        assert_eq!(give(Key::Questionmark, Modifiers::SHIFT), Some(Command::Help));
+        assert_eq!(give(Key::A, ctrl), None);
+    }
+
+    #[test]
+    fn a_focused_widget_keeps_its_keys() {
+        for key in [Key::Space, Key::ArrowRight, Key::Enter, Key::A] {
+            assert_eq!(command(&press(key, Modifiers::NONE), true), None);
+        }
+        assert_eq!(command(&press(Key::F5, Modifiers::NONE), true), Some(Command::Present));
+    }
+}

@@ -1,0 +1,47 @@
+//! The window: one [`App`] that shows a [`State`] and turns keys and clicks into [`Command`]s.
+
+mod app;
+mod bottom;
+mod columns;
+pub mod command;
+mod controls;
+mod errand;
+mod export_dialog;
+mod eye;
+mod fonts;
+mod formulas;
+mod help;
+mod history;
+mod icons;
+mod keys;
+mod lesson_pane;
+mod markdown;
+mod news;
+mod open;
+mod outline;
+mod painter;
+mod palette;
+mod pictures;
+mod playback;
+mod present;
+mod prose;
+mod question;
+mod remember;
+mod solid;
+mod space_pane;
+mod stage_pane;
+pub mod state;
+mod steps;
+mod tex;
+mod toast;
+mod top;
+mod view;
+mod visuals;
+mod workshop;
+
+pub use app::App;
+pub use open::{NoWindow, Wishes, open};
+pub use playback::{Playback, Posed};
+pub use remember::Remembered;
+pub use steps::Steps;
+pub use view::{RayChoice, View};

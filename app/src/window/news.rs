@@ -1,0 +1,68 @@
+//! What comes back from outside is taken into the state.
+
+use std::sync::Arc;
+
+use egui::Ui;
+use glam::Vec3;
+use raystep_accel::Ray;
+use raystep_lesson::Library;
+use raystep_scene::Scene;
+
+use super::app::App;
+use super::errand::News;
+
+impl App {
+    /// Takes in what has come back, and files dropped on the window.
+    pub(super) fn errands_done(&mut self, ui: &Ui) {
+        let dropped = ui.input(|input| input.raw.dropped_files.clone());
+        for file in dropped {
+            let path = file.path().to_path_buf();
+            match path.extension() {
+                Some(ending) if ending.eq_ignore_ascii_case("obj") => self.open_mesh(path),
+                _ => self.toasts.say(ui, "Only OBJ files can be opened."),
+            }
+        }
+        while let Some(news) = self.errands.next() {
+            match news {
+                News::Chosen(path) => self.open_mesh(path),
+                News::Mesh(scene) => self.show_mesh(ui, scene),
+                News::Folder(folder) => {
+                    if let Some(form) = &mut self.export {
+                        form.set_folder(&folder);
+                    }
+                }
+                News::Lessons(library) => self.renew(ui, *library),
+                News::Written(sentence) | News::Failed(sentence) => self.toasts.say(ui, sentence),
+            }
+        }
+    }
+
+    /// A mesh of the user's own, with a ray from the eye through its middle.
+    fn show_mesh(&mut self, ui: &Ui, scene: Arc<Scene>) {
+        let bounds = scene.bounds();
+        let away = (scene.view.eye - bounds.center()).normalize_or(Vec3::Z);
+        let side = away.cross(scene.view.up).normalize_or(Vec3::X);
+        let from = bounds.center() + (away * 0.4 + side).normalize() * bounds.extent().length() * 0.9;
+        let along = bounds.center() - from;
+        match Ray::new(from, along.normalize_or(Vec3::X)) {
+            Ok(ray) => {
+                if !scene.note.is_empty() {
+                    self.toasts.say(ui, scene.note.clone());
+                }
+                self.state.show_mesh(scene, ray);
+            }
+            Err(error) => self.toasts.say(ui, format!("No ray can be shot at this mesh: {error}.")),
+        }
+    }
+
+    /// The lessons were saved: the same slide, as it is now.
+    fn renew(&mut self, ui: &Ui, library: Library) {
+        if let Some(problem) = library.problems.first() {
+            self.toasts.say(ui, problem.to_string());
+        }
+        if library.slides.is_empty() {
+            return;
+        }
+        self.state.renew(Arc::new(library));
+    }
+}

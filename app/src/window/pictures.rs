@@ -1,0 +1,182 @@
+//! The figures of this step, drawn once and kept while nothing that they show changes.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::Vec2;
+use raystep_accel::Primitives;
+use raystep_figure::{
+    Camera, Figure, ListingLine, Look, Moment, Scenery, Space, Theme, TreeView, cells, legend, legend_height, listing,
+    ruler, ruler_line, shaded, slabs, space, stack, stage, tree, work,
+};
+use raystep_lesson::{Listing, Play, Show};
+
+use super::playback::Playback;
+use super::state::State;
+
+/// The most primitives that are drawn as outlines.
+const OUTLINED: usize = 2000;
+
+/// The step that is shown, folded and drawn.
+pub(super) struct Pictures {
+    key: Key,
+    /// The walk.
+    pub(super) playback: Arc<Playback>,
+    /// The state of the walk at this step.
+    pub(super) moment: Moment,
+    /// What space shows.
+    pub(super) space: Space,
+    figures: HashMap<PaneKey, Figure>,
+}
+
+#[derive(Clone, PartialEq)]
+struct Key {
+    playback: usize,
+    step: usize,
+    asking: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+struct PaneKey {
+    pane: Pane,
+    size: [u32; 2],
+    text: u32,
+    extra: u64,
+}
+
+/// A pane that is a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Pane {
+    Ruler,
+    RulerLine,
+    Tree,
+    Cells,
+    Slabs,
+    Walk,
+    Stack,
+    StackHere,
+    Work,
+    Legend,
+}
+
+impl Pane {
+    /// What stands on its tab.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Pane::Ruler | Pane::RulerLine => "t along the ray",
+            Pane::Tree => "Tree",
+            Pane::Cells => "Cells",
+            Pane::Slabs => "Slabs",
+            Pane::Walk => "Walk",
+            Pane::Stack | Pane::StackHere => "Stack",
+            Pane::Work => "Work",
+            Pane::Legend => "Signs",
+        }
+    }
+}
+
+impl Pictures {
+    /// The pictures of the state's step: those kept, if they still are right.
+    pub(super) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
+        let playback = state.playback()?.clone();
+        let asking = state.question().is_some();
+        let key = Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, asking };
+        if let Some(kept) = kept
+            && kept.key == key
+        {
+            return Some(kept);
+        }
+        let mut moment = playback.moment(state.view.step);
+        if let Some(posed) = state.question() {
+            let guess = |choice: &raystep_lesson::Choice| Some((choice.place?, super::question::label(choice)));
+            moment.guesses = posed.choices.iter().filter_map(guess).collect();
+        }
+        let space = space(&playback.walk(), &moment);
+        Some(Pictures { key, playback, moment, space, figures: HashMap::new() })
+    }
+
+    /// The figure of a pane.
+    pub(super) fn pane(
+        &mut self,
+        pane: Pane,
+        size: Vec2,
+        look: &Look,
+        code: Option<&Listing>,
+        view: &TreeView,
+        beside: Option<(&str, u64)>,
+    ) -> &Figure {
+        let extra =
+            beside.map_or(0, |(_, tests)| tests + 1) ^ (view.focus.map_or(0, |node| u64::from(node.0) + 1) << 20);
+        let sized = [size.x as u32, size.y as u32];
+        let asking = self.key.asking;
+        let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32, extra };
+        let Pictures { playback, moment, space, figures, .. } = self;
+        figures.entry(key).or_insert_with(|| {
+            let walk = playback.walk();
+            match pane {
+                Pane::Ruler => ruler(&walk, moment, size, look),
+                Pane::RulerLine => ruler_line(&walk, moment, size, look),
+                Pane::Tree => tree(&walk, moment, view, size, look),
+                Pane::Cells => cells(&walk, moment, asking, size, look),
+                Pane::Slabs => slabs(&walk, moment, size, look),
+                Pane::Walk => listing(&lines(code), moment.event.as_ref(), size, look),
+                Pane::Stack => stack(&walk, moment, false, size, look),
+                Pane::StackHere => stack(&walk, moment, true, size, look),
+                Pane::Work => work(&walk, moment, beside, size, look),
+                Pane::Legend => legend(space, size, look),
+            }
+        })
+    }
+
+    /// How high the legend of this width is.
+    pub(super) fn legend_height(&self, width: f32, look: &Look) -> f32 {
+        legend_height(&self.space, width, look)
+    }
+
+    /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
+    pub(super) fn stage(&self, camera: &Camera, size: Vec2, painted: bool) -> Figure {
+        drawn(&self.space, &self.playback, camera, size, painted)
+    }
+}
+
+/// Space as a camera sees it. So many primitives that their outlines would be a blot are left out.
+pub(super) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: Vec2, painted: bool) -> Figure {
+    let prims = &playback.play.scene.prims;
+    let scenery = if painted || prims.len() > OUTLINED { Scenery::Left } else { Scenery::Drawn };
+    stage(space, prims, camera, size, scenery)
+}
+
+/// The picture of a step as it is exported: solid scenes shaded by our own structures.
+pub(super) fn exported(space: &Space, playback: &Playback, camera: &Camera, size: Vec2, theme: &Theme) -> Figure {
+    let Play { scene, structure, .. } = &playback.play;
+    if scene.flat {
+        return stage(space, &scene.prims, camera, size, Scenery::Drawn);
+    }
+    let image = shaded(structure, &scene.prims, camera, size.x as u32, size.y as u32, theme);
+    stage(space, &scene.prims, camera, size, Scenery::Shaded(&image))
+}
+
+/// The lines of a listing for its figure.
+fn lines(code: Option<&Listing>) -> Vec<ListingLine<'_>> {
+    let Some(code) = code else { return Vec::new() };
+    let lines = code.lines.iter();
+    lines
+        .map(|line| ListingLine {
+            indent: line.indent,
+            text: &line.text,
+            events: &line.events,
+            values: line.values.as_deref(),
+        })
+        .collect()
+}
+
+/// The pane that a structure is best seen in beside space.
+pub(super) fn main_pane(playback: &Playback, show: &[Show]) -> Option<Pane> {
+    use raystep_accel::Structure;
+    match &*playback.play.structure {
+        Structure::Grid(_) => Some(Pane::Cells),
+        Structure::Slab(_) => Some(Pane::Slabs),
+        Structure::List(_) => show.contains(&Show::Slabs).then_some(Pane::Slabs),
+        _ => Some(Pane::Tree),
+    }
+}

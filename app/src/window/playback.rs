@@ -1,0 +1,176 @@
+//! One walk, ready to be shown at any step: what `lesson` plays, with what the views need beside it.
+
+use std::sync::Arc;
+
+use raystep_accel::{Aabb, Mistake, Ray, Rule, Structure, Trace, Visit};
+use raystep_figure::{Film, Moment, Walk};
+use raystep_lesson::{Choice, Play, Slide, Stage};
+use raystep_scene::Scene;
+
+use super::state::Beside;
+use super::steps::Steps;
+use super::view::{RayChoice, View};
+
+/// The most events of a mistaken walk that are kept.
+const MOST: usize = 50_000;
+
+/// A walk and everything that its pictures are made of.
+#[derive(Debug)]
+pub struct Playback {
+    /// What was asked for.
+    pub view: View,
+    /// What it walks through, and how.
+    pub play: Play,
+    /// How the structure was built.
+    pub rule: Rule,
+    /// The boxes of all nodes.
+    pub node_bounds: Arc<Vec<Aabb>>,
+    /// The questions of the beats that this walk reaches.
+    pub posed: Vec<Posed>,
+    /// What can be done wrong in such a structure.
+    pub mistakes: Vec<Mistake>,
+    /// What it is shown as: the walk itself, or one beside it.
+    pub kind: Beside,
+    film: Film,
+}
+
+/// A question and where in the walk it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Posed {
+    /// The beat that asks.
+    pub beat: usize,
+    /// The step at which it is asked.
+    pub before: usize,
+    /// The step that answers it.
+    pub step: usize,
+    /// What can be answered.
+    pub choices: Vec<Choice>,
+}
+
+/// A built structure, which many rays can share.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// What it was built over.
+    pub scene: Arc<Scene>,
+    /// How.
+    pub rule: Rule,
+    /// The structure.
+    pub structure: Arc<Structure>,
+    /// The boxes of all its nodes.
+    pub node_bounds: Arc<Vec<Aabb>>,
+}
+
+impl Playback {
+    /// Lets the view's ray walk through what was built.
+    pub fn new(view: View, built: Built, ray: Ray, slide: &Slide, stage: &Stage) -> Playback {
+        let Built { scene, rule, structure, node_bounds } = built;
+        let mut play = Play::new(scene, structure, ray, &slide.beats);
+        // Beats that speak of another of the slide's rays are silent on this one.
+        if let RayChoice::Named(index) = view.ray
+            && let Some(this) = stage.rays.get(index)
+        {
+            for (beat, at) in play.beats.iter_mut().enumerate() {
+                if slide.ray_of(stage, beat).is_some_and(|ray| ray.name != this.name) {
+                    *at = None;
+                }
+            }
+        }
+        let film = Film::new(&walk(&play, &node_bounds));
+        let mistakes = Mistake::of_kind(rule.kind()).collect();
+        let kind = Beside::Nothing;
+        let mut playback = Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, film };
+        playback.posed = playback.questions(slide);
+        playback
+    }
+
+    /// The same ray through the same structure with a mistake made.
+    pub fn mistaken(&self, index: usize) -> Option<Playback> {
+        let mistake = *self.mistakes.get(index)?;
+        let mut tape = Trace::new(MOST);
+        let mut play = self.play.clone();
+        play.hit = mistake.walk(&play.structure, &play.scene.prims, &play.ray, &mut tape);
+        play.events = tape.events;
+        play.beats = Vec::new();
+        self.aside(play, self.rule, self.node_bounds.clone(), Beside::Mistake(index))
+    }
+
+    /// The same ray through brute force.
+    pub fn brute_force(&self) -> Option<Playback> {
+        let structure = Arc::new(Structure::List(raystep_accel::List));
+        let play = Play::new(self.play.scene.clone(), structure, self.play.ray, &[]);
+        self.aside(play, Rule::List, Arc::default(), Beside::BruteForce)
+    }
+
+    fn aside(&self, play: Play, rule: Rule, node_bounds: Arc<Vec<Aabb>>, kind: Beside) -> Option<Playback> {
+        let film = Film::new(&walk(&play, &node_bounds));
+        let (view, mistakes) = (self.view.clone(), self.mistakes.clone());
+        Some(Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, film })
+    }
+
+    /// What the figures are drawn of.
+    pub fn walk(&self) -> Walk<'_> {
+        walk(&self.play, &self.node_bounds)
+    }
+
+    /// The state after so many events.
+    pub fn moment(&self, step: usize) -> Moment {
+        self.film.at(&self.walk(), step)
+    }
+
+    /// The walk's steps.
+    pub fn steps(&self) -> Steps<'_> {
+        Steps { events: &self.play.events, flat: self.play.scene.flat }
+    }
+
+    /// The event that a step shows.
+    pub fn event(&self, step: usize) -> Option<&Visit> {
+        self.play.event(step)
+    }
+
+    /// The beat that a step belongs to, and the step it waited for.
+    pub fn beat_at(&self, step: usize) -> Option<(usize, usize)> {
+        let beat = self.play.beat_at(step)?;
+        Some((beat, self.play.beats[beat]?))
+    }
+
+    /// The step on which the slide opens: its first decision, or the question before it.
+    pub fn opening(&self, predict: bool) -> usize {
+        let first = self
+            .play
+            .beats
+            .iter()
+            .flatten()
+            .copied()
+            .min()
+            .unwrap_or_else(|| self.steps().next(0, raystep_accel::Grain::Decision));
+        let asked = self.posed.iter().find(|posed| predict && posed.step == first);
+        asked.map_or(first, |posed| posed.before)
+    }
+
+    fn questions(&self, slide: &Slide) -> Vec<Posed> {
+        let finest = raystep_accel::Grain::Arithmetic;
+        let reached = self.play.beats.iter().enumerate().filter_map(|(beat, at)| Some((beat, (*at)?)));
+        let mut posed: Vec<Posed> = reached
+            .filter_map(|(beat, step)| {
+                let choices = slide.beats.get(beat)?.ask.as_ref()?.choices(&self.play, step);
+                let before = self.steps().previous(step, finest);
+                (choices.len() > 1 && before < step).then_some(Posed { beat, before, step, choices })
+            })
+            .collect();
+        posed.sort_by_key(|posed| posed.step);
+        // One question at a time.
+        posed.dedup_by_key(|posed| posed.step);
+        posed
+    }
+}
+
+fn walk<'a>(play: &'a Play, node_bounds: &'a [Aabb]) -> Walk<'a> {
+    Walk {
+        structure: &play.structure,
+        prims: &play.scene.prims,
+        node_bounds,
+        ray: play.ray,
+        events: &play.events,
+        flat: play.scene.flat,
+    }
+}

@@ -1,0 +1,134 @@
+//! What the window remembers from one time to the next: sizes of panes, theme, zoom. Written whole or not at all.
+
+use std::path::{Path, PathBuf};
+
+use egui::Ui;
+use serde::{Deserialize, Serialize};
+
+use super::app::App;
+use super::pictures::Pane;
+
+/// What is remembered.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Remembered {
+    /// The theme's name.
+    pub theme: String,
+    /// The factor of the whole window.
+    pub zoom: f32,
+    /// Whether questions are asked.
+    pub predict: bool,
+    /// The width of the lesson, once it was dragged.
+    pub lesson: Option<f32>,
+    /// The width of the column at the right.
+    pub walk: Option<f32>,
+    /// The heights of work, stack, tree and ruler.
+    pub heights: [Option<f32>; 4],
+    /// The chosen tab.
+    #[serde(skip)]
+    pub(super) tab: Pane,
+    #[serde(skip)]
+    file: Option<PathBuf>,
+    #[serde(skip)]
+    written: Option<String>,
+}
+
+impl Default for Remembered {
+    fn default() -> Remembered {
+        Remembered {
+            theme: "light".to_owned(),
+            zoom: 1.0,
+            predict: true,
+            lesson: None,
+            walk: None,
+            heights: [None; 4],
+            tab: Pane::Walk,
+            file: None,
+            written: None,
+        }
+    }
+}
+
+impl Remembered {
+    /// What the user's own file says, as far as it can be read.
+    pub fn of_user() -> Remembered {
+        let file = folder().map(|folder| folder.join("window.toml"));
+        let text = file.as_deref().and_then(|file| std::fs::read_to_string(file).ok());
+        let read: Remembered = text.as_deref().and_then(|text| toml::from_str(text).ok()).unwrap_or_default();
+        Remembered { file, written: text, ..read }
+    }
+
+    /// A pane's height: remembered once it differs from the usual one.
+    pub(super) fn note(&mut self, pane: usize, height: f32, usual: f32) {
+        let height = height.round();
+        if self.heights[pane].is_some() || (height - usual).abs() > 3.0 {
+            self.heights[pane] = Some(height);
+        }
+    }
+
+    /// Writes the file if it would differ. What cannot be written is not remembered; nothing else is lost.
+    fn write(&mut self) {
+        let (Some(file), Ok(text)) = (&self.file, toml::to_string(&*self)) else { return };
+        if self.written.as_ref() != Some(&text) && replace(file, &text).is_ok() {
+            self.written = Some(text);
+        }
+    }
+}
+
+/// Puts a new file in the place of an old one; a reader sees either, never a part.
+fn replace(file: &Path, text: &str) -> std::io::Result<()> {
+    if let Some(folder) = file.parent() {
+        std::fs::create_dir_all(folder)?;
+    }
+    let fresh = file.with_extension(format!("{}.new", std::process::id()));
+    std::fs::write(&fresh, text)?;
+    std::fs::rename(&fresh, file)
+}
+
+/// Where the user's settings lie.
+fn folder() -> Option<PathBuf> {
+    let of = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+    let base = if cfg!(windows) {
+        of("APPDATA")
+    } else if cfg!(target_os = "macos") {
+        of("HOME").map(|home| home.join("Library/Application Support"))
+    } else {
+        of("XDG_CONFIG_HOME").or_else(|| of("HOME").map(|home| home.join(".config")))
+    };
+    base.map(|base| base.join("raystep"))
+}
+
+impl App {
+    /// Remembers what has changed, while nothing is being dragged.
+    pub(super) fn remember(&mut self, ui: &Ui) {
+        if ui.input(|input| input.pointer.any_down()) {
+            return;
+        }
+        self.remembered.zoom = ui.ctx().zoom_factor();
+        self.remembered.predict = self.state.predict;
+        self.remembered.write();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_written_is_read_again() {
+        let folder = std::env::temp_dir().join(format!("raystep-remember-{}", std::process::id()));
+        let file = folder.join("window.toml");
+        let mut kept = Remembered {
+            theme: "dark".to_owned(),
+            lesson: Some(300.0),
+            file: Some(file.clone()),
+            ..Remembered::default()
+        };
+        kept.note(2, 200.0, 150.0);
+        kept.write();
+        let read: Remembered = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+        assert_eq!((read.theme.as_str(), read.lesson, read.heights[2]), ("dark", Some(300.0), Some(200.0)));
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1, "no half-written file is left");
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+}

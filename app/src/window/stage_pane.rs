@@ -1,0 +1,227 @@
+//! The stage: one picture of space, or two beside each other.
+
+use std::sync::Arc;
+
+use egui::{Align2, Rect, RichText, Ui, pos2, vec2};
+use raystep_accel::Place;
+use raystep_figure::{Camera, Face, Figure, Look, Role, Space, space};
+
+use super::app::App;
+use super::columns::strip;
+use super::eye;
+use super::painter::{caption, paint_figure};
+use super::pictures::Pane;
+use super::playback::Playback;
+use super::space_pane::{Happened, Picture, glam_size};
+use super::state::Beside;
+use super::view::RayChoice;
+
+/// Shows the stage in all the room there is; says which place the pointer is on.
+pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
+    let rect = ui.available_rect_before_wrap();
+    let Some(beside) = app.beside.clone().filter(|_| app.state.beside != Beside::Nothing) else {
+        return stage(app, ui, rect, true);
+    };
+    let half = (rect.width() * 0.5).floor();
+    let left = Rect::from_min_size(rect.min, vec2(half, rect.height()));
+    let right = Rect::from_min_max(rect.min + vec2(half, 0.0), rect.max);
+    let (name, picture) = strip(left, 30.0);
+    label(app, ui, name, super::top::kind_name(app.state.playback()?.rule.kind()));
+    let mut under = stage(app, ui, picture, false);
+    let (name, picture) = strip(right, 30.0);
+    let title = match app.state.beside {
+        Beside::Mistake(index) => beside.mistakes.get(index).map_or("", |mistake| mistake.title()),
+        _ => "Brute force",
+    };
+    label(app, ui, name, title);
+    under = second(app, ui, picture, &beside).or(under);
+    ui.painter().vline(right.left(), rect.y_range(), super::visuals::line(app.theme, Role::Panel));
+    under
+}
+
+fn label(app: &App, ui: &Ui, rect: Rect, text: &str) {
+    let at = pos2(rect.left() + 14.0, rect.center().y);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, text, Face::Bold, 13.5, Role::Text, app.theme);
+}
+
+/// The picture of the walk, with the legend under it.
+pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool) -> Option<Place> {
+    let pictures = app.pictures.take();
+    let Some(mut pictures) = pictures.filter(|_| app.state.playback().is_some()) else {
+        waiting(app, ui, rect);
+        return None;
+    };
+    let look = Look::WINDOW;
+    let legend = if signs { pictures.legend_height(rect.width() - 28.0, &look) + 8.0 } else { 0.0 };
+    let legend = if rect.height() > 260.0 { legend } else { 0.0 };
+    let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
+    let camera = camera(app, &pictures.space, picture);
+    let solid = !pictures.space.flat && app.solid.is_there();
+    let figure = pictures.stage(&camera, glam_size(picture), solid);
+    if solid {
+        let prims = &pictures.playback.play.scene;
+        app.solid.show(ui, picture, &pictures.space, prims, &camera, app.theme, app.lit());
+    }
+    let name = "Space";
+    let lit = app.lit();
+    let happened = Picture {
+        space: &pictures.space,
+        figure: &figure,
+        camera,
+        ray: pictures.playback.play.ray,
+        theme: app.theme,
+        hovered: lit,
+        live: true,
+        painted: solid,
+    }
+    .show(ui, picture, name, &mut app.hold);
+    if legend > 0.0 {
+        let at = Rect::from_min_max(pos2(rect.left() + 14.0, picture.bottom()), rect.max);
+        let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, &app.tree, None);
+        paint_figure(&ui.painter_at(at), at.min, drawn, app.theme, None);
+    }
+    app.pictures = Some(pictures);
+    progress(app, ui, rect);
+    take(app, &happened)
+}
+
+/// Another walk of the same ray, at the same step.
+fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
+    let step = app.state.view.step.min(beside.steps().last());
+    let moment = beside.moment(step);
+    let shown: Space = space(&beside.walk(), &moment);
+    let camera = camera(app, &shown, rect);
+    let figure: Figure = super::pictures::drawn(&shown, beside, &camera, glam_size(rect), false);
+    let ray = beside.play.ray;
+    let lit = app.lit();
+    let picture = Picture {
+        space: &shown,
+        figure: &figure,
+        camera,
+        ray,
+        theme: app.theme,
+        hovered: lit,
+        live: false,
+        painted: false,
+    };
+    let mut none = None;
+    let happened = picture.show(ui, rect, "Space, beside", &mut none);
+    let tested = format!(
+        "{} of {} tested · step {step} of {}",
+        moment.cost.prim_tests,
+        raystep_accel::Primitives::len(&beside.play.scene.prims),
+        beside.steps().last()
+    );
+    caption(
+        ui.painter(),
+        rect.right_top() + vec2(-14.0, -15.0),
+        Align2::RIGHT_CENTER,
+        &tested,
+        Face::Regular,
+        12.5,
+        Role::Quiet,
+        app.theme,
+    );
+    happened.hovered
+}
+
+/// Where the stage is seen from now.
+pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
+    if let Some(camera) = app.state.view.camera {
+        return camera;
+    }
+    let look = app.state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| app.state.view.mesh.is_none());
+    let scene = app.state.playback().map(|playback| &playback.play.scene);
+    match scene {
+        Some(scene) => eye::home(look, scene, &space.bounds, glam_size(rect)),
+        None => eye::fitted(&space.bounds, glam_size(rect)),
+    }
+}
+
+/// Turns what happened in the picture into changes.
+fn take(app: &mut App, happened: &Happened) -> Option<Place> {
+    if happened.begins {
+        app.state.keep();
+    }
+    if let Some(camera) = happened.camera {
+        app.state.turn(camera);
+    }
+    if let Some(ray) = happened.ray {
+        app.state.show_ray(RayChoice::Own(ray), true);
+    }
+    if let Some(place) = happened.clicked {
+        app.pick(place);
+    }
+    happened.hovered
+}
+
+/// Nothing to show yet.
+fn waiting(app: &mut App, ui: &mut Ui, rect: Rect) {
+    let says = if app.workshop.progress().is_some() { "Building …" } else { "Nothing to show" };
+    caption(ui.painter(), rect.center(), Align2::CENTER_CENTER, says, Face::Regular, 15.0, Role::Quiet, app.theme);
+    progress(app, ui, rect);
+}
+
+/// What is being made beside the UI thread, and a button that gives it up.
+fn progress(app: &mut App, ui: &mut Ui, rect: Rect) {
+    let making = app.workshop.progress().map(|settled| match settled {
+        0 => "Building the structure".to_owned(),
+        settled => format!("Building the structure: {settled} references"),
+    });
+    let Some(says) = app.errands.underway().or(making) else { return };
+    ui.ctx().request_repaint_after_secs(0.05);
+    let at = Rect::from_min_size(rect.left_top() + vec2(14.0, 14.0), vec2(rect.width() - 28.0, 34.0));
+    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(at));
+    let frame = egui::Frame::popup(ui.style());
+    let cancelled = frame.show(&mut child, |ui| {
+        ui.horizontal(|ui| {
+            ui.spinner();
+            ui.label(RichText::new(says));
+            ui.button("Cancel").clicked()
+        })
+    });
+    if cancelled.inner.inner {
+        app.errands.cancel();
+        if app.workshop.cancel() {
+            app.state.refuse();
+        }
+    }
+}
+
+impl App {
+    /// Moves the camera to where the walk stands.
+    pub(super) fn frame_here(&mut self) {
+        let Some(pictures) = &self.pictures else { return };
+        let walk = pictures.playback.walk();
+        let place = pictures.moment.here.or(pictures.moment.event.map(|event| event.place()));
+        let bounds = place.map_or(pictures.space.bounds, |place| walk.bounds(place));
+        if bounds.is_empty() {
+            return;
+        }
+        let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
+        let camera = eye::framed(&camera(self, &pictures.space, rect), &bounds, glam_size(rect));
+        self.state.look(Some(camera));
+    }
+
+    /// Makes the walk that is shown beside the other, if one is wanted.
+    pub(super) fn catch_up_beside(&mut self, _ui: &Ui) {
+        let Some(playback) = self.state.playback() else { return };
+        if self.state.beside == Beside::Nothing {
+            self.beside = None;
+            return;
+        }
+        if self
+            .beside
+            .as_ref()
+            .is_some_and(|beside| beside.view.same_walk(&playback.view) && beside.kind == self.state.beside)
+        {
+            return;
+        }
+        let made = match self.state.beside {
+            Beside::Nothing => None,
+            Beside::BruteForce => playback.brute_force(),
+            Beside::Mistake(index) => playback.mistaken(index),
+        };
+        self.beside = made.map(Arc::new);
+    }
+}

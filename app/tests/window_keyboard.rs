@@ -1,0 +1,142 @@
+//! The window without a screen: every slide walked by keyboard, and what undo, predict and the palette do.
+
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use raystep::window::{App, Remembered, Wishes};
+use raystep_accel::Grain;
+use raystep_lesson::Library;
+
+fn window(slide: Option<&str>, size: [f32; 2]) -> Harness<'static, App> {
+    let wishes = Wishes { slide: slide.map(str::to_owned), ..Wishes::default() };
+    let mut harness = Harness::builder()
+        .with_size(size)
+        .with_max_steps(60)
+        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
+    settle(&mut harness);
+    harness
+}
+
+/// Runs frames until the walk that is asked for is there.
+fn settle(harness: &mut Harness<'static, App>) {
+    for _ in 0..2000 {
+        harness.run_steps(2);
+        if harness.state().state.is_current() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    panic!("no walk arrives");
+}
+
+fn press(harness: &mut Harness<'static, App>, key: Key) {
+    harness.key_press(key);
+    harness.run_steps(1);
+}
+
+#[test]
+fn every_slide_is_walked_by_keyboard_and_back() {
+    let mut harness = window(None, [1600.0, 1000.0]);
+    let slides = harness.state().state.library.slides.len();
+    harness.state_mut().state.predict = false;
+    harness.state_mut().state.grain = Grain::Visit;
+    for slide in 0..slides {
+        if slide > 0 {
+            press(&mut harness, Key::PageDown);
+            settle(&mut harness);
+        }
+        assert_eq!(harness.state().state.view.slide, slide);
+        let last = harness.state().state.playback().unwrap().steps().last();
+        press(&mut harness, Key::Home);
+        let first_page = harness.state().state.view.clone();
+        assert_eq!(first_page.step, 0);
+        let mut forth = vec![0];
+        while harness.state().state.view.step < last {
+            press(&mut harness, Key::ArrowRight);
+            let step = harness.state().state.view.step;
+            assert!(step > *forth.last().unwrap(), "slide {slide} stands still at {step}");
+            forth.push(step);
+        }
+        let mut back = vec![last];
+        while harness.state().state.view.step > 0 {
+            press(&mut harness, Key::ArrowLeft);
+            back.push(harness.state().state.view.step);
+        }
+        back.reverse();
+        assert_eq!(forth, back, "slide {slide}");
+        assert!(harness.state().state.view.same_walk(&first_page));
+        press(&mut harness, Key::End);
+        assert_eq!(harness.state().state.view.step, last);
+    }
+}
+
+#[test]
+fn every_control_has_a_name() {
+    for size in [[1600.0, 1000.0], [1280.0, 800.0], [1024.0, 768.0]] {
+        for slide in ["2/13a", "3/20", "5/33", "7/56"] {
+            let mut harness = window(Some(slide), size);
+            harness.run_steps(2);
+            harness.check_accessibility();
+        }
+    }
+}
+
+#[test]
+fn nothing_is_cut_off_in_a_small_window() {
+    let harness = window(Some("5/33"), [1024.0, 768.0]);
+    for name in ["Export", "Present", "Predict", "Compare", "Flat", "Solid", "More", "Next step", "Timeline", "Walk"] {
+        for node in harness.query_all_by_label(name) {
+            let rect = node.rect();
+            assert!(rect.left() >= 0.0 && rect.right() <= 1024.5 && rect.bottom() <= 768.5, "{name} lies at {rect:?}");
+        }
+    }
+}
+
+#[test]
+fn a_question_is_asked_before_its_step_and_answered_by_key() {
+    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let posed = harness.state().state.playback().unwrap().posed[0].clone();
+    press(&mut harness, Key::Home);
+    while harness.state().state.question().is_none() {
+        press(&mut harness, Key::ArrowRight);
+    }
+    assert_eq!(harness.state().state.view.step, posed.before);
+    let right = posed.choices.iter().position(|choice| choice.right).unwrap();
+    let keys = [Key::A, Key::B, Key::C, Key::D];
+    press(&mut harness, keys[(right + 1) % posed.choices.len()]);
+    assert_eq!(harness.state().state.view.step, posed.before, "a wrong guess does not go on");
+    assert!(harness.state().state.answered.is_some_and(|answered| !answered.right));
+    press(&mut harness, keys[right]);
+    assert_eq!(harness.state().state.view.step, posed.step);
+    assert!(harness.state().state.settled().is_some());
+}
+
+#[test]
+fn changes_are_undone_and_backspace_restores_the_slide() {
+    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let own = harness.state().state.view.clone();
+    harness.state_mut().state.set("max_depth", "1");
+    settle(&mut harness);
+    assert!(!harness.state().state.view.same_walk(&own));
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    assert!(harness.state().state.view.same_walk(&own));
+    harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+    settle(&mut harness);
+    assert!(!harness.state().state.view.same_walk(&own));
+    press(&mut harness, Key::Backspace);
+    settle(&mut harness);
+    assert!(harness.state().state.view.same_walk(&own));
+}
+
+#[test]
+fn the_palette_finds_a_slide() {
+    let mut harness = window(None, [1280.0, 800.0]);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::K);
+    harness.run_steps(2);
+    harness.event(egui::Event::Text("which child".to_owned()));
+    harness.run_steps(2);
+    press(&mut harness, Key::Enter);
+    settle(&mut harness);
+    assert_eq!(harness.state().state.slide().unwrap().id(), "5/33");
+}
