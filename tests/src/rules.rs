@@ -15,6 +15,7 @@ const RULES: &[&str] = &[
     "kd split=middle max_depth=16 min_objects=1",
     "kd split=median max_depth=12 min_objects=2",
     "kd traversal_cost=0 empty_bonus=0.9 min_objects=1",
+    "octree",
     "bvh",
     "bvh order=printed",
     "bvh split=middle leaf_size=1",

@@ -68,7 +68,9 @@ fn who_watches_changes_nothing() {
 
             // Counting the tape is counting the walk.
             let mut counted = Cost::default();
-            events.iter().for_each(|&event| counted.on(event));
+            for &event in &events {
+                counted.on(event);
+            }
             assert_eq!(counted, cost);
 
             // A short tape is the beginning of the long one.
@@ -251,7 +253,7 @@ fn a_missed_box_is_not_opened() {
 fn every_event_is_in_the_vocabulary() {
     check(|_, events, _| {
         for event in events {
-            let (_, fields) = Visit::NAMES.iter().find(|(names, _)| names.contains(&event.name())).expect(event.name());
+            let (_, fields) = Visit::NAMES.iter().find(|(names, _)| names.contains(&event.name())).unwrap();
             assert_eq!(*fields, event.fields());
             assert!(fields.iter().all(|field| event.field(field).is_some()));
         }

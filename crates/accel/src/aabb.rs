@@ -28,51 +28,61 @@ impl Aabb {
     }
 
     /// Whether it holds no point.
+    #[inline]
     pub fn is_empty(&self) -> bool {
         Axis::ALL.iter().any(|&axis| self.min[axis] > self.max[axis])
     }
 
     /// Widened to hold `p`.
+    #[inline]
     pub fn with_point(self, p: Vec3) -> Aabb {
         Aabb { min: self.min.min(p), max: self.max.max(p) }
     }
 
     /// The smallest box around both.
+    #[inline]
     pub fn union(self, other: Aabb) -> Aabb {
         Aabb { min: self.min.min(other.min), max: self.max.max(other.max) }
     }
 
     /// The common part; may be empty.
+    #[inline]
     pub fn intersection(self, other: Aabb) -> Aabb {
         Aabb { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
     /// Whether the two share a point; touching counts.
+    #[inline]
     pub fn touches(&self, other: &Aabb) -> bool {
         Axis::ALL.iter().all(|&axis| self.min[axis] <= other.max[axis] && other.min[axis] <= self.max[axis])
     }
 
     /// Whether `p` lies in it, faces included.
+    #[inline]
     pub fn contains(&self, p: Vec3) -> bool {
         Axis::ALL.iter().all(|&axis| self.min[axis] <= p[axis] && p[axis] <= self.max[axis])
     }
 
     /// Whether all of `other` lies in it.
+    #[inline]
     pub fn encloses(&self, other: &Aabb) -> bool {
         other.is_empty() || (self.contains(other.min) && self.contains(other.max))
     }
 
     /// Widened by `by` on all sides.
+    #[inline]
     pub fn padded(self, by: f32) -> Aabb {
         Aabb { min: self.min - by, max: self.max + by }
     }
 
     /// Its middle.
+    #[inline]
     pub fn center(&self) -> Vec3 {
         self.min * 0.5 + self.max * 0.5
     }
 
     /// Its sides.
+    #[inline]
     pub fn extent(&self) -> Vec3 {
         self.max - self.min
     }
@@ -84,6 +94,7 @@ impl Aabb {
     }
 
     /// Cut by the plane `axis = plane` into its lower and its upper part.
+    #[inline]
     pub fn cut(self, axis: Axis, plane: f32) -> (Aabb, Aabb) {
         let (mut lower, mut upper) = (self, self);
         lower.max[axis] = plane;
@@ -92,6 +103,7 @@ impl Aabb {
     }
 
     /// Surface area, or the perimeter of its x, y rectangle; 0 when empty.
+    #[inline]
     pub fn measure(&self, measure: Measure) -> f32 {
         if self.is_empty() {
             return 0.0;

@@ -19,6 +19,7 @@ impl Axis {
     pub const ALL: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
     /// 0, 1 or 2.
+    #[inline]
     pub fn index(self) -> usize {
         self as usize
     }
@@ -38,12 +39,14 @@ impl fmt::Display for Axis {
 impl Index<Axis> for glam::Vec3 {
     type Output = f32;
 
+    #[inline]
     fn index(&self, axis: Axis) -> &f32 {
         &self[axis.index()]
     }
 }
 
 impl IndexMut<Axis> for glam::Vec3 {
+    #[inline]
     fn index_mut(&mut self, axis: Axis) -> &mut f32 {
         &mut self[axis.index()]
     }
@@ -61,6 +64,7 @@ pub enum Axes {
 
 impl Axes {
     /// The axes in order.
+    #[inline]
     pub fn list(self) -> &'static [Axis] {
         match self {
             Axes::Xyz => &Axis::ALL,

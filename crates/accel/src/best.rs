@@ -21,22 +21,26 @@ pub struct Best {
 
 impl Best {
     /// Nothing found yet.
+    #[inline]
     pub fn new(want: Want) -> Best {
         Best { want, hit: None }
     }
 
     /// Its t, or infinity while there is none.
+    #[inline]
     pub fn t(&self) -> f32 {
         self.hit.map_or(f32::INFINITY, |hit| hit.t)
     }
 
     /// Whether the walk has its answer already: any hit will do, and there is one.
+    #[inline]
     pub fn answered(&self) -> bool {
         self.want == Want::Any && self.hit.is_some()
     }
 
     /// Whether everything from `t_near` on is too far to matter. Strict: at equal t the smaller id wins,
     /// and it may lie there.
+    #[inline]
     pub fn rules_out(&self, t_near: f32) -> bool {
         self.t() < t_near
     }

@@ -29,6 +29,7 @@ pub enum Place {
 
 impl PrimId {
     /// The id as an index into an array.
+    #[inline]
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -39,6 +40,7 @@ impl NodeId {
     pub const ROOT: NodeId = NodeId(0);
 
     /// The id as an index into an array.
+    #[inline]
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -46,6 +48,7 @@ impl NodeId {
 
 impl CellId {
     /// The id as an index into an array.
+    #[inline]
     pub fn index(self) -> usize {
         self.0 as usize
     }

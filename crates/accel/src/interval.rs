@@ -14,21 +14,25 @@ impl Interval {
     pub const ALL: Interval = Interval { near: f32::NEG_INFINITY, far: f32::INFINITY };
 
     /// `[near, far]`.
+    #[inline]
     pub fn new(near: f32, far: f32) -> Interval {
         Interval { near, far }
     }
 
     /// Whether no t lies in it.
+    #[inline]
     pub fn is_empty(self) -> bool {
         self.near > self.far
     }
 
     /// Whether `t` lies in it, ends included.
+    #[inline]
     pub fn contains(self, t: f32) -> bool {
         self.near <= t && t <= self.far
     }
 
     /// The t of the interval closest to `t`. The interval must not be empty.
+    #[inline]
     pub fn clamp(self, t: f32) -> f32 {
         if t < self.near {
             self.near

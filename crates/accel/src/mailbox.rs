@@ -13,16 +13,19 @@ impl Mailbox {
     const SLOTS: usize = 64;
 
     /// Nothing tested yet.
+    #[inline]
     pub(crate) fn new() -> Mailbox {
         Mailbox { slots: [u32::MAX; Mailbox::SLOTS] }
     }
 
     /// Whether `prim` is known to have been tested.
+    #[inline]
     pub(crate) fn holds(&self, prim: PrimId) -> bool {
         self.slots[prim.index() % Mailbox::SLOTS] == prim.0
     }
 
     /// Notes that `prim` was tested.
+    #[inline]
     pub(crate) fn put(&mut self, prim: PrimId) {
         self.slots[prim.index() % Mailbox::SLOTS] = prim.0;
     }

@@ -77,6 +77,7 @@ impl Ray {
     }
 
     /// `[t_min, t_max]`.
+    #[inline]
     pub fn range(&self) -> Interval {
         Interval::new(self.t_min, self.t_max)
     }

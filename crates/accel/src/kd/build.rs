@@ -6,8 +6,8 @@ use super::reference::{Reference, deal};
 use super::split::Scale;
 use crate::{Aabb, Cancelled, Grow, KdRule, KdSplit, LeafReason, Margin, NodeId, Observer, Place, PrimId, Primitives};
 
-/// A tree holds at most so many references for each primitive, and [`SPARE`] more: primitives that lie
-/// on top of each other would be referred to from ever more leaves.
+/// There is room for so many references for each primitive, and for [`SPARE`] more: primitives that lie
+/// on top of each other would be referred to from ever more leaves. Children share their parent's room.
 const CROWD: usize = 32;
 const SPARE: usize = 1 << 12;
 
@@ -17,6 +17,8 @@ struct Open {
     bounds: Aabb,
     depth: u32,
     refs: Vec<Reference>,
+    /// How many references all leaves below may hold.
+    room: usize,
 }
 
 impl Kd {
@@ -34,13 +36,12 @@ impl Kd {
         let margin = Margin::of(&bounds);
         let refs: Vec<_> = ids(prims).filter_map(|prim| Reference::clipped(prims, prim, &bounds, margin.pad)).collect();
 
-        let most = refs.len() * CROWD + SPARE;
-        let mut held = refs.len();
+        let room = refs.len() * CROWD + SPARE;
         let mut tree = Kd { bounds, margin, mailbox: rule.mailbox, nodes: vec![Node::leaf(0, 0)], refs: Vec::new() };
-        let mut open = vec![Open { node: NodeId::ROOT, bounds, depth: 0, refs }];
+        let mut open = vec![Open { node: NodeId::ROOT, bounds, depth: 0, refs, room }];
 
         // Split one open node after the other, the one below the plane first.
-        while let Some(Open { node, bounds, depth, refs }) = open.pop() {
+        while let Some(Open { node, bounds, depth, refs, room }) = open.pop() {
             if watch.cancelled() {
                 return Err(Cancelled);
             }
@@ -56,7 +57,8 @@ impl Kd {
                 continue;
             }
             // Choose the plane.
-            let Some(cut) = (Scale { node, bounds: &bounds, refs: &refs, rule, watch }).best() else {
+            let whole = bounds.measure(rule.measure);
+            let Some(cut) = (Scale { node, bounds: &bounds, refs: &refs, rule, watch, whole }).best() else {
                 tree.settle(node, &refs, LeafReason::Inseparable, watch);
                 continue;
             };
@@ -69,20 +71,21 @@ impl Kd {
             // Both sides get what reaches into them.
             let halves = bounds.cut(cut.axis, cut.plane);
             let (lower, upper) = deal(prims, &refs, cut.axis, cut.plane, &halves, margin.pad);
-            let grown = held - refs.len() + lower.len() + upper.len();
-            if grown > most || tree.nodes.len() + 2 > Node::MOST as usize {
+            let dealt = lower.len() + upper.len();
+            if dealt > room || tree.nodes.len() + 2 > Node::MOST as usize {
                 tree.settle(node, &refs, LeafReason::Crowded, watch);
                 continue;
             }
-            held = grown;
 
             let below = NodeId(tree.nodes.len() as u32);
             let above = NodeId(below.0 + 1);
             tree.nodes.extend([Node::leaf(0, 0); 2]);
             tree.nodes[node.index()] = Node::inner(cut.axis, cut.plane, below);
             watch.on(Grow::Split { node, axis: cut.axis, plane: cut.plane, below, above, cost: cut.cost });
-            open.push(Open { node: above, bounds: halves.1, depth: depth + 1, refs: upper });
-            open.push(Open { node: below, bounds: halves.0, depth: depth + 1, refs: lower });
+            let share = |refs: &[Reference]| (room as u64 * refs.len() as u64 / dealt.max(1) as u64) as usize;
+            let depth = depth + 1;
+            open.push(Open { node: above, bounds: halves.1, depth, room: share(&upper), refs: upper });
+            open.push(Open { node: below, bounds: halves.0, depth, room: share(&lower), refs: lower });
         }
         Ok(tree)
     }

@@ -39,6 +39,7 @@ impl Node {
     }
 
     /// Unpacks it.
+    #[inline]
     pub(super) fn kind(self) -> Kind {
         let number = self.tag >> 2;
         match self.tag & 3 {

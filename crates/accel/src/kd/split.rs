@@ -20,6 +20,8 @@ pub(super) struct Scale<'a, O> {
     pub(super) refs: &'a [Reference],
     pub(super) rule: &'a KdRule,
     pub(super) watch: &'a mut O,
+    /// The measure of `bounds`.
+    pub(super) whole: f32,
 }
 
 impl<O: Observer<Grow>> Scale<'_, O> {
@@ -84,8 +86,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
     /// that meets the node meets the child. Cutting off empty space is worth a bonus.
     fn weigh(&mut self, axis: Axis, plane: f32, below: u32, above: u32) -> Cut {
         let (lower, upper) = self.bounds.cut(axis, plane);
-        let whole = self.bounds.measure(self.rule.measure);
-        let chance = |child: Aabb| child.measure(self.rule.measure) / whole;
+        let chance = |child: Aabb| child.measure(self.rule.measure) / self.whole;
         let tests = chance(lower) * below as f32 + chance(upper) * above as f32;
         let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };
         let cost = bonus * (self.rule.traversal_cost + self.rule.intersection_cost * tests);
@@ -98,9 +99,9 @@ impl<O: Observer<Grow>> Scale<'_, O> {
         self.bounds.min[axis] < plane && plane < self.bounds.max[axis]
     }
 
-    /// A cut that puts everything on both sides is none.
+    /// A cut that puts nearly everything, three quarters and more, on both sides is none.
     fn separates(&self, cut: &Cut) -> bool {
-        cut.below.min(cut.above) < self.refs.len() as u32
+        4 * (cut.below as usize + cut.above as usize) <= 7 * self.refs.len()
     }
 }
 

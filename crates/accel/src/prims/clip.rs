@@ -14,11 +14,16 @@ pub(super) fn clip_polygon(corners: &[Vec3], bounds: &Aabb) -> Aabb {
     if !whole.touches(bounds) || bounds.encloses(&whole) {
         return whole.intersection(*bounds);
     }
-    let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
     let mut polygon = Corners::new(corners.iter().map(|p| p.as_dvec3()));
+    // A plane that the whole polygon is inside of cuts nothing.
     for axis in 0..3 {
-        polygon = polygon.keep(|p| p[axis] - min[axis]);
-        polygon = polygon.keep(|p| max[axis] - p[axis]);
+        let (min, max) = (bounds.min[axis], bounds.max[axis]);
+        if whole.min[axis] < min {
+            polygon = polygon.keep(|p| p[axis] - f64::from(min));
+        }
+        if whole.max[axis] > max {
+            polygon = polygon.keep(|p| f64::from(max) - p[axis]);
+        }
     }
     // Cut corners may stick out by a rounding error.
     Aabb::around(polygon.list().iter().map(|p| p.as_vec3())).intersection(*bounds)

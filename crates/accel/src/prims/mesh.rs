@@ -16,6 +16,7 @@ pub struct Mesh {
 
 impl Mesh {
     /// One triangle.
+    #[inline]
     pub fn triangle(&self, prim: PrimId) -> Triangle {
         let [a, b, c] = self.triangles[prim.index()].map(|corner| self.corners[corner as usize]);
         Triangle { a, b, c }
@@ -23,10 +24,12 @@ impl Mesh {
 }
 
 impl Primitives for Mesh {
+    #[inline]
     fn len(&self) -> usize {
         self.triangles.len()
     }
 
+    #[inline]
     fn shape(&self, prim: PrimId) -> Shape<'_> {
         Shape::Triangle(self.triangle(prim))
     }

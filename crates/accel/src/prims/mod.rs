@@ -55,10 +55,12 @@ pub trait Primitives {
 }
 
 impl<P: Primitives + ?Sized> Primitives for &P {
+    #[inline]
     fn len(&self) -> usize {
         (**self).len()
     }
 
+    #[inline]
     fn shape(&self, prim: PrimId) -> Shape<'_> {
         (**self).shape(prim)
     }
@@ -144,6 +146,7 @@ pub enum Prims {
 }
 
 impl Primitives for Prims {
+    #[inline]
     fn len(&self) -> usize {
         match self {
             Prims::Mesh(mesh) => mesh.len(),
@@ -151,6 +154,7 @@ impl Primitives for Prims {
         }
     }
 
+    #[inline]
     fn shape(&self, prim: PrimId) -> Shape<'_> {
         match self {
             Prims::Mesh(mesh) => mesh.shape(prim),
@@ -160,10 +164,12 @@ impl Primitives for Prims {
 }
 
 impl Primitives for [Shape<'_>] {
+    #[inline]
     fn len(&self) -> usize {
         <[Shape<'_>]>::len(self)
     }
 
+    #[inline]
     fn shape(&self, prim: PrimId) -> Shape<'_> {
         self[prim.index()]
     }
