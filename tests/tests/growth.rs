@@ -16,7 +16,8 @@ struct Told {
     bounds: Option<Aabb>,
     resolution: [u32; 3],
     boxes: BTreeMap<NodeId, Aabb>,
-    splits: BTreeMap<NodeId, (Axis, f32, [NodeId; 2])>,
+    children: BTreeMap<NodeId, Vec<NodeId>>,
+    planes: BTreeMap<NodeId, (Axis, f32)>,
     settled: BTreeMap<Place, Vec<PrimId>>,
     leaves: BTreeMap<NodeId, u32>,
 }
@@ -28,7 +29,12 @@ impl Observer<Grow> for Told {
             Grow::Resolve { nx, ny, nz, .. } => self.resolution = [nx, ny, nz],
             Grow::Open { node, bounds, .. } => assert!(self.boxes.insert(node, bounds).is_none()),
             Grow::Split { node, axis, plane, below, above, .. } => {
-                assert!(self.splits.insert(node, (axis, plane, [below, above])).is_none());
+                assert!(self.children.insert(node, vec![below, above]).is_none());
+                self.planes.insert(node, (axis, plane));
+            }
+            Grow::Divide { node, first, ways, .. } => {
+                let children = (0..ways).map(|i| NodeId(first.0 + i)).collect();
+                assert!(self.children.insert(node, children).is_none());
             }
             Grow::Leaf { node, prims, .. } => assert!(self.leaves.insert(node, prims).is_none()),
             Grow::Settle { prim, place } => self.settled.entry(place).or_default().push(prim),
@@ -52,15 +58,14 @@ impl Told {
             return;
         }
         assert_eq!(structure.node_count(), self.boxes.len());
-        assert_eq!(structure.node_count(), self.splits.len() + self.leaves.len());
+        assert_eq!(structure.node_count(), self.children.len() + self.leaves.len());
         for (i, bounds) in structure.node_bounds().into_iter().enumerate() {
             let node = NodeId(i as u32);
             assert_eq!(bounds, self.boxes[&node]);
-            let split = self.splits.get(&node);
-            assert_eq!(structure.children(node), split.map_or(vec![], |&(_, _, children)| children.to_vec()));
+            assert_eq!(structure.children(node), self.children.get(&node).cloned().unwrap_or_default());
             assert_eq!(structure.leaf_prims(node), self.settled(Place::Node(node)));
             if let Structure::Kd(tree) = structure {
-                assert_eq!(tree.split(node), split.map(|&(axis, plane, _)| (axis, plane)));
+                assert_eq!(tree.split(node), self.planes.get(&node).copied());
             }
         }
         assert!(self.leaves.iter().all(|(&node, &prims)| structure.leaf_prims(node).len() == prims as usize));

@@ -93,3 +93,27 @@ fn a_hierarchy_of_boxes_is_walked_as_printed() {
     let (bvh, _) = grown("bvh", &[("split", "sweep"), ("leaf_size", "1"), ("order", "printed")]);
     insta::assert_snapshot!(walked(&bvh, &ray([4.0, 0.0], [3.0, 0.22])));
 }
+
+#[test]
+fn a_kd_tree_is_built() {
+    let (_, story) = grown("kd", &[("split", "median"), ("min_objects", "1"), ("max_depth", "3")]);
+    insta::assert_snapshot!(story);
+}
+
+#[test]
+fn a_kd_tree_weighs_its_planes() {
+    let (_, story) = grown("kd", &[("max_depth", "1"), ("min_objects", "1")]);
+    insta::assert_snapshot!(story);
+}
+
+#[test]
+fn a_kd_tree_is_walked() {
+    let (tree, _) = grown("kd", &[("split", "median"), ("min_objects", "1"), ("max_depth", "3")]);
+    insta::assert_snapshot!(walked(&tree, &ray([-1.0, 0.3], [0.0, 0.46])));
+}
+
+#[test]
+fn a_kd_tree_is_walked_from_the_right() {
+    let (tree, _) = grown("kd", &[("split", "median"), ("min_objects", "1"), ("max_depth", "3")]);
+    insta::assert_snapshot!(walked(&tree, &ray([4.0, 0.0], [3.0, 0.22])));
+}
