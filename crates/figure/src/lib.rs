@@ -56,7 +56,7 @@ pub use look::Look;
 pub use moment::{Cut, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
 pub use number::{fill, number, value};
 pub use role::Role;
-pub use ruler::{ruler, ruler_line};
+pub use ruler::{ruler, ruler_height, ruler_line};
 pub use sentence::sentence;
 pub use shaded::{Image, Shaded, shaded};
 pub use slabs::slabs;

@@ -1,6 +1,7 @@
 //! The ray as a ruler: every known interval of t, the current t and the hits.
 
 use glam::Vec2;
+use raystep_accel::Visit;
 
 use crate::look::{line, write};
 use crate::spans::{Span, current_t, extent, spans};
@@ -43,6 +44,19 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     draw_axis(&mut figure, &axis, walk.ray.t_min, bottom, look);
     draw_points(&mut figure, &axis, moment, top - u * 0.1, bottom, look);
     figure
+}
+
+/// How high a ruler is that shows every interval of this walk at any of its steps; at most six rows.
+pub fn ruler_height(walk: &Walk<'_>, look: &Look) -> f32 {
+    let axes = if walk.flat { 2 } else { 3 };
+    let deepest = walk.events.iter().map(|event| match *event {
+        Visit::Push { depth, .. } => depth as usize + 1,
+        Visit::Divide { .. } | Visit::Parallel { .. } | Visit::Step { .. } => axes + 1,
+        _ => 1,
+    });
+    let rows = deepest.max().unwrap_or(1).min(6) as f32;
+    let mut scratch = Figure::default();
+    look.heading(&mut scratch, "", "") + look.line() * rows + look.margin() + look.text * 1.6
 }
 
 /// Everything on one line, names above: for the far end of a lecture hall.

@@ -1,7 +1,7 @@
 //! How much the walk has done so far, against testing everything.
 
 use glam::Vec2;
-use raystep_accel::Primitives;
+use raystep_accel::{Primitives, Structure};
 
 use crate::look::{block, write};
 use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, text_width};
@@ -12,7 +12,13 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, "Work so far", "");
     let (left, u) = (look.margin(), look.text);
-    let (tests, all) = (moment.cost.prim_tests, walk.prims.len() as u64);
+    // Where only the box is tested, its test is the work.
+    let only_box = matches!(walk.structure, Structure::Slab(_));
+    let (tests, all, one, many) = if only_box {
+        (moment.cost.box_tests, 1, "box", "boxes")
+    } else {
+        (moment.cost.prim_tests, walk.prims.len() as u64, "primitive", "primitives")
+    };
 
     // The one loud number.
     let loud = u * 2.6;
@@ -21,7 +27,7 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let base = Vec2::new(left, y);
     write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
     let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
-    let says = format!("of {} tested", counted(all, "primitive", "primitives"));
+    let says = format!("of {} tested", counted(all, one, many));
     write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
     y += loud * 0.5 + u * 0.6;
 
@@ -44,7 +50,8 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
         y += height + u * 0.8;
     }
 
-    for says in wrapped(&sentence(moment), size.x - 2.0 * left, u) {
+    let rest = if only_box { Vec::new() } else { sentence(moment) };
+    for says in wrapped(&rest, size.x - 2.0 * left, u) {
         y += u * 0.4;
         write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
         y += u * 1.2;

@@ -161,6 +161,9 @@ fn nothing_is_cut_off_at_any_step() {
                 let wide = size(600.0, 130.0);
                 let narrow = size(380.0, 150.0);
                 let view = TreeView::default();
+                let roomy = Vec2::new(wide.x, ruler_height(&walk, &look));
+                let told_all = !told(&ruler(&walk, &moment, roomy, &look)).contains(" more\"");
+                assert!(told_all, "{kind} step {step}: a row is left out of the roomy ruler");
                 let panes = [
                     ("ruler", ruler(&walk, &moment, wide, &look)),
                     ("line", ruler_line(&walk, &moment, wide, &look)),
