@@ -1,10 +1,73 @@
 //! The lessons that come with the program are right.
 
-use raystep_lesson::{Library, check};
+use std::sync::Arc;
+
+use raystep_accel::{PrimId, Primitives, Random, Ray};
+use raystep_lesson::{Library, Play, Slide, StageKind, check};
 
 #[test]
 fn nothing_is_wrong_in_the_shipped_lessons() {
     let problems = check(&Library::embedded());
     let text: Vec<String> = problems.iter().map(ToString::to_string).collect();
     assert!(problems.is_empty(), "{}", text.join("\n"));
+}
+
+#[test]
+fn there_are_slides_on_every_topic_and_their_names_are_their_own() {
+    let library = Library::embedded();
+    let ids: Vec<String> = library.slides.iter().map(Slide::id).collect();
+    let mut unique = ids.clone();
+    unique.sort();
+    unique.dedup();
+    assert_eq!(ids.len(), unique.len(), "{ids:?}");
+    assert!(ids.len() >= 18, "{ids:?}");
+    // Grids, kd-trees and hierarchies of boxes offer both stages.
+    for slide in library.slides.iter().filter(|slide| slide.section != "02-slabs") {
+        assert_eq!(slide.stages.len(), 2, "{}", slide.file);
+    }
+}
+
+/// Every question on this ray has one right answer, and every other answer its reason.
+fn check_questions(slide: &Slide, play: &Play) {
+    for (beat, step) in slide.beats.iter().zip(&play.beats) {
+        let (Some(ask), Some(step)) = (&beat.ask, step) else { continue };
+        let choices = ask.choices(play, *step);
+        let right = choices.iter().filter(|choice| choice.right).count();
+        assert_eq!(right, 1, "{}: {} on {:?}: {choices:?}", slide.file, beat.title, play.ray);
+        for choice in choices.iter().filter(|choice| !choice.right) {
+            assert!(choice.reason.is_some(), "{}: {}: no reason for {choice:?}", slide.file, beat.title);
+        }
+    }
+}
+
+#[test]
+fn questions_have_one_right_answer_and_reasons_for_the_others_on_every_ray() {
+    let library = Library::embedded();
+    let mut random = Random::new(15);
+    for slide in &library.slides {
+        for stage in &slide.stages {
+            let (scene, structure) = stage.build().unwrap();
+            let play = |ray| Play::new(Arc::clone(&scene), Arc::clone(&structure), ray, &slide.beats);
+            for ray in &stage.rays {
+                check_questions(slide, &play(ray.ray));
+            }
+            if stage.kind == StageKind::Solid {
+                continue;
+            }
+            // Rays that nobody chose, around the scene and in it.
+            let bounds = (0..scene.prims.len())
+                .fold(raystep_accel::Aabb::EMPTY, |all, prim| all.union(scene.prims.bounds(PrimId(prim as u32))));
+            let mut point = || {
+                let mut part = || random.below(1000) as f32 / 500.0 - 0.5;
+                let at = bounds.min + bounds.extent() * glam::Vec3::new(part(), part(), 0.0);
+                glam::Vec3::new(at.x, at.y, 0.0)
+            };
+            for _ in 0..50 {
+                let (from, towards) = (point(), point());
+                if let Ok(ray) = Ray::new(from, towards - from) {
+                    check_questions(slide, &play(ray));
+                }
+            }
+        }
+    }
 }
