@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use crate::fonts::elided;
 use crate::look::{block, line, write};
-use crate::{Anchor, Face, Fact, Figure, Look, Role, fill};
+use crate::{Anchor, Face, Fact, Figure, Look, Role, fill, text_width};
 
 /// One line of an algorithm.
 #[derive(Clone, Copy, Debug)]
@@ -33,62 +33,39 @@ pub fn listing<E: Fact>(lines: &[ListingLine<'_>], event: Option<&E>, size: Vec2
     let first = current.map_or(0, |line| line.saturating_sub(room / 3)).min(lines.len().saturating_sub(room));
     let shown = first..lines.len().min(first + room);
 
-    let face_size = look.text * 0.97;
+    // A little smaller rather than cut off.
     let left = look.margin() + look.text * 0.6;
     let width = size.x - left - look.margin();
-    let text = |shown: &ListingLine<'_>, face| {
-        let indented = format!("{}{}", "  ".repeat(shown.indent), shown.text);
-        elided(&indented, face, face_size, width)
+    let indented = |indent: usize, text: &str| format!("{}{text}", "  ".repeat(indent));
+    let fitting = |text: &str, size: f32| size * (width / text_width(text, Face::Mono, size).max(1.0)).clamp(0.8, 1.0);
+    let full = look.text * 0.97;
+    let letters = lines.iter().map(|line| fitting(&indented(line.indent, line.text), full)).fold(full, f32::min);
+    let put = |figure: &mut Figure, role, place, y: f32, text: &str, letters, face| {
+        let text = elided(text, face, letters, width);
+        write(figure, role, place, Vec2::new(left, y), &text, letters, face, Anchor::Start);
     };
+
     let mut y = top + row * 0.5;
     for index in shown.clone() {
         // A listing that goes on beyond the pane says so.
         let cut = (index == shown.start && first > 0) || (index + 1 == shown.end && shown.end < lines.len());
-        let at = Vec2::new(left, y);
+        let line = &lines[index];
+        let text = indented(line.indent, line.text);
         if Some(index) == current {
             let height = row * if values.is_some() { 2.0 } else { 1.0 };
             let corner = Vec2::new(look.margin() * 0.5, y - row * 0.5);
             mark(&mut figure, corner, Vec2::new(size.x - look.margin(), height), look);
-            write(
-                &mut figure,
-                Role::Here,
-                None,
-                at,
-                &text(&lines[index], Face::MonoMedium),
-                face_size,
-                Face::MonoMedium,
-                Anchor::Start,
-            );
+            put(&mut figure, Role::Here, None, y, &text, letters, Face::MonoMedium);
             if let Some(values) = &values {
                 y += row;
-                let indented = format!("{}{values}", "  ".repeat(lines[index].indent + 1));
-                let values = elided(&indented, Face::MonoMedium, face_size, width);
-                let place = event.map(Fact::place);
-                write(
-                    &mut figure,
-                    Role::Value,
-                    place,
-                    Vec2::new(left, y),
-                    &values,
-                    face_size,
-                    Face::MonoMedium,
-                    Anchor::Start,
-                );
+                let values = indented(line.indent + 1, values);
+                let letters = fitting(&values, letters);
+                put(&mut figure, Role::Value, event.map(Fact::place), y, &values, letters, Face::MonoMedium);
             }
         } else if cut {
-            let dots = format!("{}…", "  ".repeat(lines[index].indent));
-            write(&mut figure, Role::Quiet, None, at, &dots, face_size, Face::Mono, Anchor::Start);
+            put(&mut figure, Role::Quiet, None, y, &indented(line.indent, "…"), letters, Face::Mono);
         } else {
-            write(
-                &mut figure,
-                Role::Text,
-                None,
-                at,
-                &text(&lines[index], Face::Mono),
-                face_size,
-                Face::Mono,
-                Anchor::Start,
-            );
+            put(&mut figure, Role::Text, None, y, &text, letters, Face::Mono);
         }
         y += row;
     }
