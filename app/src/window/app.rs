@@ -248,13 +248,12 @@ impl App {
         let page = Frame::new().fill(fill(self.theme, raystep_figure::Role::Page));
         let width = ui.available_width();
         let widest = (width * 0.34).max(230.0);
-        let wanted = self.remembered.lesson.unwrap_or((width * 0.222).clamp(248.0, 400.0));
-        let left = Panel::left("lesson").frame(page).default_size(wanted.min(widest)).size_range(220.0..=widest);
+        let usual = (width * 0.222).clamp(248.0, 400.0);
+        let kept = self.remembered.lesson;
+        let left = Panel::left(columns::salt("lesson", kept, width)).frame(page);
+        let left = left.default_size(kept.unwrap_or(usual).min(widest)).size_range(220.0..=widest);
         let shown = left.show(ui, |ui| lesson_pane::pane(ui, &self.state, self.theme, &mut self.formulas));
-        let taken = shown.response.rect.width();
-        if self.remembered.lesson.is_some() || (taken - wanted).abs() > 2.0 {
-            self.remembered.lesson = Some(taken);
-        }
+        columns::note(ui, &mut self.remembered.lesson, shown.response.rect.width(), usual);
         if let Some(command) = shown.inner {
             self.run(ui, command);
         }

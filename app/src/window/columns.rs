@@ -24,14 +24,13 @@ fn narrow(ui: &Ui) -> bool {
 pub(super) fn right(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let whole = ui.ctx().content_rect().width();
     let frame = Frame::new().fill(fill(app.theme, Role::Page));
-    let wanted = app.remembered.walk.unwrap_or((whole * 0.28).clamp(300.0, 470.0));
-    let range = 280.0..=(whole * 0.42).max(300.0);
-    let panel = Panel::right("walk").frame(frame).default_size(wanted).size_range(range);
+    let usual = (whole * 0.28).clamp(296.0, 470.0);
+    let kept = app.remembered.walk;
+    let widest = (whole * 0.42).max(300.0);
+    let panel = Panel::right(salt("walk", kept, whole)).frame(frame);
+    let panel = panel.default_size(kept.unwrap_or(usual).min(widest)).size_range(280.0..=widest);
     let shown = panel.show(ui, |ui| if narrow(ui) { tabs(app, ui) } else { stacked(app, ui) });
-    let taken = shown.response.rect.width();
-    if app.remembered.walk.is_some() || (taken - wanted).abs() > 2.0 {
-        app.remembered.walk = Some(taken);
-    }
+    note(ui, &mut app.remembered.walk, shown.response.rect.width(), usual);
     shown.inner
 }
 
@@ -40,19 +39,19 @@ fn stacked(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let height = ui.available_height();
     let frame = Frame::new();
     let sizes = app.remembered.heights;
-    let work = Panel::bottom("work")
+    let work = Panel::bottom(salt("work", sizes[0], height))
         .frame(frame)
         .default_size(sizes[0].unwrap_or(height * 0.2))
         .size_range(90.0..=height * 0.4);
     let shown = work.show(ui, |ui| pane(app, ui, Pane::Work));
-    app.remembered.note(0, shown.response.rect.height(), height * 0.2);
+    note(ui, &mut app.remembered.heights[0], shown.response.rect.height(), height * 0.2);
     let mut under = shown.inner;
-    let stack = Panel::bottom("stack")
+    let stack = Panel::bottom(salt("stack", sizes[1], height))
         .frame(frame)
         .default_size(sizes[1].unwrap_or(height * 0.22))
         .size_range(70.0..=height * 0.5);
     let shown = stack.show(ui, |ui| pane(app, ui, Pane::Stack));
-    app.remembered.note(1, shown.response.rect.height(), height * 0.22);
+    note(ui, &mut app.remembered.heights[1], shown.response.rect.height(), height * 0.22);
     under = shown.inner.or(under);
     pane(app, ui, Pane::Walk).or(under)
 }
@@ -101,17 +100,21 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let sizes = app.remembered.heights;
     if let Some(main) = main(app).filter(|_| !narrow(ui)) {
         let usual = height * 0.2;
-        let panel =
-            Panel::bottom("tree").frame(frame).default_size(sizes[2].unwrap_or(usual)).size_range(80.0..=height * 0.5);
+        let panel = Panel::bottom(salt("tree", sizes[2], height))
+            .frame(frame)
+            .default_size(sizes[2].unwrap_or(usual))
+            .size_range(80.0..=height * 0.5);
         let shown = panel.show(ui, |ui| pane(app, ui, main));
-        app.remembered.note(2, shown.response.rect.height(), usual);
+        note(ui, &mut app.remembered.heights[2], shown.response.rect.height(), usual);
         under = shown.inner;
     }
     let usual = (height * 0.15).clamp(100.0, 150.0);
-    let ruler =
-        Panel::bottom("ruler").frame(frame).default_size(sizes[3].unwrap_or(usual)).size_range(80.0..=height * 0.4);
+    let ruler = Panel::bottom(salt("ruler", sizes[3], height))
+        .frame(frame)
+        .default_size(sizes[3].unwrap_or(usual))
+        .size_range(80.0..=height * 0.4);
     let shown = ruler.show(ui, |ui| pane(app, ui, Pane::Ruler));
-    app.remembered.note(3, shown.response.rect.height(), usual);
+    note(ui, &mut app.remembered.heights[3], shown.response.rect.height(), usual);
     shown.inner.or(stage_pane::stages(app, ui)).or(under)
 }
 
@@ -151,6 +154,19 @@ pub(super) fn figure(app: &mut App, ui: &mut Ui, pane: Pane, rect: Rect, look: &
         app.tree.focus = (app.tree.focus != Some(node) && node.0 != 0).then_some(node);
     }
     under
+}
+
+/// What egui knows a pane by. A pane that nobody has sized gets its usual size anew with every window size.
+pub(super) fn salt(name: &'static str, kept: Option<f32>, room: f32) -> (&'static str, u32) {
+    (name, if kept.is_some() { 0 } else { room as u32 })
+}
+
+/// Remembers a pane's size once its edge was dragged and let go.
+pub(super) fn note(ui: &Ui, kept: &mut Option<f32>, size: f32, usual: f32) {
+    let down = ui.input(|input| input.pointer.any_down());
+    if !down && (kept.is_some_and(|kept| (kept - size).abs() > 1.5) || kept.is_none() && (size - usual).abs() > 3.0) {
+        *kept = Some(size.round());
+    }
 }
 
 /// A strip at the top of a picture for its name.

@@ -11,6 +11,16 @@ pub(super) fn name(response: &Response, name: &str) {
     response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name));
 }
 
+/// Shows something in so much width and no more.
+pub(super) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R) -> R {
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    ui.allocate_ui_with_layout(egui::vec2(width, 30.0), layout, |ui| {
+        ui.set_max_width(width);
+        add(ui)
+    })
+    .inner
+}
+
 /// A control for one parameter; returns its new value as text when it was changed.
 pub(super) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<String> {
     let mut changed = None;

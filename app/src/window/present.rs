@@ -36,7 +36,7 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
     let line = Rect::from_min_max(pos2(inner.left(), bottom), pos2(inner.right(), bottom + ruler));
 
     let look = Look { text: body * 0.78, titles: false };
-    let mut under = stage_pane::stage(app, ui, space, false);
+    let mut under = stage_pane::stage(app, ui, space, false, body / 19.0);
     under = figure(app, ui, Pane::RulerLine, line, &look).or(under);
     under = side_page(app, ui, words, body).or(under);
     footer(app, ui, Rect::from_min_max(pos2(inner.left(), inner.bottom() - foot), inner.max), body);
@@ -96,7 +96,7 @@ fn footer(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) {
 
 /// The question or what the beat says, then the stack.
 fn side_page(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) -> Option<Place> {
-    let stack = body * 0.78 * 1.7 * 3.6;
+    let stack = body * 0.62 * 1.7 * 4.6;
     let text = Rect::from_min_max(rect.min, rect.max - vec2(0.0, stack));
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(text));
     child.set_clip_rect(text.expand(4.0));
@@ -104,7 +104,7 @@ fn side_page(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) -> Option<Place>
     if let Some(command) = asked {
         app.run(ui, command);
     }
-    let look = Look { text: body * 0.78, titles: false };
+    let look = Look { text: body * 0.62, titles: false };
     figure(app, ui, Pane::StackHere, Rect::from_min_max(pos2(rect.left(), rect.bottom() - stack), rect.max), &look)
 }
 

@@ -58,14 +58,6 @@ impl Remembered {
         Remembered { file, written: text, ..read }
     }
 
-    /// A pane's height: remembered once it differs from the usual one.
-    pub(super) fn note(&mut self, pane: usize, height: f32, usual: f32) {
-        let height = height.round();
-        if self.heights[pane].is_some() || (height - usual).abs() > 3.0 {
-            self.heights[pane] = Some(height);
-        }
-    }
-
     /// Writes the file if it would differ. What cannot be written is not remembered; nothing else is lost.
     fn write(&mut self) {
         let (Some(file), Ok(text)) = (&self.file, toml::to_string(&*self)) else { return };
@@ -124,7 +116,7 @@ mod tests {
             file: Some(file.clone()),
             ..Remembered::default()
         };
-        kept.note(2, 200.0, 150.0);
+        kept.heights[2] = Some(200.0);
         kept.write();
         let read: Remembered = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
         assert_eq!((read.theme.as_str(), read.lesson, read.heights[2]), ("dark", Some(300.0), Some(200.0)));

@@ -9,6 +9,7 @@ use raystep_figure::{Camera, Face, Figure, Look, Role, Space, space};
 use super::app::App;
 use super::columns::strip;
 use super::eye;
+use super::outline::scaled;
 use super::painter::{caption, paint_figure};
 use super::pictures::Pane;
 use super::playback::Playback;
@@ -20,14 +21,14 @@ use super::view::RayChoice;
 pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
     let Some(beside) = app.beside.clone().filter(|_| app.state.beside != Beside::Nothing) else {
-        return stage(app, ui, rect, true);
+        return stage(app, ui, rect, true, 1.0);
     };
     let half = (rect.width() * 0.5).floor();
     let left = Rect::from_min_size(rect.min, vec2(half, rect.height()));
     let right = Rect::from_min_max(rect.min + vec2(half, 0.0), rect.max);
     let (name, picture) = strip(left, 30.0);
     label(app, ui, name, super::top::kind_name(app.state.playback()?.rule.kind()));
-    let mut under = stage(app, ui, picture, false);
+    let mut under = stage(app, ui, picture, false, 1.0);
     let (name, picture) = strip(right, 30.0);
     let title = match app.state.beside {
         Beside::Mistake(index) => beside.mistakes.get(index).map_or("", |mistake| mistake.title()),
@@ -44,8 +45,8 @@ fn label(app: &App, ui: &Ui, rect: Rect, text: &str) {
     caption(ui.painter(), at, Align2::LEFT_CENTER, text, Face::Bold, 13.5, Role::Text, app.theme);
 }
 
-/// The picture of the walk, with the legend under it.
-pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool) -> Option<Place> {
+/// The picture of the walk, with the legend under it; lines and letters `scale` times as large as usual.
+pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: f32) -> Option<Place> {
     let pictures = app.pictures.take();
     let Some(mut pictures) = pictures.filter(|_| app.state.playback().is_some()) else {
         waiting(app, ui, rect);
@@ -57,7 +58,7 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool) -> Opti
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
     let camera = camera(app, &pictures.space, picture);
     let solid = !pictures.space.flat && app.solid.is_there();
-    let figure = pictures.stage(&camera, glam_size(picture), solid);
+    let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
     if solid {
         let prims = &pictures.playback.play.scene;
         app.solid.show(ui, picture, &pictures.space, prims, &camera, app.theme, app.lit());

@@ -38,8 +38,8 @@ pub(super) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
             ui.label(RichText::new("Raystep").font(font(Face::Bold, 17.0)));
             ui.add_space(8.0);
         }
-        outline(ui, state, theme, (width * 0.26).clamp(190.0, 380.0), &mut asked);
-        if width > 1240.0
+        outline(ui, state, theme, (width * 0.235).clamp(180.0, 380.0), &mut asked);
+        if width > 1300.0
             && let Some(slide) = state.slide()
         {
             ui.add_space(6.0);
@@ -83,21 +83,23 @@ fn outline(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Op
         format!("{} {} › {}", section_number(slide), slide.section_title(), slide.title)
     });
     let combo = ComboBox::from_id_salt("outline").width(width).truncate().selected_text(RichText::new(shown));
-    let shown = combo.show_ui(ui, |ui| {
-        ui.set_min_width(width.max(340.0));
-        let mut section = "";
-        for (index, slide) in state.library.slides.iter().enumerate() {
-            if slide.section != section {
-                section = &slide.section;
-                ui.add_space(4.0);
-                let heading = format!("{} {}", section_number(slide), slide.section_title());
-                ui.label(RichText::new(heading).font(font(Face::Bold, 12.5)).color(ink(theme, Role::Quiet)));
+    let shown = controls::within(ui, width, |ui| {
+        combo.show_ui(ui, |ui| {
+            ui.set_min_width(width.max(340.0));
+            let mut section = "";
+            for (index, slide) in state.library.slides.iter().enumerate() {
+                if slide.section != section {
+                    section = &slide.section;
+                    ui.add_space(4.0);
+                    let heading = format!("{} {}", section_number(slide), slide.section_title());
+                    ui.label(RichText::new(heading).font(font(Face::Bold, 12.5)).color(ink(theme, Role::Quiet)));
+                }
+                let text = format!("{}   {}", slide.title, slide.numbers_text());
+                if ui.selectable_label(index == at, text).clicked() {
+                    *asked = Some(Asked::Slide(index));
+                }
             }
-            let text = format!("{}   {}", slide.title, slide.numbers_text());
-            if ui.selectable_label(index == at, text).clicked() {
-                *asked = Some(Asked::Slide(index));
-            }
-        }
+        })
     });
     controls::name(&shown.response, "Outline of slides");
     let forth = icon_button(ui, Icon::Right, "Next slide", &Command::NextSlide.tip(), false, 28.0);
@@ -131,14 +133,17 @@ fn rays(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Optio
             widget.bg_stroke = egui::Stroke::new(1.2, text_color);
             widget.fg_stroke.color = text_color;
         }
-        let combo = ComboBox::from_id_salt("rays").width(needed.min(width)).truncate();
+        let width = needed.min(width);
+        let combo = ComboBox::from_id_salt("rays").width(width).truncate();
         let text = RichText::new(text).font(font(Face::Medium, 13.5)).color(text_color);
-        let shown = combo.selected_text(text).show_ui(ui, |ui| {
-            for (index, ray) in stage.rays.iter().enumerate() {
-                if ui.selectable_label(state.view.ray == RayChoice::Named(index), &ray.name).clicked() {
-                    *asked = Some(Asked::Ray(index));
+        let shown = controls::within(ui, width, |ui| {
+            combo.selected_text(text).show_ui(ui, |ui| {
+                for (index, ray) in stage.rays.iter().enumerate() {
+                    if ui.selectable_label(state.view.ray == RayChoice::Named(index), &ray.name).clicked() {
+                        *asked = Some(Asked::Ray(index));
+                    }
                 }
-            }
+            })
         });
         controls::name(&shown.response, &format!("Ray: {name}"));
     });
