@@ -1,2 +1,9 @@
 //! The `raystep` binary: the window and the command line.
-fn main() {}
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    raystep::cli::run(&raystep::cli::Arguments::parse())
+}

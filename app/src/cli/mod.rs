@@ -1,1 +1,67 @@
 //! The command line: what Raystep does without a window.
+
+mod camera;
+mod check;
+mod doctor;
+mod export;
+mod fault;
+mod files;
+pub mod page;
+mod rays;
+mod session;
+mod size;
+mod start;
+mod trace;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+pub use check::CheckArguments;
+pub use export::ExportArguments;
+pub use fault::Fault;
+pub use session::View;
+pub use size::Size;
+pub use start::StartArguments;
+pub use trace::TraceArguments;
+
+/// One ray walks through an acceleration structure, one decision at a time.
+#[derive(Parser, Debug)]
+#[command(name = "raystep", version, about, args_conflicts_with_subcommands = true)]
+pub struct Arguments {
+    /// What to do instead of opening the window.
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    start: StartArguments,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// Check lessons; silent when all is well.
+    Check(CheckArguments),
+    /// Draw steps as pictures.
+    Export(ExportArguments),
+    /// Walk rays and write hits and counters.
+    Trace(TraceArguments),
+    /// Say what a window needs and what was found.
+    Doctor,
+}
+
+/// Does what was asked. Exit code 2 means that there is something to mend; a sentence says what.
+pub fn run(arguments: &Arguments) -> ExitCode {
+    let done = match &arguments.command {
+        None => start::run(&arguments.start),
+        Some(Command::Check(arguments)) => check::run(arguments),
+        Some(Command::Export(arguments)) => export::run(arguments),
+        Some(Command::Trace(arguments)) => trace::run(arguments),
+        Some(Command::Doctor) => doctor::run(),
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fault) => {
+            eprintln!("raystep: {fault}");
+            ExitCode::from(2)
+        }
+    }
+}

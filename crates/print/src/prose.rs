@@ -76,6 +76,9 @@ const LEADING: f32 = 1.5;
 /// Paragraphs stand this many sizes further apart.
 const GAP: f32 = 0.6;
 
+/// Signs that stay with what they relate.
+const RELATIONS: [&str; 7] = ["=", "<", ">", "≤", "≥", "←", "·"];
+
 /// What is never broken.
 #[derive(Clone)]
 struct Piece {
@@ -138,10 +141,15 @@ struct Setter {
 
 impl Setter {
     fn words(&mut self, text: &str, face: Face) {
+        let mut before = "";
         for (index, part) in text.split([' ', '\n']).enumerate() {
-            if index > 0 {
+            if index > 0 && (RELATIONS.contains(&part) || RELATIONS.contains(&before)) {
+                // An equation is not torn apart.
+                self.piece(Piece::space(self.plain, self.size));
+            } else if index > 0 {
                 self.space();
             }
+            before = part;
             if !part.is_empty() {
                 self.piece(Piece::text(part, face, self.size));
             }

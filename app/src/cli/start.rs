@@ -1,0 +1,71 @@
+//! `raystep` alone: the window, or where none can open, the lecture as a page.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use raystep_lesson::Library;
+
+use super::fault::{Fault, about};
+use super::{doctor, page};
+use crate::window::{self, Wishes};
+
+/// What the window shows first.
+#[derive(Args, Debug)]
+pub struct StartArguments {
+    /// The slide: section and number, as in 5/33.
+    #[arg(long, value_name = "SLIDE")]
+    slide: Option<String>,
+    /// The ray, by its name.
+    #[arg(long, value_name = "NAME")]
+    ray: Option<String>,
+    /// The step.
+    #[arg(long, value_name = "N")]
+    step: Option<usize>,
+    /// Lessons to read instead of those in the program; read again when they are saved.
+    #[arg(long, value_name = "DIR")]
+    lessons: Option<PathBuf>,
+    /// A mesh to walk through.
+    #[arg(value_name = "MESH.obj")]
+    mesh: Option<PathBuf>,
+}
+
+/// Opens the window, or writes the page.
+pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
+    let library = match &arguments.lessons {
+        Some(folder) => Library::from_dir(folder).map_err(about(folder))?,
+        None => Library::embedded(),
+    };
+    if let Some(path) = arguments.mesh.as_ref().filter(|path| !path.is_file()) {
+        return Err(Fault::new(format!("{}: there is no such file, and no such command (--help)", path.display())));
+    }
+    if let Some(slide) = arguments.slide.as_ref().filter(|slide| library.slide(slide).is_none()) {
+        return Err(super::export::no_slide(&library, slide));
+    }
+    if !doctor::has_display() {
+        let why = "neither DISPLAY nor WAYLAND_DISPLAY is set, so there is no screen for a window";
+        return read_instead(&library, why);
+    }
+    let wishes = Wishes {
+        slide: arguments.slide.clone(),
+        ray: arguments.ray.clone(),
+        step: arguments.step,
+        lessons: arguments.lessons.clone(),
+        mesh: arguments.mesh.clone(),
+    };
+    match window::open(library.clone(), wishes) {
+        Ok(()) => Ok(()),
+        Err(no_window) => read_instead(&library, &no_window.to_string()),
+    }
+}
+
+/// Says why there is no window, and writes the lecture to read in a browser.
+fn read_instead(library: &Library, why: &str) -> Result<(), Fault> {
+    eprintln!("raystep: {why} (raystep doctor says more).");
+    eprintln!("raystep: writing the lecture to read in a browser ...");
+    let folder = Path::new(page::FOLDER);
+    page::write(library, folder)?;
+    let index = folder.join("index.html");
+    println!("{}", std::path::absolute(&index).unwrap_or(index).display());
+    eprintln!("raystep: the lecture is in {}; open its index.html and step with the arrow keys.", folder.display());
+    Ok(())
+}

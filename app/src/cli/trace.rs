@@ -1,0 +1,181 @@
+//! `raystep trace`: rays in, hits and counters out.
+
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use glam::Vec2;
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
+use raystep_print::Walked;
+use raystep_scene::Scene;
+
+use super::fault::Fault;
+use super::{Size, camera, files, rays};
+
+/// What to trace, and how.
+#[derive(Args, Debug)]
+pub struct TraceArguments {
+    /// A shipped scene: flat-twelve, teapot-6321 ...
+    #[arg(long, value_name = "NAME", conflicts_with = "mesh", required_unless_present = "mesh")]
+    scene: Option<String>,
+    /// A mesh to read.
+    #[arg(long, value_name = "FILE.obj")]
+    mesh: Option<PathBuf>,
+    /// list, grid, kd or bvh.
+    #[arg(long, value_name = "KIND")]
+    structure: String,
+    /// A parameter of the structure; may be repeated.
+    #[arg(long, value_name = "KEY=VALUE")]
+    rule: Vec<String>,
+    /// A table of rays with the header ox,oy,oz,dx,dy,dz[,t_min,t_max].
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "pixel", required_unless_present = "pixel")]
+    rays: Option<PathBuf>,
+    /// The ray through the middle of a pixel, counted from the upper left one.
+    #[arg(long, value_name = "X,Y", value_parser = pixel)]
+    pixel: Option<[u32; 2]>,
+    /// The size of the picture that the pixel belongs to.
+    #[arg(long, value_name = "WxH", default_value = "1600x1000")]
+    size: Size,
+    /// Where to write; without it, to the standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Write the whole walk of the one ray.
+    #[arg(long)]
+    json: bool,
+}
+
+/// How many events of one walk are kept.
+const TAPE: usize = 1_000_000;
+
+/// Walks the rays.
+pub(crate) fn run(arguments: &TraceArguments) -> Result<(), Fault> {
+    let scene = scene(arguments)?;
+    let rule = rule(arguments, scene.flat)?;
+    let rays = table(arguments, &scene)?;
+    let structure = Structure::build(&scene.prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))?;
+    let text = if arguments.json {
+        let [ray] = rays.as_slice() else {
+            let count = rays.len();
+            return Err(Fault::new(format!("--json writes the walk of one ray, and there are {count}: leave one in")));
+        };
+        walk(&scene, &rule, &structure, ray.as_ref().map_err(|why| Fault::new(why.clone()))?)
+    } else {
+        hits(&scene, &structure, &rays)?
+    };
+    match &arguments.out {
+        Some(path) => files::write(path, text.as_bytes()),
+        None => files::print(&text),
+    }
+}
+
+fn scene(arguments: &TraceArguments) -> Result<Scene, Fault> {
+    let Some(path) = &arguments.mesh else {
+        let name = arguments.scene.as_deref().unwrap_or_default();
+        return Scene::named(name).map_err(|error| Fault::new(error.to_string()));
+    };
+    let bytes = files::read(path)?;
+    let scene = Scene::from_obj(&bytes, &name(path), &mut |_| true).map_err(|error| Fault::new(error.to_string()))?;
+    for note in scene.note.lines() {
+        eprintln!("raystep: {}: {note}", name(path));
+    }
+    Ok(scene)
+}
+
+fn name(path: &Path) -> String {
+    path.display().to_string()
+}
+
+fn rule(arguments: &TraceArguments, flat: bool) -> Result<Rule, Fault> {
+    let wrong = |error: raystep_accel::RuleError| Fault::new(error.to_string());
+    let mut rule = Rule::default_for(&arguments.structure).map_err(wrong)?;
+    for pair in &arguments.rule {
+        let Some((key, value)) = pair.split_once('=') else {
+            return Err(Fault::new(format!("--rule {pair}: a parameter is written key=value")));
+        };
+        rule.set(key.trim(), value.trim()).map_err(wrong)?;
+    }
+    Ok(if flat { rule.flat() } else { rule })
+}
+
+fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, String>>, Fault> {
+    if let Some(path) = &arguments.rays {
+        return rays::read(&files::read(path)?, &name(path));
+    }
+    let [x, y] = arguments.pixel.unwrap_or_default();
+    let size: Vec2 = arguments.size.into();
+    let at = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+    if at.x > size.x || at.y > size.y {
+        return Err(Fault::new(format!("--pixel {x},{y} lies outside a picture of {}", arguments.size)));
+    }
+    let camera = camera::of_scene(scene, size);
+    Ok(vec![camera.ray(at, size).map_err(|error| error.to_string())])
+}
+
+/// The table of hits.
+fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>]) -> Result<String, Fault> {
+    let bar = if rays.len() > 10_000 && std::io::stderr().is_terminal() {
+        ProgressBar::new(rays.len() as u64)
+    } else {
+        ProgressBar::hidden()
+    };
+    let answers: Vec<Result<(Option<Hit>, Cost), &str>> = rays
+        .par_iter()
+        .map(|ray| {
+            bar.inc(1);
+            let ray = ray.as_ref().map_err(String::as_str)?;
+            let mut cost = Cost::default();
+            Ok((structure.intersect(&scene.prims, ray, &mut cost), cost))
+        })
+        .collect();
+    bar.finish_and_clear();
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let broken = |error: csv::Error| Fault::new(error.to_string());
+    writer
+        .write_record(["ray", "hit", "t", "prim", "prim_tests", "node_visits", "cell_steps", "box_tests"])
+        .map_err(broken)?;
+    for (index, answer) in answers.iter().enumerate() {
+        let none = String::new;
+        let row = match answer {
+            Err(why) => [index.to_string(), format!("unusable: {why}"), none(), none(), none(), none(), none(), none()],
+            Ok((hit, cost)) => [
+                index.to_string(),
+                hit.is_some().to_string(),
+                hit.map_or_else(none, |hit| hit.t.to_string()),
+                hit.map_or_else(none, |hit| hit.prim.to_string()),
+                cost.prim_tests.to_string(),
+                cost.node_visits.to_string(),
+                cost.cell_steps.to_string(),
+                cost.box_tests.to_string(),
+            ],
+        };
+        writer.write_record(row).map_err(broken)?;
+    }
+    let bytes = writer.into_inner().map_err(|error| Fault::new(error.to_string()))?;
+    String::from_utf8(bytes).map_err(|error| Fault::new(error.to_string()))
+}
+
+/// One walk, event by event.
+fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray) -> String {
+    let mut tape = Trace::new(TAPE);
+    let hit = structure.intersect(&scene.prims, ray, &mut tape);
+    raystep_print::json(&Walked {
+        scene: &scene.name,
+        kind: rule.kind(),
+        parameters: &rule.parameters().into_iter().map(|p| (p.key.to_owned(), p.value)).collect::<Vec<_>>(),
+        nodes: structure.node_count(),
+        bytes: structure.bytes(),
+        name: None,
+        ray,
+        events: &tape.events,
+        lost: tape.lost,
+        hit,
+    })
+}
+
+fn pixel(text: &str) -> Result<[u32; 2], String> {
+    let number = |text: &str| text.trim().parse().ok();
+    let pair = text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
+    pair.ok_or_else(|| "write two whole numbers with a comma between them, as in 800,500".to_owned())
+}

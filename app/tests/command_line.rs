@@ -1,0 +1,139 @@
+//! The command line, as its users call it.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A folder of this test's own, empty.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Calls Raystep in a folder, without a display.
+fn raystep(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_raystep"))
+        .args(arguments)
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// A refused call: exit code 2 and a sentence that holds `says`.
+fn refused(folder: &Path, arguments: &[&str], says: &str) {
+    let output = raystep(folder, arguments);
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{arguments:?}: {said}");
+    assert!(said.contains(says), "{arguments:?}: {said}");
+}
+
+const SQUARE: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n";
+
+const RAYS: &str = "ox,oy,oz,dx,dy,dz,t_min,t_max\n\
+                    1.5,0.5,5,0,0,-1,0,inf\n\
+                    0.5,1.5,5,0,0,-1,,\n\
+                    9,9,5,0,0,-1,0,inf\n\
+                    0,0,5,0,0,0,0,inf\n\
+                    0,zero,5,0,0,-1,0,inf\n\
+                    1.5,0.5,5,0,0,-1,0,2\n";
+
+#[test]
+fn every_structure_answers_a_table_of_rays() {
+    let folder = folder("trace");
+    std::fs::write(folder.join("square.obj"), SQUARE).unwrap();
+    std::fs::write(folder.join("rays.csv"), RAYS).unwrap();
+    for kind in ["list", "grid", "kd", "bvh"] {
+        let arguments =
+            ["trace", "--mesh", "square.obj", "--structure", kind, "--rays", "rays.csv", "--out", "hits.csv"];
+        let output = raystep(&folder, &arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let hits = std::fs::read_to_string(folder.join("hits.csv")).unwrap();
+        let rows: Vec<&str> = hits.lines().collect();
+        assert_eq!(rows[0], "ray,hit,t,prim,prim_tests,node_visits,cell_steps,box_tests");
+        let begins = [
+            "0,true,5,",
+            "1,true,5,",
+            "2,false,,,",
+            "3,unusable: the direction is zero",
+            "4,\"unusable: oy is \"\"zero\"\", not a number\"",
+            "5,false,,,",
+        ];
+        assert_eq!(rows.len(), begins.len() + 1, "{hits}");
+        for (row, begin) in rows[1..].iter().zip(begins) {
+            assert!(row.starts_with(begin), "{kind}: {row}");
+        }
+    }
+}
+
+#[test]
+fn one_walk_is_written_as_json() {
+    let folder = folder("json");
+    let output =
+        raystep(&folder, &["trace", "--scene", "flat-twelve", "--structure", "kd", "--pixel", "800,500", "--json"]);
+    let said = text(&output.stdout);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    assert!(said.contains("\"format\": \"raystep-walk\"") && said.contains("\"max_depth\""), "{said}");
+}
+
+#[test]
+fn what_cannot_be_done_is_said_in_a_sentence() {
+    let folder = folder("refused");
+    std::fs::write(folder.join("square.obj"), SQUARE).unwrap();
+    std::fs::write(folder.join("rays.csv"), RAYS).unwrap();
+    std::fs::write(folder.join("header.csv"), "x,y,z\n1,2,3\n").unwrap();
+    std::fs::write(folder.join("empty.obj"), "").unwrap();
+    let trace = |mesh, structure, rays| ["trace", "--mesh", mesh, "--structure", structure, "--rays", rays];
+    refused(&folder, &trace("none.obj", "kd", "rays.csv"), "none.obj");
+    refused(&folder, &trace("empty.obj", "kd", "rays.csv"), "empty.obj");
+    refused(&folder, &trace("square.obj", "kt", "rays.csv"), "did you mean \"kd\"?");
+    refused(&folder, &trace("square.obj", "kd", "header.csv"), "header.csv:1:1");
+    refused(&folder, &[&trace("square.obj", "kd", "rays.csv")[..], &["--rule", "max_dept=3"]].concat(), "max_depth");
+    refused(&folder, &[&trace("square.obj", "kd", "rays.csv")[..], &["--json"]].concat(), "one ray");
+    refused(&folder, &["export", "--slide", "99/1", "--out", "pictures"], "there is no slide");
+    refused(&folder, &["export", "--slide", "5/33", "--ray", "nobody", "--out", "pictures"], "no ray");
+    refused(&folder, &["export", "--slide", "5/33", "--size", "9", "--out", "pictures"], "1600x1000");
+    refused(&folder, &["nonsense.obj"], "no such file");
+}
+
+#[test]
+fn lessons_are_checked() {
+    let folder = folder("check");
+    let fine = raystep(&folder, &["check"]);
+    assert_eq!((fine.status.code(), text(&fine.stdout), text(&fine.stderr)), (Some(0), String::new(), String::new()));
+    let section = folder.join("05-kd-tree");
+    std::fs::create_dir_all(&section).unwrap();
+    std::fs::write(section.join("33-wrong.md"), "+++\nformat = 1\nslide = [33]\ntitel = \"Wrong\"\n+++\n").unwrap();
+    refused(&folder, &["check", "05-kd-tree/33-wrong.md"], "05-kd-tree/33-wrong.md:4:1");
+}
+
+#[test]
+fn a_slide_is_drawn_twice_with_the_same_bytes() {
+    let folder = folder("export");
+    let call = |format: &str, out: &str| {
+        let arguments = [
+            "export", "--slide", "5/33", "--stage", "flat", "--size", "640x400", "--steps", "1..2", "--format", format,
+            "--out", out,
+        ];
+        let output = raystep(&folder, &arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let mut files: Vec<PathBuf> =
+            std::fs::read_dir(folder.join(out)).unwrap().map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        files
+            .into_iter()
+            .map(|file| (file.file_name().unwrap().to_owned(), std::fs::read(&file).unwrap()))
+            .collect::<Vec<_>>()
+    };
+    for (format, count) in [("png", 2), ("svg", 2), ("apng", 1), ("gif", 1), ("json", 1)] {
+        let first = call(format, &format!("{format}-first"));
+        assert_eq!(first.len(), count);
+        assert!(first == call(format, &format!("{format}-again")), "{format} differs");
+    }
+}

@@ -1,0 +1,262 @@
+//! A step of a walk on one page: what is said, space, the ray's t, tree or cells, the listing, the stack
+//! and the work, as the window shows them.
+
+mod compose;
+
+use glam::Vec2;
+use raystep_accel::Visit;
+use raystep_figure::{
+    Anchor, Face, Figure, Ink, ListingLine, Look, Moment, Role, TreeView, Walk, cells, fonts, legend, legend_height,
+    listing, ruler, slabs, space, stack, timeline, tree, work,
+};
+
+use crate::prose;
+use compose::{Area, enlarge, set_in};
+
+/// A step and what is said about it.
+#[derive(Clone, Copy)]
+pub struct Plate<'a> {
+    /// The page's title.
+    pub title: &'a str,
+    /// Where it belongs: section, slide numbers, stage, ray.
+    pub about: &'a str,
+    /// The heading of what is said.
+    pub heading: &'a str,
+    /// What is said: Markdown with formulas, its fields filled in.
+    pub caption: &'a str,
+    /// The walk.
+    pub walk: Walk<'a>,
+    /// Its state at this step.
+    pub moment: &'a Moment,
+    /// The algorithm; may be empty.
+    pub listing: &'a [ListingLine<'a>],
+    /// The panes below space, from the top.
+    pub below: &'a [Below],
+    /// Whether the walk has a stack to show.
+    pub stack: bool,
+}
+
+/// What can stand below space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Below {
+    /// The ruler of t.
+    Ruler,
+    /// The tree of nodes.
+    Tree,
+    /// The cell table.
+    Cells,
+    /// The slab table.
+    Slabs,
+}
+
+/// The page at this size; `picture` draws space at the size that it gets.
+pub fn plate(plate: &Plate<'_>, size: Vec2, picture: &dyn Fn(Vec2) -> Figure) -> Figure {
+    let mut page = Page { figure: Figure::new(size), look: Look { text: TEXT, titles: true }, plate };
+    if size.x >= size.y * 1.2 {
+        page.wide(picture);
+    } else {
+        page.tall(picture);
+    }
+    page.figure
+}
+
+/// Size of body text in points on a page of 1600 by 1000.
+const TEXT: f32 = 15.0;
+/// Size of what is said.
+const SAID: f32 = 17.5;
+/// Room at the edges.
+const EDGE: f32 = 24.0;
+/// Heights of the strips above and below.
+const HEAD: f32 = 64.0;
+const FOOT: f32 = 78.0;
+
+/// How much larger space is set than in a window.
+const CLOSER: f32 = 1.15;
+
+struct Page<'a> {
+    figure: Figure,
+    look: Look,
+    plate: &'a Plate<'a>,
+}
+
+impl Page<'_> {
+    /// Three columns: what is said, the pictures, the algorithm.
+    fn wide(&mut self, picture: &dyn Fn(Vec2) -> Figure) {
+        let size = self.figure.size;
+        let said = Area::new(0.0, HEAD, (size.x * 0.225).round(), size.y - FOOT);
+        let code = Area::new((size.x * 0.72).round(), HEAD, size.x, size.y - FOOT);
+        let middle = Area::new(said.max.x, HEAD, code.min.x, size.y - FOOT);
+        let (space_area, below) = middle.split_top(middle.size().y - self.below_height(middle.size().y));
+        self.space(space_area, picture);
+        // What is drawn beyond the picture's edge disappears under the other panes.
+        said.fill(&mut self.figure, Role::Page);
+        self.said(said.inset(EDGE));
+        self.below(below);
+        self.code(code);
+        self.head(Area::new(0.0, 0.0, size.x, HEAD));
+        self.foot(Area::new(0.0, size.y - FOOT, size.x, size.y));
+    }
+
+    /// One above the other, the algorithm beside the stack and the work.
+    fn tall(&mut self, picture: &dyn Fn(Vec2) -> Figure) {
+        let size = self.figure.size;
+        let body = Area::new(0.0, HEAD, size.x, size.y - FOOT);
+        let caption = self.caption(size.x * 0.6 - 1.5 * EDGE);
+        let (said, rest) = body.split_top((body.size().y * 0.2).max(200.0));
+        let (pictures, code) = rest.split_top(rest.size().y * 0.68);
+        let (space_area, below) = pictures.split_top(pictures.size().y - self.below_height(pictures.size().y));
+        self.space(space_area, picture);
+        said.fill(&mut self.figure, Role::Page);
+        set_in(&mut self.figure, caption, said.min + EDGE);
+        let legend_area = Area::new(size.x * 0.62, said.min.y + EDGE * 0.5, size.x - EDGE, said.max.y);
+        self.legend(legend_area);
+        self.below(below);
+        let half = (size.x * 0.55).round();
+        let (left, right) =
+            (Area { max: Vec2::new(half, code.max.y), ..code }, Area { min: Vec2::new(half, code.min.y), ..code });
+        left.fill(&mut self.figure, Role::Panel);
+        right.fill(&mut self.figure, Role::Panel);
+        self.listing(left.inset(EDGE * 0.5));
+        self.stack_and_work(right.inset(EDGE * 0.5));
+        self.head(Area::new(0.0, 0.0, size.x, HEAD));
+        self.foot(Area::new(0.0, size.y - FOOT, size.x, size.y));
+    }
+
+    fn space(&mut self, area: Area, picture: &dyn Fn(Vec2) -> Figure) {
+        area.fill(&mut self.figure, Role::Panel);
+        let inner = area.inset(EDGE * 0.5);
+        // A page is read from further away than a window: labels are a little larger.
+        let mut part = picture(inner.size() / CLOSER);
+        enlarge(&mut part, CLOSER);
+        set_in(&mut self.figure, part, inner.min);
+    }
+
+    fn head(&mut self, area: Area) {
+        area.fill(&mut self.figure, Role::Panel);
+        let middle = area.min.y + area.size().y * 0.5;
+        let (left, right) = (area.min.x + EDGE, area.max.x - EDGE);
+        let title_size = 26.0;
+        let title_room = (right - left) * 0.62;
+        let title = fonts::elided(self.plate.title, Face::Bold, title_size, title_room);
+        let about_room = right - left - fonts::text_width(&title, Face::Bold, title_size) - 2.0 * EDGE;
+        let about = fonts::elided(self.plate.about, Face::Regular, TEXT, about_room);
+        self.text(Role::Text, Vec2::new(left, middle), &title, title_size, Face::Bold, Anchor::Start);
+        self.text(Role::Quiet, Vec2::new(right, middle), &about, TEXT, Face::Regular, Anchor::End);
+    }
+
+    fn foot(&mut self, area: Area) {
+        area.fill(&mut self.figure, Role::Panel);
+        let inner = Area::new(area.min.x + EDGE * 0.5, area.min.y, area.max.x - EDGE * 0.5, area.max.y);
+        let strip = timeline(&self.plate.walk, self.plate.moment.step, false, inner.size(), &self.look);
+        set_in(&mut self.figure, strip, inner.min);
+    }
+
+    /// The heading and the text below it, as one figure of this width.
+    fn caption(&self, width: f32) -> Figure {
+        let mut said = prose(self.plate.heading, width, SAID * 1.2, Face::Bold, Role::Text);
+        let text = prose(self.plate.caption, width, SAID, Face::Regular, Role::Text);
+        let top = said.size.y + SAID * 0.7;
+        let height = top + text.size.y;
+        set_in(&mut said, text, Vec2::new(0.0, top));
+        said.size.y = height;
+        said
+    }
+
+    fn said(&mut self, area: Area) {
+        let caption = self.caption(area.size().x);
+        let end = area.min.y + caption.size.y;
+        set_in(&mut self.figure, caption, area.min);
+        let shown = space(&self.plate.walk, self.plate.moment);
+        let margin = TEXT * 0.8;
+        let height = legend_height(&shown, area.size().x + 2.0 * margin, &self.look);
+        // The legend keeps to the foot of the column, and gives way to a long text.
+        let top = area.max.y - height + margin;
+        if top > end + SAID {
+            self.legend(Area { min: Vec2::new(area.min.x - margin, top), ..area });
+        }
+    }
+
+    fn legend(&mut self, area: Area) {
+        let shown = space(&self.plate.walk, self.plate.moment);
+        let part = legend(&shown, area.size() + Vec2::X * TEXT * 0.8, &self.look);
+        set_in(&mut self.figure, part, area.min);
+    }
+
+    /// How high the panes below space are, of so much.
+    fn below_height(&self, of: f32) -> f32 {
+        let wanted: f32 = self.plate.below.iter().map(|below| self.height(*below)).sum();
+        wanted.min(of * 0.55)
+    }
+
+    fn height(&self, below: Below) -> f32 {
+        match below {
+            Below::Ruler => 94.0 + 22.0 * (self.deepest().min(5) as f32),
+            Below::Tree => 200.0,
+            Below::Cells | Below::Slabs => 190.0,
+        }
+    }
+
+    /// The most that ever waits on this walk: the panes keep their places from step to step.
+    fn deepest(&self) -> u32 {
+        let depth = |event: &Visit| if let Visit::Push { depth, .. } = event { *depth } else { 0 };
+        self.plate.walk.events.iter().map(depth).max().unwrap_or(0) + 1
+    }
+
+    fn below(&mut self, area: Area) {
+        let wanted: f32 = self.plate.below.iter().map(|below| self.height(*below)).sum();
+        let mut rest = area;
+        for below in self.plate.below {
+            let (pane, after) = rest.split_top(area.size().y * self.height(*below) / wanted);
+            rest = after;
+            pane.fill(&mut self.figure, Role::Panel);
+            let inner = Area::new(pane.min.x + EDGE * 0.3, pane.min.y + 4.0, pane.max.x - EDGE * 0.3, pane.max.y - 4.0);
+            let (walk, moment, look) = (&self.plate.walk, self.plate.moment, &self.look);
+            let part = match below {
+                Below::Ruler => ruler(walk, moment, inner.size(), look),
+                Below::Tree => tree(walk, moment, &TreeView::default(), inner.size(), look),
+                Below::Cells => cells(walk, moment, false, inner.size(), look),
+                Below::Slabs => slabs(walk, moment, inner.size(), look),
+            };
+            set_in(&mut self.figure, part, inner.min);
+        }
+    }
+
+    fn code(&mut self, area: Area) {
+        let line = TEXT * 1.7;
+        let wanted = (self.plate.listing.len() as f32 + 2.8) * line + EDGE;
+        let (top, rest) = if self.plate.listing.is_empty() {
+            area.split_top(0.0)
+        } else {
+            area.split_top(wanted.min(area.size().y * 0.6))
+        };
+        if !self.plate.listing.is_empty() {
+            top.fill(&mut self.figure, Role::Panel);
+            self.listing(top.inset(EDGE * 0.4));
+        }
+        rest.fill(&mut self.figure, Role::Panel);
+        self.stack_and_work(rest.inset(EDGE * 0.4));
+    }
+
+    fn listing(&mut self, area: Area) {
+        let event = self.plate.moment.event;
+        let part = listing(self.plate.listing, event.as_ref(), area.size(), &self.look);
+        set_in(&mut self.figure, part, area.min);
+    }
+
+    fn stack_and_work(&mut self, area: Area) {
+        let mut rest = area;
+        if self.plate.stack {
+            let rows = self.plate.moment.stack.len().max(1) as f32;
+            let (top, below) = area.split_top((rows * 2.75 * TEXT + 3.2 * TEXT).min(area.size().y - 9.0 * TEXT));
+            let part = stack(&self.plate.walk, self.plate.moment, false, top.size(), &self.look);
+            set_in(&mut self.figure, part, top.min);
+            rest = below;
+        }
+        let part = work(&self.plate.walk, self.plate.moment, None, rest.size(), &self.look);
+        set_in(&mut self.figure, part, rest.min);
+    }
+
+    fn text(&mut self, role: Role, at: Vec2, text: &str, size: f32, face: Face, anchor: Anchor) {
+        self.figure.add(role, None, Ink::Text { at, text: text.to_owned(), size, face, anchor, boxed: false });
+    }
+}
