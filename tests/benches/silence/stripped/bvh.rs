@@ -1,0 +1,131 @@
+//! The ordered walk of the hierarchy of boxes, stripped.
+
+use raystep_accel::{Aabb, Bvh, Hit, Interval, NodeId, PrimId, Primitives, Ray, Want};
+
+use super::{Best, slab, test};
+
+/// The tree's own data, laid out as in `raystep-accel`.
+pub struct StrippedBvh {
+    nodes: Vec<Node>,
+    refs: Vec<PrimId>,
+}
+
+struct Node {
+    bounds: Aabb,
+    first: u32,
+    count: u32,
+}
+
+#[derive(Clone, Copy)]
+struct Met {
+    node: NodeId,
+    within: Interval,
+}
+
+struct Walk<'a, P> {
+    bvh: &'a StrippedBvh,
+    prims: &'a P,
+    ray: &'a Ray,
+    best: Best,
+    cuts: bool,
+}
+
+impl StrippedBvh {
+    pub fn of(tree: &Bvh) -> StrippedBvh {
+        let mut refs: Vec<PrimId> = Vec::new();
+        let ids = (0..tree.node_count() as u32).map(NodeId);
+        let nodes = ids.zip(tree.node_bounds()).map(|(node, bounds)| match tree.children(node) {
+            Some([left, _]) => Node { bounds, first: left.0, count: 0 },
+            None => {
+                let prims = tree.leaf_prims(node);
+                let first = refs.len() as u32;
+                refs.extend(prims);
+                Node { bounds, first, count: prims.len() as u32 }
+            }
+        });
+        StrippedBvh { nodes: nodes.collect(), refs }
+    }
+
+    pub fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+        let mut walk = Walk { bvh: self, prims, ray, best: Best::new(want), cuts: true };
+        if !self.nodes.is_empty() {
+            walk.ordered();
+        }
+        walk.best.hit
+    }
+
+    fn children(&self, node: NodeId) -> Option<[NodeId; 2]> {
+        let node = &self.nodes[node.index()];
+        (node.count == 0).then_some([NodeId(node.first), NodeId(node.first + 1)])
+    }
+
+    fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
+        let node = &self.nodes[node.index()];
+        match node.count {
+            0 => &[],
+            count => &self.refs[node.first as usize..(node.first + count) as usize],
+        }
+    }
+}
+
+impl<P: Primitives> Walk<'_, P> {
+    fn ordered(&mut self) {
+        let Some(mut here) = self.root() else { return };
+        let mut stack = [here; Bvh::DEEPEST];
+        let mut depth = 0;
+        loop {
+            if let Some([left, right]) = self.open(here) {
+                match (self.volume(left), self.volume(right)) {
+                    (Some(left), Some(right)) => {
+                        let (near, far) =
+                            if right.within.near < left.within.near { (right, left) } else { (left, right) };
+                        stack[depth] = far;
+                        depth += 1;
+                        here = near;
+                        continue;
+                    }
+                    (Some(only), None) | (None, Some(only)) => {
+                        here = only;
+                        continue;
+                    }
+                    (None, None) => {}
+                }
+            }
+            if self.best.answered() {
+                return;
+            }
+            loop {
+                if depth == 0 {
+                    return;
+                }
+                depth -= 1;
+                if !self.best.rules_out(stack[depth].within.near) {
+                    here = stack[depth];
+                    break;
+                }
+            }
+        }
+    }
+
+    fn root(&mut self) -> Option<Met> {
+        if self.bvh.nodes.is_empty() { None } else { self.volume(NodeId::ROOT) }
+    }
+
+    fn volume(&mut self, node: NodeId) -> Option<Met> {
+        let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, self.ray.range());
+        let met = !within.is_empty() && !(self.cuts && self.best.rules_out(within.near));
+        met.then_some(Met { node, within })
+    }
+
+    fn open(&mut self, here: Met) -> Option<[NodeId; 2]> {
+        let bvh = self.bvh;
+        let (children, prims) = (bvh.children(here.node), bvh.leaf_prims(here.node));
+        for &prim in prims {
+            test(self.prims, prim, self.ray, &mut self.best);
+            if self.best.answered() {
+                break;
+            }
+        }
+        children
+    }
+}

@@ -1,0 +1,164 @@
+//! The walk of the uniform grid, stripped.
+
+use raystep_accel::{Accel, Aabb, Axis, CellId, Grid, Hit, Interval, List, Margin, PrimId, Primitives, Ray, Want};
+
+use super::{Best, Mailbox, slab, test};
+
+/// The grid's own data, laid out as in `raystep-accel`.
+pub struct StrippedGrid {
+    bounds: Aabb,
+    resolution: [u32; 3],
+    starts: Vec<u32>,
+    refs: Vec<PrimId>,
+    margin: Margin,
+    mailbox: bool,
+}
+
+impl StrippedGrid {
+    pub fn of(grid: &Grid, mailbox: bool) -> StrippedGrid {
+        let (mut starts, mut refs) = (vec![0], Vec::new());
+        for cell in (0..grid.cell_count() as u32).map(CellId) {
+            refs.extend(grid.cell_prims(cell));
+            starts.push(refs.len() as u32);
+        }
+        let (bounds, resolution) = (grid.bounds, grid.resolution);
+        StrippedGrid { bounds, resolution, starts, refs, margin: Margin::of(&bounds), mailbox }
+    }
+
+    pub fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+        if !self.margin.covers(ray.o) {
+            return List.walk(prims, ray, want, &mut ());
+        }
+        let mut best = Best::new(want);
+        let mut mailbox = Mailbox::new();
+        let mut crossing = Crossing::begin(self, ray)?;
+        loop {
+            let cell = crossing.enter();
+            for &prim in self.cell_prims(cell) {
+                if self.mailbox && mailbox.holds(prim) {
+                    continue;
+                }
+                mailbox.put(prim);
+                test(prims, prim, ray, &mut best);
+                if best.answered() {
+                    return best.hit;
+                }
+            }
+            let t_far = crossing.t_far();
+            if best.t() < t_far {
+                return best.hit;
+            }
+            if !crossing.step() {
+                return best.hit;
+            }
+        }
+    }
+
+    fn cell_prims(&self, cell: CellId) -> &[PrimId] {
+        &self.refs[self.starts[cell.index()] as usize..self.starts[cell.index() + 1] as usize]
+    }
+
+    fn cell_at(&self, x: u32, y: u32, z: u32) -> CellId {
+        let [nx, ny, _] = self.resolution;
+        CellId(x + nx * (y + ny * z))
+    }
+
+    fn plane(&self, axis: Axis, index: u32) -> f32 {
+        let (n, low, high) = (self.resolution[axis.index()], self.bounds.min[axis], self.bounds.max[axis]);
+        if index == 0 {
+            low
+        } else if index == n {
+            high
+        } else {
+            low + (high - low) * index as f32 / n as f32
+        }
+    }
+
+    fn locate(&self, axis: Axis, p: f32) -> u32 {
+        let n = self.resolution[axis.index()];
+        let (low, high) = (self.bounds.min[axis], self.bounds.max[axis]);
+        let mut index = ((p - low) / (high - low) * n as f32) as u32;
+        index = index.min(n - 1);
+        while index > 0 && p < self.plane(axis, index) {
+            index -= 1;
+        }
+        while index + 1 < n && p >= self.plane(axis, index + 1) {
+            index += 1;
+        }
+        index
+    }
+}
+
+struct Crossing<'a> {
+    grid: &'a StrippedGrid,
+    ray: &'a Ray,
+    place: [u32; 3],
+    t: f32,
+    next: [f32; 3],
+    range: Interval,
+}
+
+impl<'a> Crossing<'a> {
+    fn begin(grid: &'a StrippedGrid, ray: &'a Ray) -> Option<Crossing<'a>> {
+        if grid.bounds.is_empty() {
+            return None;
+        }
+        let range = slab(&grid.bounds, ray, ray.range());
+        let t_near = range.near;
+        if range.is_empty() {
+            return None;
+        }
+        let place = Axis::ALL.map(|axis| {
+            let (o, d) = (ray.o[axis], ray.d[axis]);
+            grid.locate(axis, if d == 0.0 { o } else { o + t_near * d })
+        });
+        let mut crossing = Crossing { grid, ray, place, t: t_near, next: [0.0; 3], range };
+        crossing.next = Axis::ALL.map(|axis| crossing.leaves(axis));
+        Some(crossing)
+    }
+
+    fn enter(&self) -> CellId {
+        let [x, y, z] = self.place;
+        self.grid.cell_at(x, y, z)
+    }
+
+    fn t_far(&self) -> f32 {
+        let t = self.next[self.axis().index()];
+        let t = if t < self.t { self.t } else { t };
+        if t > self.range.far { self.range.far } else { t }
+    }
+
+    fn step(&mut self) -> bool {
+        let (axis, t) = (self.axis(), self.t_far());
+        let (i, n) = (axis.index(), self.grid.resolution[axis.index()]);
+        let next = self.next;
+        let last = if self.ray.d[axis] > 0.0 { self.place[i] + 1 == n } else { self.place[i] == 0 };
+        let inside = !last && next[i] <= self.range.far && next[i] < f32::INFINITY;
+        if inside {
+            self.place[i] = if self.ray.d[axis] > 0.0 { self.place[i] + 1 } else { self.place[i] - 1 };
+            self.t = t;
+            self.next[i] = self.leaves(axis);
+        }
+        inside
+    }
+
+    fn axis(&self) -> Axis {
+        let [x, y, z] = self.next;
+        if x <= y && x <= z {
+            Axis::X
+        } else if y <= z {
+            Axis::Y
+        } else {
+            Axis::Z
+        }
+    }
+
+    fn leaves(&self, axis: Axis) -> f32 {
+        let (o, d, index) = (self.ray.o[axis], self.ray.d[axis], self.place[axis.index()]);
+        if d == 0.0 {
+            f32::INFINITY
+        } else {
+            (self.grid.plane(axis, index + u32::from(d > 0.0)) - o) / d
+        }
+    }
+}
