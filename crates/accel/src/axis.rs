@@ -41,14 +41,22 @@ impl Index<Axis> for glam::Vec3 {
 
     #[inline]
     fn index(&self, axis: Axis) -> &f32 {
-        &self[axis.index()]
+        match axis {
+            Axis::X => &self.x,
+            Axis::Y => &self.y,
+            Axis::Z => &self.z,
+        }
     }
 }
 
 impl IndexMut<Axis> for glam::Vec3 {
     #[inline]
     fn index_mut(&mut self, axis: Axis) -> &mut f32 {
-        &mut self[axis.index()]
+        match axis {
+            Axis::X => &mut self.x,
+            Axis::Y => &mut self.y,
+            Axis::Z => &mut self.z,
+        }
     }
 }
 

@@ -34,6 +34,7 @@ impl Margin {
     }
 
     /// Whether a ray from `o` can be walked through cells.
+    #[inline]
     pub fn covers(&self, o: Vec3) -> bool {
         (o - self.center).length() <= self.reach
     }

@@ -12,6 +12,7 @@ const ROUNDING: f32 = 4.0 * f32::EPSILON;
 ///
 /// `fl((b − o) / d)` is monotone in `b`, so a box inside another never gets the longer interval. That is
 /// what lets every structure answer exactly as brute force does.
+#[inline(always)]
 pub fn slab(bounds: &Aabb, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
     let Interval { near: mut t_near, far: mut t_far } = within;
     for axis in Axis::ALL {

@@ -55,7 +55,11 @@ impl Stage {
     fn pairs(&self) -> [(&'static str, Walk<'_>, Walk<'_>); 3] {
         let Stage { prims, rays, grid, kd, bvh } = self;
         [
-            ("grid", stripped_walk(rays, |ray| grid.1.walk(prims, ray, Want::Nearest)), silent_walk(&grid.0, prims, rays)),
+            (
+                "grid",
+                stripped_walk(rays, |ray| grid.1.walk(prims, ray, Want::Nearest)),
+                silent_walk(&grid.0, prims, rays),
+            ),
             ("kd", stripped_walk(rays, |ray| kd.1.walk(prims, ray, Want::Nearest)), silent_walk(&kd.0, prims, rays)),
             ("bvh", stripped_walk(rays, |ray| bvh.1.walk(prims, ray, Want::Nearest)), silent_walk(&bvh.0, prims, rays)),
         ]

@@ -47,12 +47,14 @@ impl Bvh {
     }
 
     /// A node's two children, or nothing for a leaf.
+    #[inline]
     pub fn children(&self, node: NodeId) -> Option<[NodeId; 2]> {
         let node = &self.nodes[node.index()];
         (node.count == 0).then_some([NodeId(node.first), NodeId(node.first + 1)])
     }
 
     /// The primitives of a leaf; empty for inner nodes.
+    #[inline]
     pub fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
         let node = &self.nodes[node.index()];
         match node.count {

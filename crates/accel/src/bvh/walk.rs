@@ -120,6 +120,7 @@ impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
     }
 
     /// Tests a node's volume; nothing if the ray misses it or has a nearer hit already.
+    #[inline(never)]
     pub(crate) fn volume(&mut self, node: NodeId) -> Option<Met> {
         let place = Place::Node(node);
         let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, self.ray.range(), place, self.watch);
@@ -136,6 +137,7 @@ impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
     }
 
     /// Enters a node: its two children, or, from a leaf, nothing once its primitives are tested.
+    #[inline]
     pub(crate) fn open(&mut self, here: Met) -> Option<[NodeId; 2]> {
         let bvh = self.bvh;
         let (children, prims) = (bvh.children(here.node), bvh.leaf_prims(here.node));

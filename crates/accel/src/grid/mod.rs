@@ -39,11 +39,13 @@ impl Grid {
     }
 
     /// The primitives that a cell refers to.
+    #[inline]
     pub fn cell_prims(&self, cell: CellId) -> &[PrimId] {
         &self.refs[self.starts[cell.index()] as usize..self.starts[cell.index() + 1] as usize]
     }
 
     /// The cell at a place counted in cells.
+    #[inline]
     pub fn cell_at(&self, x: u32, y: u32, z: u32) -> CellId {
         let [nx, ny, _] = self.resolution;
         CellId(x + nx * (y + ny * z))
@@ -66,6 +68,7 @@ impl Grid {
     }
 
     /// The plane below cell `index` along `axis`: from the index, so that no error piles up on the way.
+    #[inline]
     pub fn plane(&self, axis: Axis, index: u32) -> f32 {
         let (n, low, high) = (self.resolution[axis.index()], self.bounds.min[axis], self.bounds.max[axis]);
         if index == 0 {

@@ -3,8 +3,8 @@
 use super::Grid;
 use crate::mailbox::Mailbox;
 use crate::{
-    Accel, Axis, Best, CellId, Ending, Hit, Interval, List, Observer, Place, Primitives, Ray, Verdict, Visit, Want,
-    slab, test,
+    Accel, Axis, Best, CellId, Ending, Hit, Interval, List, Observer, Place, PrimId, Primitives, Ray, Verdict, Visit,
+    Want, slab, test,
 };
 
 impl Accel for Grid {
@@ -26,8 +26,8 @@ impl Accel for Grid {
         };
         loop {
             // Test what the cell refers to.
-            let cell = crossing.enter(watch);
-            for &prim in self.cell_prims(cell) {
+            let (cell, refs) = crossing.enter(watch);
+            for &prim in refs {
                 if self.mailbox && mailbox.holds(prim) {
                     watch.on(Visit::Skip { prim });
                     continue;
@@ -72,6 +72,7 @@ pub(crate) struct Crossing<'a> {
 
 impl<'a> Crossing<'a> {
     /// Enters the grid's box; nothing if the ray misses it.
+    #[inline]
     pub(crate) fn begin(grid: &'a Grid, ray: &'a Ray, watch: &mut impl Observer<Visit>) -> Option<Crossing<'a>> {
         if grid.bounds.is_empty() {
             return None;
@@ -92,16 +93,18 @@ impl<'a> Crossing<'a> {
         Some(crossing)
     }
 
-    /// Names the cell, with the part of the ray in it.
-    pub(crate) fn enter(&self, watch: &mut impl Observer<Visit>) -> CellId {
-        let [x, y, z] = self.place;
-        let cell = self.grid.cell_at(x, y, z);
-        let prims = self.grid.cell_prims(cell).len() as u32;
-        watch.on(Visit::Enter { place: Place::Cell(cell), t_near: self.t, t_far: self.t_far(), prims, leaf: true });
-        cell
+    /// Names the cell, with what it refers to.
+    #[inline]
+    pub(crate) fn enter(&self, watch: &mut impl Observer<Visit>) -> (CellId, &'a [PrimId]) {
+        let cell = self.cell();
+        let refs = self.grid.cell_prims(cell);
+        let (t_near, t_far) = (self.t, self.t_far());
+        watch.on(Visit::Enter { place: Place::Cell(cell), t_near, t_far, prims: refs.len() as u32, leaf: true });
+        (cell, refs)
     }
 
     /// Where the ray leaves the cell, or ends in it.
+    #[inline]
     pub(crate) fn t_far(&self) -> f32 {
         let t = self.next[self.axis().index()];
         // Rounding may put a face before the entry: t never falls.
@@ -110,21 +113,22 @@ impl<'a> Crossing<'a> {
     }
 
     /// Steps over the face that comes first; `false` if that leads out of the grid or past the ray's end.
+    #[inline]
     pub(crate) fn step(&mut self, watch: &mut impl Observer<Visit>) -> bool {
         let (axis, t) = (self.axis(), self.t_far());
         let (i, n) = (axis.index(), self.grid.resolution[axis.index()]);
-        let (cell, next) = (self.place, self.next);
         let last = if self.ray.d[axis] > 0.0 { self.place[i] + 1 == n } else { self.place[i] == 0 };
         // At infinity no primitive can be hit.
-        let inside = !last && next[i] <= self.range.far && next[i] < f32::INFINITY;
+        let inside = !last && self.next[i] <= self.range.far && self.next[i] < f32::INFINITY;
+        let [next_x, next_y, next_z] = self.next;
 
         watch.on(Visit::Step {
-            cell: self.grid.cell_at(cell[0], cell[1], cell[2]),
+            cell: self.cell(),
             axis,
             t,
-            next_x: next[0],
-            next_y: next[1],
-            next_z: next[2],
+            next_x,
+            next_y,
+            next_z,
             delta_x: self.delta(Axis::X),
             delta_y: self.delta(Axis::Y),
             delta_z: self.delta(Axis::Z),
@@ -138,7 +142,14 @@ impl<'a> Crossing<'a> {
         inside
     }
 
+    #[inline]
+    fn cell(&self) -> CellId {
+        let [x, y, z] = self.place;
+        self.grid.cell_at(x, y, z)
+    }
+
     /// The axis whose next plane comes first.
+    #[inline]
     fn axis(&self) -> Axis {
         let [x, y, z] = self.next;
         if x <= y && x <= z {
@@ -151,12 +162,14 @@ impl<'a> Crossing<'a> {
     }
 
     /// The t at which the ray leaves the cell along `axis`; never, if it runs parallel.
+    #[inline]
     fn leaves(&self, axis: Axis) -> f32 {
         let (o, d, index) = (self.ray.o[axis], self.ray.d[axis], self.place[axis.index()]);
         if d == 0.0 { f32::INFINITY } else { (self.grid.plane(axis, index + u32::from(d > 0.0)) - o) / d }
     }
 
     /// How far apart in t the planes of an axis are: the lecture adds it, this walk shows it only.
+    #[inline]
     fn delta(&self, axis: Axis) -> f32 {
         let width = self.grid.bounds.extent()[axis] / self.grid.resolution[axis.index()] as f32;
         if self.ray.d[axis] == 0.0 { f32::INFINITY } else { width / self.ray.d[axis].abs() }

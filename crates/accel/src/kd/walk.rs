@@ -77,6 +77,7 @@ impl Kd {
     }
 
     /// The part of the ray in the root's box; none if it misses.
+    #[inline]
     pub(crate) fn enter(&self, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Interval> {
         if self.bounds.is_empty() {
             return None;
@@ -89,6 +90,7 @@ impl Kd {
     }
 }
 
+#[inline]
 pub(crate) fn enter(here: Part, prims: u32, leaf: bool, watch: &mut impl Observer<Visit>) {
     let Interval { near: t_near, far: t_far } = here.live;
     watch.on(Visit::Enter { place: Place::Node(here.node), t_near, t_far, prims, leaf });
@@ -96,6 +98,7 @@ pub(crate) fn enter(here: Part, prims: u32, leaf: bool, watch: &mut impl Observe
 
 /// Splits the interval of an inner node between its children `[below, above]`: the child to walk now and,
 /// if the ray meets both, the one to walk later.
+#[inline]
 pub(crate) fn split(
     here: Part,
     axis: Axis,
@@ -146,6 +149,7 @@ impl Stack {
         Stack { parts: [Part { node: NodeId::ROOT, live: Interval::ALL }; Kd::DEEPEST], len: 0 }
     }
 
+    #[inline]
     pub(crate) fn push(&mut self, part: Part, watch: &mut impl Observer<Visit>) {
         self.parts[self.len] = part;
         self.len += 1;
@@ -154,6 +158,7 @@ impl Stack {
     }
 
     /// The next part, or why there is none. What begins behind the best hit is dropped.
+    #[inline]
     pub(crate) fn next(&mut self, best: &Best, watch: &mut impl Observer<Visit>) -> Result<Part, Ending> {
         let mut why = Ending::Exhausted;
         while self.len > 0 {

@@ -10,8 +10,8 @@ pub(super) fn walk(grid: &Grid, prims: &impl Primitives, ray: &Ray, watch: &mut 
     let mut why = Ending::Outside;
     if let Some(mut crossing) = Crossing::begin(grid, ray, watch) {
         why = loop {
-            let cell = crossing.enter(watch);
-            for &prim in grid.cell_prims(cell) {
+            let (cell, refs) = crossing.enter(watch);
+            for &prim in refs {
                 if mailbox.holds(prim) {
                     watch.on(Visit::Skip { prim });
                     continue;

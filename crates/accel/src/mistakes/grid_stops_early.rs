@@ -9,7 +9,8 @@ pub(super) fn walk(grid: &Grid, prims: &impl Primitives, ray: &Ray, watch: &mut 
     let mut why = Ending::Outside;
     if let Some(mut crossing) = Crossing::begin(grid, ray, watch) {
         why = loop {
-            for &prim in grid.cell_prims(crossing.enter(watch)) {
+            let (_, refs) = crossing.enter(watch);
+            for &prim in refs {
                 if grid.mailbox && mailbox.holds(prim) {
                     watch.on(Visit::Skip { prim });
                     continue;

@@ -1,6 +1,6 @@
 //! The ordered walk of the hierarchy of boxes, stripped.
 
-use raystep_accel::{Aabb, Bvh, Hit, Interval, NodeId, PrimId, Primitives, Ray, Want};
+use raystep_accel::{Aabb, Bvh, Hit, Interval, NodeId, PrimId, Primitives, Ray, Verdict, Want};
 
 use super::{Best, slab, test};
 
@@ -54,11 +54,13 @@ impl StrippedBvh {
         walk.best.hit
     }
 
+    #[inline]
     fn children(&self, node: NodeId) -> Option<[NodeId; 2]> {
         let node = &self.nodes[node.index()];
         (node.count == 0).then_some([NodeId(node.first), NodeId(node.first + 1)])
     }
 
+    #[inline]
     fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
         let node = &self.nodes[node.index()];
         match node.count {
@@ -111,12 +113,20 @@ impl<P: Primitives> Walk<'_, P> {
         if self.bvh.nodes.is_empty() { None } else { self.volume(NodeId::ROOT) }
     }
 
+    #[inline(never)]
     fn volume(&mut self, node: NodeId) -> Option<Met> {
         let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, self.ray.range());
-        let met = !within.is_empty() && !(self.cuts && self.best.rules_out(within.near));
-        met.then_some(Met { node, within })
+        let verdict = if within.is_empty() {
+            Verdict::Miss
+        } else if self.cuts && self.best.rules_out(within.near) {
+            Verdict::Cut
+        } else {
+            Verdict::Hit
+        };
+        (verdict == Verdict::Hit).then_some(Met { node, within })
     }
 
+    #[inline]
     fn open(&mut self, here: Met) -> Option<[NodeId; 2]> {
         let bvh = self.bvh;
         let (children, prims) = (bvh.children(here.node), bvh.leaf_prims(here.node));

@@ -1,6 +1,6 @@
 //! The walk of the uniform grid, stripped.
 
-use raystep_accel::{Accel, Aabb, Axis, CellId, Grid, Hit, Interval, List, Margin, PrimId, Primitives, Ray, Want};
+use raystep_accel::{Aabb, Accel, Axis, CellId, Grid, Hit, Interval, List, Margin, PrimId, Primitives, Ray, Want};
 
 use super::{Best, Mailbox, slab, test};
 
@@ -33,8 +33,7 @@ impl StrippedGrid {
         let mut mailbox = Mailbox::new();
         let mut crossing = Crossing::begin(self, ray)?;
         loop {
-            let cell = crossing.enter();
-            for &prim in self.cell_prims(cell) {
+            for &prim in crossing.enter() {
                 if self.mailbox && mailbox.holds(prim) {
                     continue;
                 }
@@ -54,15 +53,18 @@ impl StrippedGrid {
         }
     }
 
+    #[inline]
     fn cell_prims(&self, cell: CellId) -> &[PrimId] {
         &self.refs[self.starts[cell.index()] as usize..self.starts[cell.index() + 1] as usize]
     }
 
+    #[inline]
     fn cell_at(&self, x: u32, y: u32, z: u32) -> CellId {
         let [nx, ny, _] = self.resolution;
         CellId(x + nx * (y + ny * z))
     }
 
+    #[inline]
     fn plane(&self, axis: Axis, index: u32) -> f32 {
         let (n, low, high) = (self.resolution[axis.index()], self.bounds.min[axis], self.bounds.max[axis]);
         if index == 0 {
@@ -99,6 +101,7 @@ struct Crossing<'a> {
 }
 
 impl<'a> Crossing<'a> {
+    #[inline]
     fn begin(grid: &'a StrippedGrid, ray: &'a Ray) -> Option<Crossing<'a>> {
         if grid.bounds.is_empty() {
             return None;
@@ -117,23 +120,24 @@ impl<'a> Crossing<'a> {
         Some(crossing)
     }
 
-    fn enter(&self) -> CellId {
-        let [x, y, z] = self.place;
-        self.grid.cell_at(x, y, z)
+    #[inline]
+    fn enter(&self) -> &'a [PrimId] {
+        self.grid.cell_prims(self.cell())
     }
 
+    #[inline]
     fn t_far(&self) -> f32 {
         let t = self.next[self.axis().index()];
         let t = if t < self.t { self.t } else { t };
         if t > self.range.far { self.range.far } else { t }
     }
 
+    #[inline]
     fn step(&mut self) -> bool {
         let (axis, t) = (self.axis(), self.t_far());
         let (i, n) = (axis.index(), self.grid.resolution[axis.index()]);
-        let next = self.next;
         let last = if self.ray.d[axis] > 0.0 { self.place[i] + 1 == n } else { self.place[i] == 0 };
-        let inside = !last && next[i] <= self.range.far && next[i] < f32::INFINITY;
+        let inside = !last && self.next[i] <= self.range.far && self.next[i] < f32::INFINITY;
         if inside {
             self.place[i] = if self.ray.d[axis] > 0.0 { self.place[i] + 1 } else { self.place[i] - 1 };
             self.t = t;
@@ -142,6 +146,13 @@ impl<'a> Crossing<'a> {
         inside
     }
 
+    #[inline]
+    fn cell(&self) -> CellId {
+        let [x, y, z] = self.place;
+        self.grid.cell_at(x, y, z)
+    }
+
+    #[inline]
     fn axis(&self) -> Axis {
         let [x, y, z] = self.next;
         if x <= y && x <= z {
@@ -153,12 +164,9 @@ impl<'a> Crossing<'a> {
         }
     }
 
+    #[inline]
     fn leaves(&self, axis: Axis) -> f32 {
         let (o, d, index) = (self.ray.o[axis], self.ray.d[axis], self.place[axis.index()]);
-        if d == 0.0 {
-            f32::INFINITY
-        } else {
-            (self.grid.plane(axis, index + u32::from(d > 0.0)) - o) / d
-        }
+        if d == 0.0 { f32::INFINITY } else { (self.grid.plane(axis, index + u32::from(d > 0.0)) - o) / d }
     }
 }

@@ -27,6 +27,7 @@ enum Kind {
 impl Node {
     const LEAF: u32 = 3;
 
+    #[inline]
     fn kind(self) -> Kind {
         let number = self.tag >> 2;
         match self.tag & 3 {
@@ -50,17 +51,18 @@ struct Part {
 impl StrippedKd {
     pub fn of(tree: &Kd, mailbox: bool) -> StrippedKd {
         let mut refs: Vec<PrimId> = Vec::new();
-        let nodes = (0..tree.node_count() as u32).map(NodeId).map(|node| match tree.split(node).zip(tree.children(node)) {
-            Some(((axis, plane), [below, _])) => {
-                Node { place: plane.to_bits(), tag: (below.0 << 2) | axis.index() as u32 }
-            }
-            None => {
-                let prims = tree.leaf_prims(node);
-                let first = refs.len() as u32;
-                refs.extend(prims);
-                Node { place: first, tag: ((prims.len() as u32) << 2) | Node::LEAF }
-            }
-        });
+        let nodes =
+            (0..tree.node_count() as u32).map(NodeId).map(|node| match tree.split(node).zip(tree.children(node)) {
+                Some(((axis, plane), [below, _])) => {
+                    Node { place: plane.to_bits(), tag: (below.0 << 2) | axis.index() as u32 }
+                }
+                None => {
+                    let prims = tree.leaf_prims(node);
+                    let first = refs.len() as u32;
+                    refs.extend(prims);
+                    Node { place: first, tag: ((prims.len() as u32) << 2) | Node::LEAF }
+                }
+            });
         let (nodes, bounds) = (nodes.collect(), tree.bounds());
         StrippedKd { bounds, margin: Margin::of(&bounds), mailbox, nodes, refs }
     }
@@ -112,6 +114,7 @@ impl StrippedKd {
         }
     }
 
+    #[inline]
     fn enter(&self, ray: &Ray) -> Option<Interval> {
         if self.bounds.is_empty() {
             return None;
@@ -121,6 +124,7 @@ impl StrippedKd {
     }
 }
 
+#[inline]
 fn split(here: Part, axis: Axis, plane: f32, [below, above]: [NodeId; 2], ray: &Ray) -> (Part, Option<Part>) {
     let (o, d) = (ray.o[axis], ray.d[axis]);
     let Interval { near: t_near, far: t_far } = here.live;
@@ -155,11 +159,13 @@ impl Stack {
         Stack { parts: [Part { node: NodeId::ROOT, live: Interval::ALL }; Kd::DEEPEST], len: 0 }
     }
 
+    #[inline]
     fn push(&mut self, part: Part) {
         self.parts[self.len] = part;
         self.len += 1;
     }
 
+    #[inline]
     fn next(&mut self, best: &Best) -> Option<Part> {
         while self.len > 0 {
             self.len -= 1;

@@ -12,6 +12,7 @@ use raystep_accel::{Aabb, Axis, Hit, Interval, PrimId, Primitives, Ray, Want};
 const ROUNDING: f32 = 4.0 * f32::EPSILON;
 
 /// The slab test.
+#[inline(always)]
 pub fn slab(bounds: &Aabb, ray: &Ray, within: Interval) -> Interval {
     let Interval { near: mut t_near, far: mut t_far } = within;
     for axis in Axis::ALL {
@@ -38,10 +39,12 @@ pub fn slab(bounds: &Aabb, ray: &Ray, within: Interval) -> Interval {
     Interval::new(t_near, t_far)
 }
 
+#[inline]
 fn earlier(t: f32) -> f32 {
     if t > 0.0 { t * (1.0 - ROUNDING) } else { t * (1.0 + ROUNDING) }
 }
 
+#[inline]
 fn later(t: f32) -> f32 {
     -earlier(-t)
 }
@@ -54,18 +57,22 @@ pub struct Best {
 }
 
 impl Best {
+    #[inline]
     fn new(want: Want) -> Best {
         Best { want, hit: None }
     }
 
+    #[inline]
     fn t(&self) -> f32 {
         self.hit.map_or(f32::INFINITY, |hit| hit.t)
     }
 
+    #[inline]
     fn answered(&self) -> bool {
         self.want == Want::Any && self.hit.is_some()
     }
 
+    #[inline]
     fn rules_out(&self, t_near: f32) -> bool {
         self.t() < t_near
     }
@@ -92,14 +99,17 @@ struct Mailbox {
 impl Mailbox {
     const SLOTS: usize = 64;
 
+    #[inline]
     fn new() -> Mailbox {
         Mailbox { slots: [u32::MAX; Mailbox::SLOTS] }
     }
 
+    #[inline]
     fn holds(&self, prim: PrimId) -> bool {
         self.slots[prim.index() % Mailbox::SLOTS] == prim.0
     }
 
+    #[inline]
     fn put(&mut self, prim: PrimId) {
         self.slots[prim.index() % Mailbox::SLOTS] = prim.0;
     }
