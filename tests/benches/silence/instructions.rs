@@ -5,10 +5,10 @@ use std::process::Command;
 use crate::Stage;
 
 /// The argument with which this program starts itself under valgrind.
-pub const WALK: &str = "--walk";
+pub(crate) const WALK: &str = "--walk";
 
 /// Walks once, as the process under valgrind.
-pub fn walk(stage: &Stage, structure: &str, copy: &str) {
+pub(crate) fn walk(stage: &Stage, structure: &str, copy: &str) {
     for (name, stripped, silent) in stage.pairs() {
         if name == structure {
             println!("{}", if copy == "stripped" { stripped() } else { silent() });
@@ -17,7 +17,7 @@ pub fn walk(stage: &Stage, structure: &str, copy: &str) {
 }
 
 /// Counts and prints all of them.
-pub fn table() {
+pub(crate) fn table() {
     println!("instructions for all rays, walk stripped by hand and walk observed by ()");
     for structure in ["grid", "kd", "bvh"] {
         match (count(structure, "stripped"), count(structure, "silent")) {

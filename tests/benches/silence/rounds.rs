@@ -5,7 +5,7 @@ use std::time::Instant;
 use crate::{Stage, Walk};
 
 /// Prints, for each structure, what `()`, `Cost` and a trace cost against the stripped walk.
-pub fn table(stage: &Stage, rounds: usize) {
+pub(crate) fn table(stage: &Stage, rounds: usize) {
     println!("time against the stripped walk, median of {rounds} paired rounds (10th to 90th percentile)");
     for ((structure, stripped, silent), (_, counting, tracing)) in stage.pairs().into_iter().zip(stage.watched()) {
         print!("{structure:>5}");

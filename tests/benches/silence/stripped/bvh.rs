@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Bvh, Hit, Interval, NodeId, PrimId, Primitives, Ray, V
 use super::{Best, slab, test};
 
 /// The tree's own data, laid out as in `raystep-accel`.
-pub struct StrippedBvh {
+pub(crate) struct StrippedBvh {
     nodes: Vec<Node>,
     refs: Vec<PrimId>,
 }
@@ -31,7 +31,7 @@ struct Walk<'a, P> {
 }
 
 impl StrippedBvh {
-    pub fn of(tree: &Bvh) -> StrippedBvh {
+    pub(crate) fn of(tree: &Bvh) -> StrippedBvh {
         let mut refs: Vec<PrimId> = Vec::new();
         let ids = (0..tree.node_count() as u32).map(NodeId);
         let nodes = ids.zip(tree.node_bounds()).map(|(node, bounds)| match tree.children(node) {
@@ -46,7 +46,7 @@ impl StrippedBvh {
         StrippedBvh { nodes: nodes.collect(), refs }
     }
 
-    pub fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+    pub(crate) fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
         let mut walk = Walk { bvh: self, prims, ray, best: Best::new(want), cuts: true };
         if !self.nodes.is_empty() {
             walk.ordered();

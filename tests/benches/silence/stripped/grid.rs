@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Accel, Axis, CellId, Grid, Hit, Interval, List, Margin
 use super::{Best, Mailbox, slab, test};
 
 /// The grid's own data, laid out as in `raystep-accel`.
-pub struct StrippedGrid {
+pub(crate) struct StrippedGrid {
     bounds: Aabb,
     resolution: [u32; 3],
     starts: Vec<u32>,
@@ -15,7 +15,7 @@ pub struct StrippedGrid {
 }
 
 impl StrippedGrid {
-    pub fn of(grid: &Grid, mailbox: bool) -> StrippedGrid {
+    pub(crate) fn of(grid: &Grid, mailbox: bool) -> StrippedGrid {
         let (mut starts, mut refs) = (vec![0], Vec::new());
         for cell in (0..grid.cell_count() as u32).map(CellId) {
             refs.extend(grid.cell_prims(cell));
@@ -25,7 +25,7 @@ impl StrippedGrid {
         StrippedGrid { bounds, resolution, starts, refs, margin: Margin::of(&bounds), mailbox }
     }
 
-    pub fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+    pub(crate) fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
         if !self.margin.covers(ray.o) {
             return List.walk(prims, ray, want, &mut ());
         }

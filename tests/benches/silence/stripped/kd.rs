@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Accel, Axis, Hit, Interval, Kd, List, Margin, NodeId, 
 use super::{Best, Mailbox, slab, test};
 
 /// The tree's own data, laid out as in `raystep-accel`.
-pub struct StrippedKd {
+pub(crate) struct StrippedKd {
     bounds: Aabb,
     margin: Margin,
     mailbox: bool,
@@ -49,7 +49,7 @@ struct Part {
 }
 
 impl StrippedKd {
-    pub fn of(tree: &Kd, mailbox: bool) -> StrippedKd {
+    pub(crate) fn of(tree: &Kd, mailbox: bool) -> StrippedKd {
         let mut refs: Vec<PrimId> = Vec::new();
         let nodes =
             (0..tree.node_count() as u32).map(NodeId).map(|node| match tree.split(node).zip(tree.children(node)) {
@@ -67,7 +67,7 @@ impl StrippedKd {
         StrippedKd { bounds, margin: Margin::of(&bounds), mailbox, nodes, refs }
     }
 
-    pub fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+    pub(crate) fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
         if !self.margin.covers(ray.o) {
             return List.walk(prims, ray, want, &mut ());
         }

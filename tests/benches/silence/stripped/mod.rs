@@ -3,9 +3,9 @@
 //! They stand here so that a benchmark can tell what observing costs when nobody watches. Whoever
 //! changes a walk changes its copy; the benchmark fails if the two answer differently.
 
-pub mod bvh;
-pub mod grid;
-pub mod kd;
+pub(crate) mod bvh;
+pub(crate) mod grid;
+pub(crate) mod kd;
 
 use raystep_accel::{Aabb, Axis, Hit, Interval, PrimId, Primitives, Ray, Want};
 
@@ -13,7 +13,7 @@ const ROUNDING: f32 = 4.0 * f32::EPSILON;
 
 /// The slab test.
 #[inline(always)]
-pub fn slab(bounds: &Aabb, ray: &Ray, within: Interval) -> Interval {
+pub(crate) fn slab(bounds: &Aabb, ray: &Ray, within: Interval) -> Interval {
     let Interval { near: mut t_near, far: mut t_far } = within;
     for axis in Axis::ALL {
         let (o, d) = (ray.o[axis], ray.d[axis]);
@@ -51,9 +51,9 @@ fn later(t: f32) -> f32 {
 
 /// The best hit so far.
 #[derive(Clone, Copy)]
-pub struct Best {
+pub(crate) struct Best {
     want: Want,
-    pub hit: Option<Hit>,
+    pub(crate) hit: Option<Hit>,
 }
 
 impl Best {
@@ -79,7 +79,7 @@ impl Best {
 }
 
 /// Tests one primitive.
-pub fn test(prims: &impl Primitives, prim: PrimId, ray: &Ray, best: &mut Best) {
+pub(crate) fn test(prims: &impl Primitives, prim: PrimId, ray: &Ray, best: &mut Best) {
     let found = prims.intersect(prim, ray);
     let Some(t) = found else { return };
     let better = match best.hit {
