@@ -4,10 +4,9 @@
 mod compose;
 
 use glam::Vec2;
-use raystep_accel::Visit;
 use raystep_figure::{
     Anchor, Face, Figure, Ink, ListingLine, Look, Moment, Role, TreeView, Walk, cells, fonts, legend, legend_height,
-    listing, ruler, slabs, space, stack, timeline, tree, work,
+    listing, ruler, ruler_height, slabs, space, stack, timeline, tree, work,
 };
 
 use crate::prose;
@@ -190,16 +189,10 @@ impl Page<'_> {
 
     fn height(&self, below: Below) -> f32 {
         match below {
-            Below::Ruler => 94.0 + 22.0 * (self.deepest().min(5) as f32),
+            Below::Ruler => ruler_height(&self.plate.walk, &self.look) + 14.0,
             Below::Tree => 200.0,
             Below::Cells | Below::Slabs => 190.0,
         }
-    }
-
-    /// The most that ever waits on this walk: the panes keep their places from step to step.
-    fn deepest(&self) -> u32 {
-        let depth = |event: &Visit| if let Visit::Push { depth, .. } = event { *depth } else { 0 };
-        self.plate.walk.events.iter().map(depth).max().unwrap_or(0) + 1
     }
 
     fn below(&mut self, area: Area) {
