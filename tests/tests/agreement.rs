@@ -1,6 +1,7 @@
 //! Every structure answers exactly as brute force does: the same t, bit for bit, and the same primitive.
 
-use raystep_accel::{Accel, Hit, List, Primitives, Prims, Random, Ray, Structure};
+use glam::{Vec2, Vec3};
+use raystep_accel::{Accel, Hit, List, PrimId, Primitives, Prims, Random, Ray, Shape, Structure, Wall};
 use raystep_scene::Scene;
 use raystep_tests::rays::Targets;
 use raystep_tests::rules::rules;
@@ -52,4 +53,14 @@ fn the_teapot_too() {
     let scene = Scene::named("teapot-6321").unwrap();
     assert_eq!(scene.prims.len(), 6321);
     check(&Case { name: scene.name, prims: scene.prims, flat: false }, 1, 1000);
+}
+
+#[test]
+fn a_ray_that_leaves_a_box_before_its_wall_misses_the_wall() {
+    // It creeps out of the wall's box at y = 0 and passes the wall's end at y = 1, less beside it than a
+    // double can tell. Moved back into the box, such a meeting would lie far from the wall.
+    let wall = Wall { from: Vec2::X, to: Vec2::Y, z: [-1.0, 1.0] };
+    let prims = Prims::Few(vec![Shape::Wall(wall)]);
+    let ray = Ray::new(Vec3::new(7.497046e-22, -8.0, 0.0), Vec3::new(-9.371307e-32, 1e-9, 0.0)).unwrap();
+    assert_eq!(prims.intersect(PrimId(0), &ray), None);
 }

@@ -66,6 +66,9 @@ impl<P: Primitives + ?Sized> Primitives for &P {
     }
 }
 
+/// The part of its t by which a meeting may lie outside its shape's own box.
+const SLACK: f32 = 8.0 * f32::EPSILON;
+
 /// One primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape<'a> {
@@ -122,9 +125,11 @@ impl Shape<'_> {
         if own.is_empty() {
             return None;
         }
-        let accept = |t: f32| {
-            let t = own.clamp(t);
-            (t.is_finite() && ray.range().contains(t)).then_some(t)
+        let accept = |met: f32| {
+            // Rounding moves it by no more than this; a meeting further out lies beside the shape.
+            let t = own.clamp(met);
+            let is_near = (t - met).abs() <= SLACK * met.abs();
+            (is_near && t.is_finite() && ray.range().contains(t)).then_some(t)
         };
         match self {
             Shape::Triangle(shape) => shape.meet(ray).and_then(accept),
