@@ -61,6 +61,8 @@ pub fn plate(plate: &Plate<'_>, size: Vec2, picture: &dyn Fn(Vec2) -> Figure) ->
 
 /// Size of body text in points on a page of 1600 by 1000.
 const TEXT: f32 = 15.0;
+/// Size of the listing, whose lines must not be cut.
+const CODE: f32 = 13.8;
 /// Size of what is said.
 const SAID: f32 = 17.5;
 /// Room at the edges.
@@ -123,7 +125,7 @@ impl Page<'_> {
 
     fn space(&mut self, area: Area, picture: &dyn Fn(Vec2) -> Figure) {
         area.fill(&mut self.figure, Role::Panel);
-        let inner = area.inset(EDGE * 0.5);
+        let inner = area.inset(1.0);
         // A page is read from further away than a window: labels are a little larger.
         let mut part = picture(inner.size() / CLOSER);
         enlarge(&mut part, CLOSER);
@@ -191,7 +193,8 @@ impl Page<'_> {
         match below {
             Below::Ruler => ruler_height(&self.plate.walk, &self.look) + 14.0,
             Below::Tree => 200.0,
-            Below::Cells | Below::Slabs => 190.0,
+            Below::Cells => 232.0,
+            Below::Slabs => 190.0,
         }
     }
 
@@ -215,7 +218,7 @@ impl Page<'_> {
     }
 
     fn code(&mut self, area: Area) {
-        let line = TEXT * 1.7;
+        let line = (CODE * 1.7).round();
         let wanted = (self.plate.listing.len() as f32 + 2.8) * line + EDGE;
         let (top, rest) = if self.plate.listing.is_empty() {
             area.split_top(0.0)
@@ -232,7 +235,8 @@ impl Page<'_> {
 
     fn listing(&mut self, area: Area) {
         let event = self.plate.moment.event;
-        let part = listing(self.plate.listing, event.as_ref(), area.size(), &self.look);
+        let look = Look { text: CODE, ..self.look };
+        let part = listing(self.plate.listing, event.as_ref(), area.size(), &look);
         set_in(&mut self.figure, part, area.min);
     }
 
