@@ -125,7 +125,8 @@ impl Page<'_> {
 
     fn space(&mut self, area: Area, picture: &dyn Fn(Vec2) -> Figure) {
         area.fill(&mut self.figure, Role::Panel);
-        let inner = area.inset(1.0);
+        // A solid scene fills its pane; a drawing keeps away from the edges.
+        let inner = area.inset(if self.plate.walk.flat { EDGE * 0.5 } else { 1.0 });
         // A page is read from further away than a window: labels are a little larger.
         let mut part = picture(inner.size() / CLOSER);
         enlarge(&mut part, CLOSER);
