@@ -3,6 +3,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use raystep::window::state::Beside;
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::Grain;
 use raystep_lesson::Library;
@@ -127,6 +128,18 @@ fn changes_are_undone_and_backspace_restores_the_slide() {
     press(&mut harness, Key::Backspace);
     settle(&mut harness);
     assert!(harness.state().state.view.same_walk(&own));
+}
+
+#[test]
+fn a_mistake_is_played_on_a_ray_that_shows_it() {
+    for slide in ["2/13b", "3/20", "5/33", "7/56b"] {
+        let mut harness = window(Some(slide), [1600.0, 1000.0]);
+        let mistakes = harness.state().state.playback().unwrap().mistakes.len();
+        assert!(mistakes > 0, "{slide}");
+        harness.state_mut().state.beside = Beside::Mistake(mistakes - 1);
+        settle(&mut harness);
+        assert!(harness.query_by_label("Space, beside").is_some(), "{slide}");
+    }
 }
 
 #[test]

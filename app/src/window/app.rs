@@ -119,11 +119,7 @@ impl App {
             Command::Frame => self.frame_here(),
             Command::Break => {
                 let on = matches!(self.state.beside, Beside::Mistake(_));
-                let any = self.state.playback().is_some_and(|playback| !playback.mistakes.is_empty());
-                self.state.beside = if on || !any { Beside::Nothing } else { Beside::Mistake(0) };
-                if !any {
-                    self.toasts.say(ui, "There is nothing to break in this structure.");
-                }
+                self.break_it(ui, (!on).then_some(0));
             }
             other => self.state.apply(other),
         }
@@ -224,7 +220,7 @@ impl App {
             Some(top::Asked::Ray(ray)) => self.state.show_ray(RayChoice::Named(ray), false),
             Some(top::Asked::Set(key, value)) => self.state.set(&key, &value),
             Some(top::Asked::Mistake(mistake)) => {
-                self.state.beside = mistake.map_or(Beside::Nothing, Beside::Mistake);
+                self.break_it(ui, mistake);
             }
             Some(top::Asked::Theme(theme)) => self.set_theme(theme),
             None => {}

@@ -44,7 +44,7 @@ pub fn open(library: Library, wishes: Wishes) -> Result<(), NoWindow> {
     let create = move |context: &eframe::CreationContext<'_>| {
         let mut app = App::wished(&context.egui_ctx, library, wishes, Remembered::of_user());
         if let Some(state) = &context.wgpu_render_state {
-            app.solid = Solid::new(state);
+            app.draw_with(state);
         }
         let app: Box<dyn eframe::App> = Box::new(app);
         Ok(app)
@@ -53,6 +53,11 @@ pub fn open(library: Library, wishes: Wishes) -> Result<(), NoWindow> {
 }
 
 impl App {
+    /// Draws solid stages with egui's own device.
+    pub fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
+        self.solid = Solid::new(state);
+    }
+
     /// A window that shows what was wished for.
     pub fn wished(context: &egui::Context, library: Library, wishes: Wishes, remembered: Remembered) -> App {
         let index = |id: &String| {

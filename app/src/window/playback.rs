@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Aabb, Mistake, Ray, Rule, Structure, Trace, Visit};
+use raystep_accel::{Aabb, Accel, Cost, Mistake, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Moment, Walk};
 use raystep_lesson::{Choice, Play, Slide, Stage};
 use raystep_scene::Scene;
@@ -92,6 +92,15 @@ impl Playback {
         play.events = tape.events;
         play.beats = Vec::new();
         self.aside(play, self.rule, self.node_bounds.clone(), Beside::Mistake(index))
+    }
+
+    /// Whether a mistake shows on a ray: in the answer, or in the work.
+    pub fn shows(&self, index: usize, ray: &Ray) -> bool {
+        let Some(mistake) = self.mistakes.get(index) else { return false };
+        let (structure, prims) = (&self.play.structure, &self.play.scene.prims);
+        let (mut right, mut wrong) = (Cost::default(), Cost::default());
+        let answer = structure.intersect(prims, ray, &mut right);
+        mistake.walk(structure, prims, ray, &mut wrong) != answer || right != wrong
     }
 
     /// The same ray through brute force.

@@ -115,7 +115,7 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     );
     caption(
         ui.painter(),
-        rect.right_top() + vec2(-14.0, -15.0),
+        rect.right_bottom() + vec2(-14.0, -16.0),
         Align2::RIGHT_CENTER,
         &tested,
         Face::Regular,
@@ -141,7 +141,9 @@ pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
 
 /// Turns what happened in the picture into changes.
 fn take(app: &mut App, happened: &Happened) -> Option<Place> {
-    if happened.begins {
+    // The wheel has no beginning: its first turn away from the slide's own view can be undone.
+    let wheeled = happened.camera.is_some() && app.hold.is_none() && app.state.view.camera.is_none();
+    if happened.begins || wheeled {
         app.state.keep();
     }
     if let Some(camera) = happened.camera {
@@ -202,6 +204,26 @@ impl App {
         let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
         let camera = eye::framed(&camera(self, &pictures.space, rect), &bounds, glam_size(rect));
         self.state.look(Some(camera));
+    }
+
+    /// Shows a mistake beside the walk, on a ray where it shows; or none.
+    pub(super) fn break_it(&mut self, ui: &Ui, mistake: Option<usize>) {
+        self.state.beside = Beside::Nothing;
+        let (Some(index), Some(playback)) = (mistake, self.state.playback().cloned()) else { return };
+        let Some(mistake) = playback.mistakes.get(index) else {
+            self.toasts.say(ui, "There is nothing to break in this structure.");
+            return;
+        };
+        self.toasts.say(ui, mistake.consequence());
+        self.state.beside = Beside::Mistake(index);
+        if playback.shows(index, &playback.play.ray) {
+            return;
+        }
+        let rays = self.state.stage().map_or(&[][..], |stage| stage.rays.as_slice());
+        match rays.iter().position(|named| playback.shows(index, &named.ray)) {
+            Some(ray) => self.state.show_ray(RayChoice::Named(ray), false),
+            None => self.toasts.say(ui, "No ray of this slide shows it: drag the ray until one does."),
+        }
     }
 
     /// Makes the walk that is shown beside the other, if one is wanted.
