@@ -39,19 +39,19 @@ fn stacked(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let height = ui.available_height();
     let frame = Frame::new();
     let sizes = app.remembered.heights;
-    let work = Panel::bottom(salt("work", sizes[0], height))
+    let work = Panel::bottom(salt("work", sizes.work, height))
         .frame(frame)
-        .default_size(sizes[0].unwrap_or(height * 0.2))
+        .default_size(sizes.work.unwrap_or(height * 0.2))
         .size_range(90.0..=height * 0.4);
     let shown = work.show(ui, |ui| pane(app, ui, Pane::Work));
-    note(ui, &mut app.remembered.heights[0], shown.response.rect.height(), height * 0.2);
+    note(ui, &mut app.remembered.heights.work, shown.response.rect.height(), height * 0.2);
     let mut under = shown.inner;
-    let stack = Panel::bottom(salt("stack", sizes[1], height))
+    let stack = Panel::bottom(salt("stack", sizes.stack, height))
         .frame(frame)
-        .default_size(sizes[1].unwrap_or(height * 0.22))
+        .default_size(sizes.stack.unwrap_or(height * 0.22))
         .size_range(70.0..=height * 0.5);
     let shown = stack.show(ui, |ui| pane(app, ui, Pane::Stack));
-    note(ui, &mut app.remembered.heights[1], shown.response.rect.height(), height * 0.22);
+    note(ui, &mut app.remembered.heights.stack, shown.response.rect.height(), height * 0.22);
     under = shown.inner.or(under);
     pane(app, ui, Pane::Walk).or(under)
 }
@@ -100,21 +100,21 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let sizes = app.remembered.heights;
     if let Some(main) = main(app).filter(|_| !narrow(ui)) {
         let usual = height * 0.2;
-        let panel = Panel::bottom(salt("tree", sizes[2], height))
+        let panel = Panel::bottom(salt("tree", sizes.tree, height))
             .frame(frame)
-            .default_size(sizes[2].unwrap_or(usual))
+            .default_size(sizes.tree.unwrap_or(usual))
             .size_range(80.0..=height * 0.5);
         let shown = panel.show(ui, |ui| pane(app, ui, main));
-        note(ui, &mut app.remembered.heights[2], shown.response.rect.height(), usual);
+        note(ui, &mut app.remembered.heights.tree, shown.response.rect.height(), usual);
         under = shown.inner;
     }
     let usual = (height * 0.15).clamp(100.0, 150.0);
-    let ruler = Panel::bottom(salt("ruler", sizes[3], height))
+    let ruler = Panel::bottom(salt("ruler", sizes.ruler, height))
         .frame(frame)
-        .default_size(sizes[3].unwrap_or(usual))
+        .default_size(sizes.ruler.unwrap_or(usual))
         .size_range(80.0..=height * 0.4);
     let shown = ruler.show(ui, |ui| pane(app, ui, Pane::Ruler));
-    note(ui, &mut app.remembered.heights[3], shown.response.rect.height(), usual);
+    note(ui, &mut app.remembered.heights.ruler, shown.response.rect.height(), usual);
     shown.inner.or(stage_pane::stages(app, ui)).or(under)
 }
 

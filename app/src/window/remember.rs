@@ -22,8 +22,8 @@ pub struct Remembered {
     pub lesson: Option<f32>,
     /// The width of the column at the right.
     pub walk: Option<f32>,
-    /// The heights of work, stack, tree and ruler.
-    pub heights: [Option<f32>; 4],
+    /// The heights of the panes, once they were dragged.
+    pub heights: Heights,
     /// The chosen tab.
     #[serde(skip)]
     pub(super) tab: Pane,
@@ -31,6 +31,20 @@ pub struct Remembered {
     file: Option<PathBuf>,
     #[serde(skip)]
     written: Option<String>,
+}
+
+/// The heights of the panes that were dragged, in points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Heights {
+    /// Of the work done.
+    pub work: Option<f32>,
+    /// Of the stack.
+    pub stack: Option<f32>,
+    /// Of the tree or the cell table.
+    pub tree: Option<f32>,
+    /// Of the t ruler.
+    pub ruler: Option<f32>,
 }
 
 impl Default for Remembered {
@@ -41,7 +55,7 @@ impl Default for Remembered {
             predict: true,
             lesson: None,
             walk: None,
-            heights: [None; 4],
+            heights: Heights::default(),
             tab: Pane::Walk,
             file: None,
             written: None,
@@ -116,10 +130,10 @@ mod tests {
             file: Some(file.clone()),
             ..Remembered::default()
         };
-        kept.heights[2] = Some(200.0);
+        kept.heights.tree = Some(200.0);
         kept.write();
         let read: Remembered = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
-        assert_eq!((read.theme.as_str(), read.lesson, read.heights[2]), ("dark", Some(300.0), Some(200.0)));
+        assert_eq!((read.theme.as_str(), read.lesson, read.heights.tree), ("dark", Some(300.0), Some(200.0)));
         assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1, "no half-written file is left");
         std::fs::remove_dir_all(&folder).unwrap();
     }
