@@ -1,10 +1,12 @@
 //! The window's state: pure data that commands change. It knows no widget, file or clock.
 
+mod answering;
+
 use std::sync::Arc;
 
-use raystep_accel::{Grain, Place};
+use raystep_accel::Grain;
 use raystep_figure::Camera;
-use raystep_lesson::{Beat, Library, Slide, Stage, StageKind};
+use raystep_lesson::{Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
 
 use super::command::Command;
@@ -304,52 +306,6 @@ impl State {
             self.playing = self.view.step != before && self.view.step < last && self.question().is_none();
         }
         self.playing.then_some(period - self.waited)
-    }
-
-    /// The question that is open now: it is answered by the next step.
-    pub fn question(&self) -> Option<&Posed> {
-        let playback = self.playback.as_ref().filter(|_| self.predict)?;
-        playback.posed.iter().find(|posed| posed.before == self.view.step)
-    }
-
-    /// The question that was just answered by this step.
-    pub fn settled(&self) -> Option<(&Posed, Answered)> {
-        let answered = self.answered?;
-        let posed = self.playback.as_ref()?.posed.iter().find(|posed| posed.beat == answered.beat)?;
-        (posed.step == self.view.step).then_some((posed, answered))
-    }
-
-    /// The beat that this step belongs to, with the step it waited for.
-    pub fn beat(&self) -> Option<(&Beat, usize)> {
-        let playback = self.playback.as_ref()?;
-        let (beat, step) = playback.beat_at(self.view.step)?;
-        Some((self.slide()?.beats.get(beat)?, step))
-    }
-
-    /// Answers the open question by a click on a place, if that is an answer.
-    pub fn answer_place(&mut self, place: Place) -> bool {
-        let choices = self.question().map(|posed| &posed.choices);
-        let choice = choices.and_then(|choices| choices.iter().position(|choice| choice.place == Some(place)));
-        if let Some(choice) = choice {
-            self.answer(choice);
-        }
-        choice.is_some()
-    }
-
-    fn answer(&mut self, choice: usize) {
-        let Some(posed) = self.question() else { return };
-        let Some(right) = posed.choices.get(choice).map(|choice| choice.right) else { return };
-        let (beat, step) = (posed.beat, posed.step);
-        if right {
-            self.view.step = step;
-        }
-        self.answered = Some(Answered { beat, choice, right });
-    }
-
-    fn skip(&mut self) {
-        if let Some(step) = self.question().map(|posed| posed.step) {
-            self.go(step);
-        }
     }
 
     fn forward(&mut self, grain: Grain) {

@@ -1,0 +1,57 @@
+//! Questions: which one is open, and what an answer does.
+
+use raystep_accel::Place;
+use raystep_lesson::Beat;
+
+use super::{Answered, State};
+use crate::window::playback::Posed;
+
+impl State {
+    /// The question that is open now: it is answered by the next step.
+    pub fn question(&self) -> Option<&Posed> {
+        let playback = self.playback.as_ref().filter(|_| self.predict)?;
+        playback.posed.iter().find(|posed| posed.before == self.view.step)
+    }
+
+    /// The question that was just answered by this step.
+    pub fn settled(&self) -> Option<(&Posed, Answered)> {
+        let answered = self.answered?;
+        let posed = self.playback.as_ref()?.posed.iter().find(|posed| posed.beat == answered.beat)?;
+        (posed.step == self.view.step).then_some((posed, answered))
+    }
+
+    /// The beat that this step belongs to, with the step it waited for.
+    pub fn beat(&self) -> Option<(&Beat, usize)> {
+        let playback = self.playback.as_ref()?;
+        let (beat, step) = playback.beat_at(self.view.step)?;
+        Some((self.slide()?.beats.get(beat)?, step))
+    }
+
+    /// Answers the open question by a click on a place, if that is an answer.
+    pub fn answer_place(&mut self, place: Place) -> bool {
+        let choices = self.question().map(|posed| &posed.choices);
+        let choice = choices.and_then(|choices| choices.iter().position(|choice| choice.place == Some(place)));
+        if let Some(choice) = choice {
+            self.answer(choice);
+        }
+        choice.is_some()
+    }
+
+    /// Answers the open question; a right answer takes its step.
+    pub(super) fn answer(&mut self, choice: usize) {
+        let Some(posed) = self.question() else { return };
+        let Some(right) = posed.choices.get(choice).map(|choice| choice.right) else { return };
+        let (beat, step) = (posed.beat, posed.step);
+        if right {
+            self.view.step = step;
+        }
+        self.answered = Some(Answered { beat, choice, right });
+    }
+
+    /// Takes the step of the open question without an answer.
+    pub(super) fn skip(&mut self) {
+        if let Some(step) = self.question().map(|posed| posed.step) {
+            self.go(step);
+        }
+    }
+}

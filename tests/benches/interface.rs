@@ -1,0 +1,51 @@
+//! How long one step of the window takes to draw up on the teapot: the moment, and the figures of every
+//! pane. A frame has 16 ms; this part of it is to stay below 4 ms.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use glam::{Vec2, Vec3};
+use raystep_accel::{Accel, Ray, Rule, Structure, Visit};
+use raystep_figure::{Camera, Film, Look, Scenery, TreeView, Walk};
+use raystep_scene::Scene;
+
+fn steps(criterion: &mut Criterion) {
+    let scene = Scene::named("teapot-6321").expect("the teapot is shipped");
+    let ray = Ray::new(Vec3::new(-4.0, 2.0, 0.4), Vec3::new(5.1, -2.1, 1.5).normalize()).expect("a ray");
+    let mut group = criterion.benchmark_group("one step on teapot-6321");
+    for kind in ["grid", "kd", "bvh"] {
+        let rule = Rule::default_for(kind).expect("a kind of structure");
+        let structure = Structure::build(&scene.prims, &rule, &mut ()).expect("nobody cancels");
+        let mut events: Vec<Visit> = Vec::new();
+        structure.intersect(&scene.prims, &ray, &mut events);
+        let node_bounds = structure.node_bounds();
+        let walk = Walk {
+            structure: &structure,
+            prims: &scene.prims,
+            node_bounds: &node_bounds,
+            ray,
+            events: &events,
+            flat: false,
+        };
+        let film = Film::new(&walk);
+        let camera = Camera::frame(&walk.world(), 1.4, false);
+        let look = Look::WINDOW;
+        let mut step = 0;
+        group.bench_function(kind, |bencher| {
+            bencher.iter(|| {
+                step = (step + 7) % (events.len() + 1);
+                let moment = film.at(&walk, step);
+                let space = raystep_figure::space(&walk, &moment);
+                [
+                    raystep_figure::stage(&space, &scene.prims, &camera, Vec2::new(700.0, 500.0), Scenery::Left),
+                    raystep_figure::tree(&walk, &moment, &TreeView::default(), Vec2::new(700.0, 160.0), &look),
+                    raystep_figure::ruler(&walk, &moment, Vec2::new(700.0, 110.0), &look),
+                    raystep_figure::stack(&walk, &moment, true, Vec2::new(380.0, 160.0), &look),
+                    raystep_figure::work(&walk, &moment, None, Vec2::new(380.0, 120.0), &look),
+                    raystep_figure::timeline(&walk, step, false, Vec2::new(800.0, 60.0), &look),
+                ]
+            });
+        });
+    }
+}
+
+criterion_group!(benches, steps);
+criterion_main!(benches);
