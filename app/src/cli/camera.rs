@@ -1,7 +1,7 @@
 //! Where scenes and stages are seen from when nobody has moved the eye.
 
 use glam::Vec2;
-use raystep_figure::Camera;
+use raystep_figure::{Camera, Space};
 use raystep_lesson::{Look, Stage};
 use raystep_scene::Scene;
 
@@ -15,9 +15,10 @@ pub(crate) fn of_scene(scene: &Scene, size: Vec2) -> Camera {
     }
 }
 
-/// The stage's view, or its scene's.
-pub(crate) fn of_stage(stage: &Stage, scene: &Scene, size: Vec2) -> Camera {
+/// The stage's view, or its scene's; of a flat scene, all that its drawing is about.
+pub(crate) fn of_stage(stage: &Stage, scene: &Scene, space: &Space, size: Vec2) -> Camera {
     match stage.camera {
+        None if scene.flat => Camera::frame(&space.bounds, size.x / size.y, true),
         None => of_scene(scene, size),
         Some(Look::Flat { center, half_height }) => Camera::Flat { center, half_height },
         Some(Look::Solid { eye, target, up, fov_degrees }) => Camera::Solid { eye, target, up, fov_degrees },

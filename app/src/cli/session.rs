@@ -153,8 +153,8 @@ impl<'a> Session<'a> {
     }
 
     fn picture(&self, walk: &Walk<'_>, moment: &Moment, size: Vec2, scale: f32, theme: &Theme) -> Figure {
-        let camera = camera::of_stage(self.stage, &self.play.scene, size);
         let shown = space(walk, moment);
+        let camera = camera::of_stage(self.stage, &self.play.scene, &shown, size);
         if self.play.scene.flat {
             return picture_of(&shown, walk.prims, &camera, size, Scenery::Drawn);
         }
