@@ -1,4 +1,4 @@
-//! The window: one [`App`] that shows a [`State`] and turns keys and clicks into [`Command`]s.
+//! The window: one [`App`] that shows a [`State`](state::State) and turns keys and clicks into [`Command`](command::Command)s.
 
 mod app;
 mod bottom;

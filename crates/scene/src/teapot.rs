@@ -8,7 +8,7 @@ use raystep_accel::Mesh;
 /// 32 patches of 16 point numbers, then the points; see `assets/meshes/README.md`.
 const NEWELL: &str = include_str!("../../../assets/meshes/teapot-newell.txt");
 
-/// The most steps along a patch's side. Up to here the integer weights of [`curve`] are exact.
+/// The most steps along a patch's side. Up to here the integer weights of its Bernstein polynomials are exact.
 pub const MOST_STEPS: u32 = 256;
 
 /// A patch: four rows of four control points.
