@@ -5,8 +5,8 @@
 //! [`Visit`]. Observed by `()` the telling compiles to nothing; observed by [`Cost`] it is counted;
 //! observed by a [`Trace`] it is the picture a student steps through.
 //!
-//! All arithmetic is `f32` with `+ − × ÷ √` and comparisons, so that the same ray gives the same bits
-//! on every machine. This crate knows no screen, no file, no thread and no lesson.
+//! Arithmetic is `+ − × ÷ √` and comparisons alone, so that the same ray gives the same bits on every
+//! machine: single precision in the structures, double precision rounded once where a primitive is met. This crate knows no screen, no file, no thread and no lesson.
 
 mod aabb;
 mod axis;
