@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::Vec3;
 use raystep_accel::{
-    Aabb, Axis, Cancelled, CellId, Grow, Mesh, NodeId, Observer, Place, PrimId, Primitives, Prims, Rule, Structure,
+    Aabb, Cancelled, CellId, Direction, Grow, Mesh, NodeId, Observer, Place, PrimId, Primitives, Prims, Rule, Structure,
 };
 use raystep_scene::Scene;
 use raystep_tests::rules::{rule, rules};
@@ -17,7 +17,7 @@ struct Told {
     resolution: [u32; 3],
     boxes: BTreeMap<NodeId, Aabb>,
     children: BTreeMap<NodeId, Vec<NodeId>>,
-    planes: BTreeMap<NodeId, (Axis, f32)>,
+    planes: BTreeMap<NodeId, (Direction, f32)>,
     settled: BTreeMap<Place, Vec<PrimId>>,
     leaves: BTreeMap<NodeId, u32>,
 }
@@ -64,8 +64,8 @@ impl Told {
             assert_eq!(bounds, self.boxes[&node]);
             assert_eq!(structure.children(node), self.children.get(&node).cloned().unwrap_or_default());
             assert_eq!(structure.leaf_prims(node), self.settled(Place::Node(node)));
-            if let Structure::Kd(tree) = structure {
-                assert_eq!(tree.split(node), self.planes.get(&node).copied());
+            if let Structure::Kd(_) = structure {
+                assert_eq!(structure.split(node), self.planes.get(&node).copied());
             }
         }
         assert!(self.leaves.iter().all(|(&node, &prims)| structure.leaf_prims(node).len() == prims as usize));

@@ -67,8 +67,8 @@ mod tests {
         let place = Place::Node(NodeId(0));
         let order = |axis| Visit::Order { place, axis, t1: 0.0, t2: 1.0, swapped: false };
         vec![
-            order(Axis::X),
-            order(Axis::Z),
+            order(Axis::X.into()),
+            order(Axis::Z.into()),
             Visit::Enter { place, t_near: 0.0, t_far: 1.0, prims: 1, leaf: true },
             Visit::Test { prim: PrimId(0), t: 0.5, hit: true },
             Visit::End { why: raystep_accel::Ending::Exhausted, hit: true, t: 0.5 },

@@ -1,7 +1,7 @@
 //! The vocabulary of builders: what a structure does while it grows. Folding it rebuilds the structure.
 
 use crate::events::{vocabulary, words};
-use crate::{Aabb, Axis, CellId, NodeId, Place, PrimId, Value};
+use crate::{Aabb, CellId, Direction, NodeId, Place, PrimId, Value};
 
 words! {
     /// Why a node was not split further.
@@ -40,9 +40,9 @@ vocabulary! {
         /// A node came to be.
         Open ["open"] { node: NodeId, bounds: Aabb, prims: u32, depth: u32 }
         /// A split was weighed: so many primitives below and above, at such a cost.
-        Weigh ["weigh"] { node: NodeId, axis: Axis, plane: f32, below: u32, above: u32, cost: f32 }
+        Weigh ["weigh"] { node: NodeId, axis: Direction, plane: f32, below: u32, above: u32, cost: f32 }
         /// A split was taken; the children are `below` and `above`.
-        Split ["split"] { node: NodeId, axis: Axis, plane: f32, below: NodeId, above: NodeId, cost: f32 }
+        Split ["split"] { node: NodeId, axis: Direction, plane: f32, below: NodeId, above: NodeId, cost: f32 }
         /// A cell was cut through its middle into `ways` equal children, side by side from `first`.
         Divide ["divide"] { node: NodeId, first: NodeId, ways: u32, at_x: f32, at_y: f32, at_z: f32 }
         /// A node was looked at while the structure was changed.

@@ -1,6 +1,6 @@
 //! The slab test of slide 13: a box is the common part of three slabs.
 
-use crate::{Aabb, Axis, Interval, Observer, Place, Ray, Visit};
+use crate::{Aabb, Axis, Direction, Interval, Observer, Place, Ray, Visit};
 
 /// More than the three roundings of `(b − o) / d` and of the product below can amount to.
 const ROUNDING: f32 = 4.0 * f32::EPSILON;
@@ -14,10 +14,36 @@ const ROUNDING: f32 = 4.0 * f32::EPSILON;
 /// what lets every structure answer exactly as brute force does.
 #[inline(always)]
 pub fn slab(bounds: &Aabb, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
-    let Interval { near: mut t_near, far: mut t_far } = within;
+    let mut live = within;
     for axis in Axis::ALL {
-        let (o, d) = (ray.o[axis], ray.d[axis]);
-        let (low, high) = (bounds.min[axis], bounds.max[axis]);
+        let cut =
+            Slab { across: axis.into(), o: ray.o[axis], d: ray.d[axis], low: bounds.min[axis], high: bounds.max[axis] };
+        live = cut.narrow(live, place, watch);
+    }
+    live
+}
+
+/// One slab and the ray along its direction.
+pub(crate) struct Slab {
+    /// The direction across which its two planes stand.
+    pub(crate) across: Direction,
+    /// The ray's origin along that direction.
+    pub(crate) o: f32,
+    /// The ray's direction along that direction.
+    pub(crate) d: f32,
+    /// The lower plane.
+    pub(crate) low: f32,
+    /// The upper plane.
+    pub(crate) high: f32,
+}
+
+impl Slab {
+    /// What the slab leaves of `live`. Axis-aligned boxes, oriented ones and k-DOPs differ only in how many
+    /// slabs they have, and which.
+    #[inline(always)]
+    pub(crate) fn narrow(&self, live: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
+        let Slab { across: axis, o, d, low, high } = *self;
+        let Interval { near: mut t_near, far: mut t_far } = live;
 
         let (t1, t2) = if d == 0.0 {
             // Parallel to the slab: inside it for ever or never.
@@ -44,8 +70,8 @@ pub fn slab(bounds: &Aabb, ray: &Ray, within: Interval, place: Place, watch: &mu
             t_far = t2;
         }
         watch.on(Visit::Narrow { place, axis, t1, t2, t_near, t_far, empty: t_near > t_far });
+        Interval::new(t_near, t_far)
     }
-    Interval::new(t_near, t_far)
 }
 
 /// `t` moved towards −∞ by the rounding it may carry. Monotone, and infinities stay.

@@ -1,8 +1,8 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, Axis, Bvh, Cancelled, Grid, Grow, Hit, Kd, List, NodeId, Observer, Octree, OneBox, PrimId, Primitives,
-    Ray, Rule, Visit, Want,
+    Aabb, Accel, Bvh, Cancelled, Direction, Grid, Grow, Hit, Kd, List, NodeId, Observer, Octree, OneBox, PrimId,
+    Primitives, Ray, Rule, Visit, Want,
 };
 
 /// A structure of any kind.
@@ -86,9 +86,9 @@ impl Structure {
     }
 
     /// The plane that splits a node's space: only inner nodes of a kd-tree have one.
-    pub fn split(&self, node: NodeId) -> Option<(Axis, f32)> {
+    pub fn split(&self, node: NodeId) -> Option<(Direction, f32)> {
         match self {
-            Structure::Kd(tree) => tree.split(node),
+            Structure::Kd(tree) => tree.split(node).map(|(axis, plane)| (axis.into(), plane)),
             _ => None,
         }
     }

@@ -1,7 +1,7 @@
 //! The vocabulary of walks: what a ray does in any structure, in the order it does it.
 
 use crate::events::{vocabulary, words};
-use crate::{Axis, CellId, NodeId, Place, PrimId};
+use crate::{Axis, CellId, Direction, NodeId, Place, PrimId};
 
 words! {
     /// What became of a tested volume.
@@ -51,19 +51,19 @@ vocabulary! {
     /// One thing that a walk did. Ids and numbers that the algorithm had in hand, nothing computed for show.
     pub enum Visit {
         /// The ray runs parallel to a slab: it is inside for ever or never.
-        Parallel ["slab.parallel"] { place: Place, axis: Axis, o: f32, low: f32, high: f32, inside: bool }
+        Parallel ["slab.parallel"] { place: Place, axis: Direction, o: f32, low: f32, high: f32, inside: bool }
         /// The ray was cut by the two planes of a slab: `t1 = (low − o)/d`, `t2 = (high − o)/d`.
-        Divide ["slab.divide"] { place: Place, axis: Axis, o: f32, d: f32, low: f32, high: f32, t1: f32, t2: f32 }
+        Divide ["slab.divide"] { place: Place, axis: Direction, o: f32, d: f32, low: f32, high: f32, t1: f32, t2: f32 }
         /// The two cuts were ordered; `t1 ≤ t2` from here on.
-        Order ["slab.order"] { place: Place, axis: Axis, t1: f32, t2: f32, swapped: bool }
+        Order ["slab.order"] { place: Place, axis: Direction, t1: f32, t2: f32, swapped: bool }
         /// The interval was narrowed to what the slab leaves of it.
-        Narrow ["slab.narrow"] { place: Place, axis: Axis, t1: f32, t2: f32, t_near: f32, t_far: f32, empty: bool }
+        Narrow ["slab.narrow"] { place: Place, axis: Direction, t1: f32, t2: f32, t_near: f32, t_far: f32, empty: bool }
         /// A volume was tested.
         Volume ["volume.hit", "volume.miss", "volume.cut"] { place: Place, t_near: f32, t_far: f32, best_t: f32, verdict: Verdict }
         /// An inner node, a leaf or a cell was entered, holding `prims` references (0 in inner nodes).
         Enter ["enter.inner", "enter.leaf", "enter.cell"] { place: Place, t_near: f32, t_far: f32, prims: u32, leaf: bool }
         /// The ray was cut by a split plane: `t = (plane − o)/d`.
-        Plane ["plane"] { node: NodeId, axis: Axis, plane: f32, o: f32, d: f32, t: f32, t_near: f32, t_far: f32 }
+        Plane ["plane"] { node: NodeId, axis: Direction, plane: f32, o: f32, d: f32, t: f32, t_near: f32, t_far: f32 }
         /// The children were ordered along the ray, and those it meets chosen.
         Split ["split.both", "split.near", "split.far"] { node: NodeId, near: NodeId, far: NodeId, t: f32, t_near: f32, t_far: f32, side: Side }
         /// A node was put on the stack with its interval; `depth` nodes wait now.
@@ -160,10 +160,10 @@ impl Visit {
     pub fn concerns_z(&self) -> bool {
         matches!(
             self,
-            Visit::Parallel { axis: Axis::Z, .. }
-                | Visit::Divide { axis: Axis::Z, .. }
-                | Visit::Order { axis: Axis::Z, .. }
-                | Visit::Narrow { axis: Axis::Z, .. }
+            Visit::Parallel { axis: Direction::Along(Axis::Z), .. }
+                | Visit::Divide { axis: Direction::Along(Axis::Z), .. }
+                | Visit::Order { axis: Direction::Along(Axis::Z), .. }
+                | Visit::Narrow { axis: Direction::Along(Axis::Z), .. }
         )
     }
 }

@@ -25,8 +25,8 @@ fn slabs_of_slides_12_to_15() {
     let mut events: Vec<Visit> = Vec::new();
     let towards = ray([5.0, 1.0], [-1.0, 1.0]);
     slab(&bounds, &towards, Interval::ALL, Place::World, &mut events);
-    assert!(matches!(events[0], Visit::Divide { axis: Axis::X, t1: 4.0, t2: 2.0, .. }));
-    assert!(matches!(events[1], Visit::Order { axis: Axis::X, t1: 2.0, t2: 4.0, swapped: true, .. }));
+    assert!(matches!(events[0], Visit::Divide { axis: Direction::Along(Axis::X), t1: 4.0, t2: 2.0, .. }));
+    assert!(matches!(events[1], Visit::Order { axis: Direction::Along(Axis::X), t1: 2.0, t2: 4.0, swapped: true, .. }));
     assert_eq!(left(&bounds, &towards), Some((2.0, 4.0)));
 
     // Every pair of slabs may overlap, the box is missed all the same.

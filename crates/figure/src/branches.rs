@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeSet, VecDeque};
 
-use raystep_accel::{Axis, NodeId, PrimId};
+use raystep_accel::{Direction, NodeId, PrimId};
 
 use crate::Role;
 use crate::tidy::{Tidy, Twig, tidy};
@@ -24,7 +24,7 @@ pub(crate) trait Tree {
     /// The children of a node; none of a leaf.
     fn children(&self, node: NodeId) -> Vec<NodeId>;
     /// The axis across which a node is split.
-    fn axis(&self, node: NodeId) -> Option<Axis>;
+    fn axis(&self, node: NodeId) -> Option<Direction>;
     /// What a leaf refers to.
     fn prims(&self, node: NodeId) -> Vec<PrimId>;
     /// The state of a node.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raystep_accel::{Aabb, Axis, CellId, Grow, LeafReason, NodeId, Place, PrimId};
+use raystep_accel::{Aabb, CellId, Direction, Grow, LeafReason, NodeId, Place, PrimId};
 
 /// A structure that grows: what its builder has done so far. Nothing in it comes from later events.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +50,7 @@ pub struct GrowNode {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Taken {
     /// Across this axis.
-    pub axis: Axis,
+    pub axis: Direction,
     /// At this coordinate.
     pub plane: f32,
     /// The lower child.
@@ -65,7 +65,7 @@ pub struct Taken {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Weighed {
     /// Across this axis.
-    pub axis: Axis,
+    pub axis: Direction,
     /// At this coordinate.
     pub plane: f32,
     /// References below it.

@@ -1,7 +1,9 @@
 //! The splits that a builder weighs: what each would cost, along the axis it cuts.
 
+use std::collections::BTreeSet;
+
 use glam::Vec2;
-use raystep_accel::{Axis, Grow, Place};
+use raystep_accel::{Direction, Grow, Place};
 
 use crate::build::{GrowMoment, Weighed};
 use crate::look::{line, write};
@@ -17,7 +19,7 @@ pub fn costs(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let title = moment.node.map_or("Costs".to_owned(), |node| format!("Costs of splitting node {node}"));
     let weighed: Vec<Weighed> = moment.weighed.iter().copied().filter(|w| w.cost.is_finite()).collect();
-    let axes: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| weighed.iter().any(|w| w.axis == *axis)).collect();
+    let axes: BTreeSet<Direction> = weighed.iter().map(|weighed| weighed.axis).collect();
     if axes.is_empty() {
         look.nothing(&mut figure, &title, "No split has been weighed here yet.");
         return figure;
@@ -65,7 +67,7 @@ struct Plot<'a> {
 }
 
 impl Plot<'_> {
-    fn frame(&mut self, axis: Axis) {
+    fn frame(&mut self, axis: Direction) {
         let (u, small) = (self.look.text, self.look.small());
         let (left, right) = (self.across.left, self.across.right);
         let corner = Vec2::new(left, self.bottom);

@@ -1,7 +1,7 @@
 //! What a builder has done so far, in space and as a tree.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Aabb, Axis, CellId, Grow, NodeId, Place, PrimId, Structure};
+use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, NodeId, Place, PrimId, Structure};
 
 use crate::branches::{Tree, TreeView};
 use crate::build::GrowMoment;
@@ -99,19 +99,23 @@ impl Drawing<'_> {
         let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
         let place = Some(Place::Node(*id));
         for weighed in self.moment.weighed.iter().rev().take(TICKS) {
-            for (from, to) in ticks(&node.bounds, weighed.axis, weighed.plane) {
+            let Some(axis) = weighed.axis.axis() else { continue };
+            for (from, to) in ticks(&node.bounds, axis, weighed.plane) {
                 self.add(Role::Candidate, place, Form::Segment(from, to));
             }
         }
-        let sheet = |axis: Axis, plane: f32| {
+        let sheet = |direction: Direction, plane: f32| {
+            let axis = direction.axis()?;
             let mut sheet = node.bounds;
             sheet.min[axis] = plane;
             sheet.max[axis] = plane;
-            Form::Sheet(sheet)
+            Some(Form::Sheet(sheet))
         };
         match self.moment.event {
             Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
-                self.add(Role::Candidate, place, sheet(axis, plane));
+                if let Some(sheet) = sheet(axis, plane) {
+                    self.add(Role::Candidate, place, sheet);
+                }
                 self.title(
                     Role::Candidate,
                     *id,
@@ -120,7 +124,9 @@ impl Drawing<'_> {
                 );
             }
             Some(Grow::Split { axis, plane, .. }) => {
-                self.add(Role::Plane, place, sheet(axis, plane));
+                if let Some(sheet) = sheet(axis, plane) {
+                    self.add(Role::Plane, place, sheet);
+                }
                 self.title(Role::Here, *id, node.bounds, format!("{id} split at {axis} = {}", number(plane)));
             }
             _ => {
@@ -166,7 +172,7 @@ impl Tree for Growing<'_> {
         self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default()
     }
 
-    fn axis(&self, node: NodeId) -> Option<Axis> {
+    fn axis(&self, node: NodeId) -> Option<Direction> {
         self.moment.nodes.get(&node)?.split.map(|split| split.axis)
     }
 

@@ -1,6 +1,8 @@
 //! The state of a walk after some of its events.
 
-use raystep_accel::{Axis, CellId, Cost, Ending, Hit, Interval, NodeId, Observer, Place, PrimId, Side, Verdict, Visit};
+use raystep_accel::{
+    Axis, CellId, Cost, Direction, Ending, Hit, Interval, NodeId, Observer, Place, PrimId, Side, Verdict, Visit,
+};
 
 use crate::Walk;
 
@@ -80,21 +82,23 @@ pub struct PrimTest {
 }
 
 /// A slab test as far as it has come.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SlabTest {
-    /// Whose box is tested.
+    /// Whose volume is tested.
     pub place: Place,
-    /// The axis under consideration.
-    pub axis: Axis,
-    /// What is known of each axis.
-    pub cuts: [Option<SlabCut>; 3],
+    /// The direction under consideration.
+    pub axis: Direction,
+    /// What is known of each direction so far.
+    pub cuts: Vec<SlabCut>,
     /// What the slabs have left of the interval.
     pub interval: Interval,
 }
 
-/// One axis of a slab test.
+/// One direction of a slab test.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlabCut {
+    /// The direction across which the planes stand.
+    pub axis: Direction,
     /// The lower plane.
     pub low: f32,
     /// The upper plane.
@@ -111,8 +115,8 @@ pub struct SlabCut {
 pub struct Cut {
     /// The node that is split.
     pub node: NodeId,
-    /// The plane's axis.
-    pub axis: Axis,
+    /// The direction across which the plane stands.
+    pub axis: Direction,
     /// Where on the axis it lies.
     pub plane: f32,
     /// Where the ray meets it.
@@ -194,15 +198,13 @@ impl Moment {
         self.cost.on(event);
         match event {
             Visit::Parallel { place, axis, low, high, inside, .. } => {
-                let cut = SlabCut { low, high, t: None, inside };
-                self.slab(place, axis).cuts[axis.index()] = Some(cut);
+                self.slab(place, axis).cuts.push(SlabCut { axis, low, high, t: None, inside });
             }
             Visit::Divide { place, axis, low, high, t1, t2, .. } => {
-                let cut = SlabCut { low, high, t: Some([t1, t2]), inside: true };
-                self.slab(place, axis).cuts[axis.index()] = Some(cut);
+                self.slab(place, axis).cuts.push(SlabCut { axis, low, high, t: Some([t1, t2]), inside: true });
             }
             Visit::Order { place, axis, t1, t2, .. } => {
-                if let Some(cut) = &mut self.slab(place, axis).cuts[axis.index()] {
+                if let Some(cut) = self.slab(place, axis).cuts.last_mut() {
                     cut.t = Some([t1, t2]);
                 }
             }
@@ -274,9 +276,9 @@ impl Moment {
         }
     }
 
-    /// The slab test of this box, begun if another or none was under way.
-    fn slab(&mut self, place: Place, axis: Axis) -> &mut SlabTest {
-        let fresh = SlabTest { place, axis, cuts: [None; 3], interval: self.entered };
+    /// The slab test of this volume, begun if another or none was under way.
+    fn slab(&mut self, place: Place, axis: Direction) -> &mut SlabTest {
+        let fresh = SlabTest { place, axis, cuts: Vec::new(), interval: self.entered };
         let running = self.slab.take().filter(|slab| slab.place == place && slab.axis <= axis);
         let slab = self.slab.insert(running.unwrap_or(fresh));
         slab.axis = axis;

@@ -117,7 +117,7 @@ mod tests {
     fn templates_are_filled_from_the_event() {
         let event = Visit::Plane {
             node: NodeId(1),
-            axis: Axis::Y,
+            axis: Axis::Y.into(),
             plane: 2.02,
             o: 0.53,
             d: 0.407,

@@ -155,7 +155,16 @@ mod tests {
     fn events_in_words() {
         let node = NodeId(1);
         let events = [
-            Visit::Plane { node, axis: Axis::Y, plane: 2.02, o: 0.53, d: 0.407, t: 3.66, t_near: 0.328, t_far: 5.14 },
+            Visit::Plane {
+                node,
+                axis: Axis::Y.into(),
+                plane: 2.02,
+                o: 0.53,
+                d: 0.407,
+                t: 3.66,
+                t_near: 0.328,
+                t_far: 5.14,
+            },
             Visit::Split {
                 node,
                 near: NodeId(2),
@@ -173,7 +182,7 @@ mod tests {
             Visit::Beyond { cell: CellId(12), t: 4.2, t_far: 3.9 },
             Visit::Narrow {
                 place: Place::World,
-                axis: Axis::X,
+                axis: Axis::X.into(),
                 t1: 1.0,
                 t2: 2.0,
                 t_near: 3.0,

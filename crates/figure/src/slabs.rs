@@ -1,18 +1,25 @@
 //! A slab test as a table: each number appears when the walk has it.
 
 use glam::Vec2;
-use raystep_accel::{Axis, Place, Visit};
+use raystep_accel::{Axis, Direction, Place, Visit};
 
 use crate::look::write;
 use crate::table::{Entry, Table};
 use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, number};
 
-/// The events of one axis of a slab test, as far as they have happened.
-#[derive(Clone, Copy, Debug, Default)]
+/// The events of one direction of a slab test, as far as they have happened.
+#[derive(Clone, Copy, Debug)]
 struct Slab {
+    axis: Direction,
     cut: Option<Visit>,
     order: Option<Visit>,
     narrow: Option<Visit>,
+}
+
+impl Slab {
+    fn across(axis: Direction) -> Slab {
+        Slab { axis, cut: None, order: None, narrow: None }
+    }
 }
 
 /// A row for each slab of the box that was tested last: its planes, where they cut the ray, and what is
@@ -21,7 +28,7 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     let mut figure = Figure::new(size);
     let done = &walk.events[..moment.step.min(walk.events.len())];
     let last = done.iter().rposition(|event| slab_of(event).is_some());
-    let Some((place, slabs)) = last.map(|last| test_up_to(done, last)) else {
+    let Some((place, mut slabs)) = last.map(|last| test_up_to(done, last)) else {
         let ever = walk.events.iter().any(|event| slab_of(event).is_some());
         let says = if ever { "No slab has been cut yet." } else { "This walk cuts no slabs." };
         look.nothing(&mut figure, "Slabs", says);
@@ -30,11 +37,11 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
 
     let top = look.heading(&mut figure, &format!("Slabs of {place}"), "");
     let now = moment.event.as_ref();
-    let axes: Vec<Axis> = Axis::ALL.into_iter().filter(|axis| !(walk.flat && *axis == Axis::Z)).collect();
-    let rows = axes.iter().map(|axis| row(*axis, &slabs[axis.index()], now)).collect();
-    let current = now.and_then(slab_of).and_then(|(_, axis)| axes.iter().position(|other| *other == axis));
+    slabs.retain(|slab| !(walk.flat && slab.axis == Axis::Z.into()));
+    let rows = slabs.iter().map(|slab| row(slab, now)).collect();
+    let current = now.and_then(slab_of).and_then(|(_, axis)| slabs.iter().position(|slab| slab.axis == axis));
     let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];
-    let empty = axes.iter().rev().find_map(|axis| match slabs[axis.index()].narrow {
+    let empty = slabs.iter().rev().find_map(|slab| match slab.narrow {
         Some(Visit::Narrow { empty: true, t_near, t_far, .. }) => Some((t_near, t_far)),
         _ => None,
     });
@@ -49,8 +56,8 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     figure
 }
 
-/// The box and the axis of an event of a slab test.
-fn slab_of(event: &Visit) -> Option<(Place, Axis)> {
+/// The place and the direction of an event of a slab test.
+fn slab_of(event: &Visit) -> Option<(Place, Direction)> {
     match *event {
         Visit::Parallel { place, axis, .. }
         | Visit::Divide { place, axis, .. }
@@ -60,34 +67,39 @@ fn slab_of(event: &Visit) -> Option<(Place, Axis)> {
     }
 }
 
-/// The test that the event numbered `last` belongs to, up to that event.
-fn test_up_to(events: &[Visit], last: usize) -> (Place, [Slab; 3]) {
-    let mut slabs = [Slab::default(); 3];
-    let (place, mut earliest) = slab_of(&events[last]).unwrap_or((Place::World, Axis::Z));
+/// The test that the event numbered `last` belongs to, up to that event: its slabs in order, and those of the
+/// axes that are still to come.
+fn test_up_to(events: &[Visit], last: usize) -> (Place, Vec<Slab>) {
+    let mut slabs: Vec<Slab> = Vec::new();
+    let (place, mut earliest) = slab_of(&events[last]).unwrap_or((Place::World, Axis::Z.into()));
     for event in events[..=last].iter().rev() {
-        match slab_of(event) {
-            Some((other, axis)) if other == place && axis <= earliest => {
-                let slab = &mut slabs[axis.index()];
-                match event {
-                    // A second cut of the same axis belongs to an earlier test of the same box.
-                    _ if slab.cut.is_some() => break,
-                    Visit::Order { .. } => slab.order = Some(*event),
-                    Visit::Narrow { .. } => slab.narrow = Some(*event),
-                    _ => slab.cut = Some(*event),
-                }
-                earliest = axis;
-            }
-            _ => break,
+        let Some((_, axis)) = slab_of(event).filter(|(other, axis)| *other == place && *axis <= earliest) else {
+            break;
+        };
+        if slabs.last().is_none_or(|slab| slab.axis != axis) {
+            slabs.push(Slab::across(axis));
         }
+        let Some(slab) = slabs.last_mut() else { break };
+        match event {
+            // A second cut of the same direction belongs to an earlier test of the same volume.
+            _ if slab.cut.is_some() => break,
+            Visit::Order { .. } => slab.order = Some(*event),
+            Visit::Narrow { .. } => slab.narrow = Some(*event),
+            _ => slab.cut = Some(*event),
+        }
+        earliest = axis;
     }
+    slabs.reverse();
+    let missing = Axis::ALL.map(Direction::from).into_iter().skip(slabs.len());
+    slabs.extend(missing.map(Slab::across));
     (place, slabs)
 }
 
-fn row(axis: Axis, slab: &Slab, now: Option<&Visit>) -> Vec<Entry> {
+fn row(slab: &Slab, now: Option<&Visit>) -> Vec<Entry> {
     // What the current event says stands out.
     let role = |event: &Option<Visit>| if event.as_ref() == now { Role::Value } else { Role::Text };
     let (cut_role, narrow_role) = (role(&slab.cut), role(&slab.narrow));
-    let mut row = vec![Entry::new(axis.name(), Role::Text)];
+    let mut row = vec![Entry::new(slab.axis.name(), Role::Text)];
     match slab.cut {
         Some(Visit::Divide { low, high, o, d, t1, t2, .. }) => {
             row.extend([low, high, o, d].map(|x| Entry::new(number(x), cut_role)));

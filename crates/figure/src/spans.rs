@@ -18,16 +18,15 @@ pub(crate) struct Span {
 pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
     let span = |name: &str, place, interval, role| Span { name: name.to_owned(), place, interval, role };
     if let Some(slab) = &moment.slab {
-        let axes = Axis::ALL.into_iter().filter(|axis| !(walk.flat && *axis == Axis::Z));
-        let cuts = axes.filter_map(|axis| {
-            let cut = slab.cuts[axis.index()]?;
+        let cuts = slab.cuts.iter().filter(|cut| !(walk.flat && cut.axis == Axis::Z.into()));
+        let cuts = cuts.map(|cut| {
             let interval = match cut.t {
                 Some([t1, t2]) => Interval::new(t1.min(t2), t1.max(t2)),
                 None if cut.inside => Interval::ALL,
                 None => Interval::new(f32::INFINITY, f32::NEG_INFINITY),
             };
-            let role = if axis == slab.axis { Role::Plane } else { Role::Seen };
-            Some(span(&format!("slab {axis}"), Some(slab.place), interval, role))
+            let role = if cut.axis == slab.axis { Role::Plane } else { Role::Seen };
+            span(&format!("slab {}", cut.axis), Some(slab.place), interval, role)
         });
         let name = if slab.place == Place::World { "so far".to_owned() } else { slab.place.to_string() };
         return cuts.chain([span(&name, Some(slab.place), slab.interval, Role::Live)]).collect();
@@ -92,7 +91,7 @@ pub(crate) fn extent(walk: &Walk<'_>) -> (f32, f32) {
             Visit::Enter { t_near, t_far, .. } | Visit::Push { t_near, t_far, .. } => must.extend([t_near, t_far]),
             Visit::Volume { t_near, t_far, verdict: Verdict::Hit, .. } => must.extend([t_near, t_far]),
             Visit::Test { t, hit: true, .. } => must.push(t),
-            Visit::Divide { axis, t1, t2, .. } if !(walk.flat && axis == Axis::Z) => may.extend([t1, t2]),
+            Visit::Divide { axis, t1, t2, .. } if !(walk.flat && axis == Axis::Z.into()) => may.extend([t1, t2]),
             _ => {}
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use glam::Vec2;
-use raystep_accel::{Axis, NodeId, Place, PrimId};
+use raystep_accel::{Direction, NodeId, Place, PrimId};
 
 use crate::branches::{Branch, Branches, MOST, Room, Tree, TreeView, branches, count_below};
 use crate::look::{block, line, write};
@@ -33,7 +33,7 @@ impl Tree for Walked<'_> {
         self.walk.structure.children(node)
     }
 
-    fn axis(&self, node: NodeId) -> Option<Axis> {
+    fn axis(&self, node: NodeId) -> Option<Direction> {
         self.walk.structure.split(node).map(|(axis, _)| axis)
     }
 

@@ -151,7 +151,7 @@ fn side(structure: &Structure, event: &Visit, value: &Value, flat: bool) -> Opti
     let (Visit::Split { node, .. }, Value::Place(Place::Node(child))) = (event, value) else { return None };
     let (axis, _) = structure.split(*node)?;
     let lower = structure.children(*node).first() == Some(child);
-    let word = match (axis, flat) {
+    let word = match (axis.axis()?, flat) {
         (Axis::X, true) => ["left", "right"],
         (Axis::Y, true) | (Axis::Z, false) => ["lower", "upper"],
         (Axis::X, false) => ["smaller x", "larger x"],

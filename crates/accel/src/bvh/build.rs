@@ -56,7 +56,7 @@ impl Bvh {
             let cut = splitter.split(node, &part, depth >= SAH_DEPTH, watch);
             let (below, above) = (bvh.add(cut.below.bounds), bvh.add(cut.above.bounds));
             bvh.nodes[node.index()].first = below.0;
-            watch.on(Grow::Split { node, axis: cut.axis, plane: cut.plane, below, above, cost: cut.cost });
+            watch.on(Grow::Split { node, axis: cut.axis.into(), plane: cut.plane, below, above, cost: cut.cost });
             waiting.push(Task { node: above, part: cut.above, depth: depth + 1 });
             waiting.push(Task { node: below, part: cut.below, depth: depth + 1 });
         }

@@ -100,7 +100,7 @@ impl<'a> Splitter<'a> {
         if halve || matches!(self.rule.split, BvhSplit::Middle | BvhSplit::Median) {
             let Cut { axis, plane, cost, .. } = cut;
             let (below, above) = (cut.below.len() as u32, cut.above.len() as u32);
-            watch.on(Grow::Weigh { node, axis, plane, below, above, cost });
+            watch.on(Grow::Weigh { node, axis: axis.into(), plane, below, above, cost });
         }
         cut
     }

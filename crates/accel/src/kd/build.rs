@@ -81,7 +81,7 @@ impl Kd {
             let above = NodeId(below.0 + 1);
             tree.nodes.extend([Node::leaf(0, 0); 2]);
             tree.nodes[node.index()] = Node::inner(cut.axis, cut.plane, below);
-            watch.on(Grow::Split { node, axis: cut.axis, plane: cut.plane, below, above, cost: cut.cost });
+            watch.on(Grow::Split { node, axis: cut.axis.into(), plane: cut.plane, below, above, cost: cut.cost });
             let share = |refs: &[Reference]| (room as u64 * refs.len() as u64 / dealt.max(1) as u64) as usize;
             let depth = depth + 1;
             open.push(Open { node: above, bounds: halves.1, depth, room: share(&upper), refs: upper });

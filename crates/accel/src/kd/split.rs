@@ -90,7 +90,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
         let tests = chance(lower) * below as f32 + chance(upper) * above as f32;
         let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };
         let cost = bonus * (self.rule.traversal_cost + self.rule.intersection_cost * tests);
-        self.watch.on(Grow::Weigh { node: self.node, axis, plane, below, above, cost });
+        self.watch.on(Grow::Weigh { node: self.node, axis: axis.into(), plane, below, above, cost });
         Cut { axis, plane, cost, below, above }
     }
 

@@ -112,7 +112,7 @@ pub(crate) fn split(
 
     // Solve o + t·d = plane.
     let t = (plane - o) / d;
-    watch.on(Visit::Plane { node: here.node, axis, plane, o, d, t, t_near, t_far });
+    watch.on(Visit::Plane { node: here.node, axis: axis.into(), plane, o, d, t, t_near, t_far });
 
     // Near is where the ray comes from, whatever is left or right.
     let from_below = if d == 0.0 { o <= plane } else { d > 0.0 };

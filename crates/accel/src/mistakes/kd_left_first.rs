@@ -39,7 +39,7 @@ fn split(
     let (o, d) = (ray.o[axis], ray.d[axis]);
     let Interval { near: t_near, far: t_far } = here.live;
     let t = (plane - o) / d;
-    watch.on(Visit::Plane { node: here.node, axis, plane, o, d, t, t_near, t_far });
+    watch.on(Visit::Plane { node: here.node, axis: axis.into(), plane, o, d, t, t_near, t_far });
 
     // MISTAKE: near is where the ray comes from, and that can be above the plane.
     let (near, far) = (below, above);

@@ -10,18 +10,18 @@ pub(super) fn walk(one: &OneBox, ray: &Ray, watch: &mut impl Observer<Visit>) ->
         let (low, high) = (one.bounds.min[axis], one.bounds.max[axis]);
         let (t1, t2) = if d == 0.0 {
             let inside = low <= o && o <= high;
-            watch.on(Visit::Parallel { place, axis, o, low, high, inside });
+            watch.on(Visit::Parallel { place, axis: axis.into(), o, low, high, inside });
             if inside { (f32::NEG_INFINITY, f32::INFINITY) } else { (f32::INFINITY, f32::NEG_INFINITY) }
         } else {
             let (t1, t2) = ((low - o) / d, (high - o) / d);
-            watch.on(Visit::Divide { place, axis, o, d, low, high, t1, t2 });
+            watch.on(Visit::Divide { place, axis: axis.into(), o, d, low, high, t1, t2 });
             // MISTAKE: t1 and t2 stay as they are, also if t1 > t2.
-            watch.on(Visit::Order { place, axis, t1, t2, swapped: false });
+            watch.on(Visit::Order { place, axis: axis.into(), t1, t2, swapped: false });
             (t1, t2)
         };
         t_near = t_near.max(t1);
         t_far = t_far.min(t2);
-        watch.on(Visit::Narrow { place, axis, t1, t2, t_near, t_far, empty: t_near > t_far });
+        watch.on(Visit::Narrow { place, axis: axis.into(), t1, t2, t_near, t_far, empty: t_near > t_far });
     }
     let verdict = if t_near > t_far { Verdict::Miss } else { Verdict::Hit };
     watch.on(Visit::Volume { place, t_near, t_far, best_t: f32::INFINITY, verdict });

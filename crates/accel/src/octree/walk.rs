@@ -115,7 +115,7 @@ impl Octree {
                 continue;
             }
             let t = (plane - o) / d;
-            watch.on(Visit::Plane { node: here.node, axis, plane, o, d, t, t_near, t_far });
+            watch.on(Visit::Plane { node: here.node, axis: axis.into(), plane, o, d, t, t_near, t_far });
             // Before the crossing the ray is on the side it comes from.
             let crossed = t <= t_near;
             if (d > 0.0) == crossed {

@@ -93,10 +93,10 @@ impl Drawing<'_> {
                 self.titled(Role::Seen, tested.place, format!("{node} met: {near} – {far}"));
             }
         }
-        let Some(slab) = self.moment.slab else { return };
-        if let (Place::Node(node), false) = (slab.place, matches!(self.moment.event, Some(Visit::Volume { .. }))) {
-            self.outline(Role::Plane, slab.place);
-            self.titled(Role::Plane, slab.place, format!("{node} tested"));
+        let Some(place) = self.moment.slab.as_ref().map(|slab| slab.place) else { return };
+        if let (Place::Node(node), false) = (place, matches!(self.moment.event, Some(Visit::Volume { .. }))) {
+            self.outline(Role::Plane, place);
+            self.titled(Role::Plane, place, format!("{node} tested"));
         }
     }
 
@@ -137,7 +137,7 @@ impl Drawing<'_> {
         if matches!(self.walk.structure, Structure::List(_)) {
             return;
         }
-        let tested = self.moment.slab.is_some_and(|slab| slab.place == Place::World);
+        let tested = self.moment.slab.as_ref().is_some_and(|slab| slab.place == Place::World);
         if self.moment.dropped.contains(&Place::World) {
             self.outline(Role::Dropped, Place::World);
         } else if tested || matches!(self.walk.structure, Structure::Slab(_)) {
@@ -152,8 +152,10 @@ impl Drawing<'_> {
         let Some(cut) = self.moment.cut else { return };
         let place = Place::Node(cut.node);
         let mut sheet = self.walk.bounds(place);
-        sheet.min[cut.axis] = cut.plane;
-        sheet.max[cut.axis] = cut.plane;
+        if let Some(axis) = cut.axis.axis() {
+            sheet.min[axis] = cut.plane;
+            sheet.max[axis] = cut.plane;
+        }
         if !sheet.is_empty() {
             self.add(Role::Plane, Some(place), Form::Sheet(sheet));
         }

@@ -8,28 +8,31 @@ use crate::{Role, number};
 
 impl Drawing<'_> {
     pub(super) fn slab(&mut self) {
-        let Some(slab) = self.moment.slab else { return };
+        let Some(slab) = self.moment.slab.as_ref() else { return };
         if matches!(self.moment.event, Some(Visit::Volume { .. })) {
             return;
         }
-        for axis in Axis::ALL {
-            let drawn = axis == slab.axis || (self.walk.flat && axis < slab.axis);
-            if let (true, Some(cut)) = (drawn && !(self.walk.flat && axis == Axis::Z), slab.cuts[axis.index()]) {
-                self.planes(&slab, axis, &cut);
+        for cut in &slab.cuts {
+            let drawn = cut.axis == slab.axis || (self.walk.flat && cut.axis < slab.axis);
+            if drawn && !(self.walk.flat && cut.axis == Axis::Z.into()) {
+                self.planes(slab, cut);
             }
         }
     }
 
-    fn planes(&mut self, slab: &SlabTest, axis: Axis, cut: &SlabCut) {
-        let role = if axis == slab.axis { Role::Plane } else { Role::Edge };
-        let room = self.room(slab);
-        for at in [cut.low, cut.high] {
-            let mut sheet = room;
-            sheet.min[axis] = at;
-            sheet.max[axis] = at;
-            self.add(role, Some(slab.place), Form::Sheet(sheet));
+    /// The planes of a slab across an axis; of other slabs only where the ray meets them.
+    fn planes(&mut self, slab: &SlabTest, cut: &SlabCut) {
+        let role = if cut.axis == slab.axis { Role::Plane } else { Role::Edge };
+        if let Some(axis) = cut.axis.axis() {
+            let room = self.room(slab);
+            for at in [cut.low, cut.high] {
+                let mut sheet = room;
+                sheet.min[axis] = at;
+                sheet.max[axis] = at;
+                self.add(role, Some(slab.place), Form::Sheet(sheet));
+            }
         }
-        if let (Some(ts), true) = (cut.t, axis == slab.axis) {
+        if let (Some(ts), true) = (cut.t, cut.axis == slab.axis) {
             for (name, t) in ["t1", "t2"].into_iter().zip(ts) {
                 self.ring(Role::Tick, Some(slab.place), t, Some(format!("{name} = {}", number(t))));
             }
