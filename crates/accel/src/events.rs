@@ -1,7 +1,7 @@
 //! How an event vocabulary is written down: a table of variants, from which names, fields and their
 //! values follow. Slides, listings and questions refer to events by these names.
 
-use crate::{Axis, CellId, NodeId, Place, PrimId};
+use crate::{Axis, CellId, Lanes, NodeId, Place, PrimId};
 
 /// The value of one field of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,6 +18,8 @@ pub enum Value {
     Word(&'static str, &'static [&'static str]),
     /// A place.
     Place(Place),
+    /// Which rays of a packet.
+    Lanes(Lanes),
 }
 
 macro_rules! value_from {
@@ -35,6 +37,7 @@ value_from! {
     u32 => Value::Count;
     bool => Value::Flag;
     Axis => Value::Axis;
+    Lanes => Value::Lanes;
     Place => Value::Place;
     NodeId => |id| Value::Place(Place::Node(id));
     CellId => |id| Value::Place(Place::Cell(id));

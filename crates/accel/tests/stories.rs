@@ -1,9 +1,10 @@
 //! Whole builds and walks through small flat scenes as text: one line an event, in the order of the algorithm.
 
-use std::fmt::Write;
+mod spell;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::*;
+use spell::line;
 
 fn wall(from: [f32; 2], to: [f32; 2]) -> Shape<'static> {
     Shape::Wall(Wall { from: Vec2::from(from), to: Vec2::from(to), z: [-0.5, 0.5] })
@@ -26,23 +27,6 @@ fn scene() -> Vec<Shape<'static>> {
 fn ray(o: [f32; 2], to: [f32; 2]) -> Ray {
     let (o, to) = (Vec2::from(o), Vec2::from(to));
     Ray::new(o.extend(0.0), (to - o).extend(0.0)).unwrap()
-}
-
-/// The name and the fields of an event.
-fn line(name: &str, fields: &[&'static str], value: impl Fn(&str) -> Option<Value>) -> String {
-    let mut line = format!("{name:<13}");
-    for field in fields {
-        let value = match value(field).unwrap() {
-            Value::Number(number) => format!("{}", (number * 1000.0).round() / 1000.0),
-            Value::Count(count) => count.to_string(),
-            Value::Flag(flag) => flag.to_string(),
-            Value::Axis(axis) => axis.to_string(),
-            Value::Word(word, _) => word.to_owned(),
-            Value::Place(place) => place.to_string(),
-        };
-        write!(line, " {field}={value}").unwrap();
-    }
-    line
 }
 
 fn walked(structure: &Structure, ray: &Ray) -> String {

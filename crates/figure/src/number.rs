@@ -35,6 +35,7 @@ pub fn value(value: &Value) -> String {
         Value::Axis(axis) => axis.name().to_owned(),
         Value::Word(word, _) => word.to_owned(),
         Value::Place(place) => place.to_string(),
+        Value::Lanes(lanes) => lanes.to_string(),
     }
 }
 

@@ -21,6 +21,8 @@ impl Ask {
             Value::Place(_) => self.places(event),
             Value::Number(_) => self.numbers(event, right),
             Value::Count(count) => self.counts(play, event, count),
+            // Only packets have lanes, and no play is one.
+            Value::Lanes(_) => Vec::new(),
         };
         let choice = |(answer, value): (String, Value)| Choice {
             label: self.label(&answer).or_else(|| side(&play.structure, event, &value, play.scene.flat)),

@@ -170,6 +170,7 @@ impl Serialize for Field {
             Value::Flag(yes) => serializer.serialize_bool(yes),
             Value::Axis(axis) => serializer.serialize_str(axis.name()),
             Value::Word(word, _) => serializer.serialize_str(word),
+            Value::Lanes(lanes) => serializer.collect_str(&lanes),
             Value::Place(place) => {
                 let (kind, id) = match place {
                     Place::World => return serializer.serialize_str("world"),

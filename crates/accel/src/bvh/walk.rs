@@ -41,6 +41,11 @@ impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
         BvhWalk { bvh, prims, ray, best: Best::new(want), watch, cuts: bvh.order == BvhOrder::Ordered }
     }
 
+    /// A walk in order that has found `best` so far: a lane of a packet.
+    pub(crate) fn resume(bvh: &'a Bvh, prims: &'a P, ray: &'a Ray, best: Best, watch: &'a mut W) -> BvhWalk<'a, P, W> {
+        BvhWalk { bvh, prims, ray, best, watch, cuts: true }
+    }
+
     /// The recursion that slide 56 means: every box that the ray meets is opened, whatever was found before.
     /// `depth` second children wait on the call stack.
     fn printed(&mut self, node: NodeId, depth: u32) -> Ending {

@@ -17,8 +17,8 @@ use crate::{Aabb, Axis, Margin, NodeId, PrimId};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kd {
     bounds: Aabb,
-    margin: Margin,
-    mailbox: bool,
+    pub(crate) margin: Margin,
+    pub(crate) mailbox: bool,
     nodes: Vec<Node>,
     /// The references of all leaves, one leaf after the other.
     refs: Vec<PrimId>,
