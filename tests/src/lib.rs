@@ -1,7 +1,5 @@
 //! What holds across crates: agreement, laws, slides, layers, pixels.
 //!
-//! The tests stand in `tests/`; here is what they share.
+//! The tests stand in `tests/`; what they share with `raystep verify` stands in [`raystep_scene::trial`].
 
-pub mod rays;
-pub mod rules;
-pub mod scenes;
+pub use raystep_scene::trial::{rays, rules, scenes};

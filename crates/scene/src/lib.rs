@@ -9,6 +9,7 @@ mod obj;
 mod scene;
 mod shipped;
 mod teapot;
+pub mod trial;
 mod view;
 
 pub use error::SceneError;
