@@ -33,12 +33,13 @@ mod rule;
 mod slab;
 mod structure;
 mod visit;
+mod volume;
 mod watch;
 
 pub use aabb::Aabb;
 pub use axis::{Axes, Axis, Measure};
 pub use best::{Best, Want, test};
-pub use bvh::Bvh;
+pub use bvh::{AnyBvh, Bvh};
 pub use direction::Direction;
 pub use events::Value;
 pub use grid::Grid;
@@ -56,11 +57,13 @@ pub use prims::{Disc, Mesh, Primitives, Prims, Prism, Shape, Sphere, Triangle, W
 pub use random::Random;
 pub use ray::{Hit, Ray, RayError};
 pub use rule::{
-    Allowed, BvhOrder, BvhRule, BvhSplit, GridRule, KdRule, KdSplit, OctreeRule, Parameter, Resolution, Rule, RuleError,
+    Allowed, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit, OctreeRule, Parameter,
+    Resolution, Rule, RuleError,
 };
 pub use slab::slab;
 pub use structure::Structure;
 pub use visit::{Ending, Grain, Side, Verdict, Visit};
+pub use volume::Volume;
 pub use watch::{Cancelled, Cost, Each, Observer, Trace};
 
 /// What every structure of this crate can do with a ray: slides 7 and 21, whatever lies between.

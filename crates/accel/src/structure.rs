@@ -1,7 +1,7 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, Bvh, Cancelled, Direction, Grid, Grow, Hit, Kd, List, NodeId, Observer, Octree, OneBox, PrimId,
+    Aabb, Accel, AnyBvh, Cancelled, Direction, Grid, Grow, Hit, Kd, List, NodeId, Observer, Octree, OneBox, PrimId,
     Primitives, Ray, Rule, Visit, Want,
 };
 
@@ -18,8 +18,8 @@ pub enum Structure {
     Kd(Kd),
     /// An octree, in a flat scene a quadtree.
     Octree(Octree),
-    /// A hierarchy of boxes.
-    Bvh(Bvh),
+    /// A hierarchy of bounding volumes.
+    Bvh(AnyBvh),
 }
 
 impl Structure {
@@ -38,7 +38,7 @@ impl Structure {
             Rule::Grid(rule) => Structure::Grid(Grid::build(prims, rule, watch)?),
             Rule::Kd(rule) => Structure::Kd(Kd::build(prims, rule, watch)?),
             Rule::Octree(rule) => Structure::Octree(Octree::build(prims, rule, watch)?),
-            Rule::Bvh(rule) => Structure::Bvh(Bvh::build(prims, rule, watch)?),
+            Rule::Bvh(rule) => Structure::Bvh(AnyBvh::build(prims, rule, watch)?),
         })
     }
 

@@ -1,8 +1,8 @@
-//! Building a hierarchy of boxes from the top, slide 53.
+//! Building a hierarchy from the top, slide 53: sets are divided by their boxes, then each gets its volume.
 
 use super::split::{Part, Splitter};
 use super::{Bvh, BvhNode};
-use crate::{Aabb, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives};
+use crate::{Aabb, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume};
 
 /// Below this depth nodes are split into halves, whatever the rule: no scene can make the tree so deep
 /// that a walk's stack overflows.
@@ -15,12 +15,12 @@ struct Task {
     depth: usize,
 }
 
-impl Bvh {
+impl<V: Volume> Bvh<V> {
     /// Builds a hierarchy over `prims`.
     ///
     /// # Errors
     /// The observer cancelled it.
-    pub fn build(prims: &impl Primitives, rule: &BvhRule, watch: &mut impl Observer<Grow>) -> Result<Bvh, Cancelled> {
+    pub fn over(prims: &impl Primitives, rule: &BvhRule, watch: &mut impl Observer<Grow>) -> Result<Self, Cancelled> {
         // The boxes, and the box around all of them.
         let mut all = Aabb::EMPTY;
         let mut boxes = Vec::with_capacity(prims.len());
@@ -36,14 +36,15 @@ impl Bvh {
         let mut splitter = Splitter::new(rule, boxes);
 
         // Split nodes until they are small enough, those below before those above.
-        let root = bvh.add(all);
-        let mut waiting = vec![Task { node: root, part: splitter.whole(all), depth: 0 }];
+        let whole = splitter.whole(all);
+        let root = bvh.add(prims, &splitter, &whole);
+        let mut waiting = vec![Task { node: root, part: whole, depth: 0 }];
         while let Some(Task { node, part, depth }) = waiting.pop() {
             if watch.cancelled() {
                 return Err(Cancelled);
             }
             let count = part.len() as u32;
-            watch.on(Grow::Open { node, bounds: part.bounds, prims: count, depth: depth as u32 });
+            watch.on(Grow::Open { node, bounds: bvh.volume(node).bounds(), prims: count, depth: depth as u32 });
 
             // Few enough: a leaf.
             if count <= rule.leaf_size.max(1) {
@@ -54,7 +55,8 @@ impl Bvh {
 
             // Divide its primitives; the children take neighbouring places at once.
             let cut = splitter.split(node, &part, depth >= SAH_DEPTH, watch);
-            let (below, above) = (bvh.add(cut.below.bounds), bvh.add(cut.above.bounds));
+            let below = bvh.add(prims, &splitter, &cut.below);
+            let above = bvh.add(prims, &splitter, &cut.above);
             bvh.nodes[node.index()].first = below.0;
             watch.on(Grow::Split { node, axis: cut.axis.into(), plane: cut.plane, below, above, cost: cut.cost });
             waiting.push(Task { node: above, part: cut.above, depth: depth + 1 });
@@ -63,8 +65,10 @@ impl Bvh {
         Ok(bvh)
     }
 
-    fn add(&mut self, bounds: Aabb) -> NodeId {
-        self.nodes.push(BvhNode { bounds, first: 0, count: 0 });
+    /// A new node, with the volume around its primitives.
+    fn add(&mut self, prims: &impl Primitives, splitter: &Splitter<'_>, part: &Part) -> NodeId {
+        let volume = V::fit(prims, splitter.prims(part), &part.bounds, splitter.rule.axes);
+        self.nodes.push(BvhNode { volume, first: 0, count: 0 });
         NodeId(self.nodes.len() as u32 - 1)
     }
 

@@ -1,31 +1,34 @@
-//! A hierarchy of bounding boxes, slides 48-57: primitives in nested sets, each with the box around it.
+//! A hierarchy of bounding volumes, slides 48-57: primitives in nested sets, each with a volume around it.
 
+mod any;
 mod binned;
 mod build;
 mod split;
 mod sweep;
 mod walk;
 
+pub use any::AnyBvh;
+pub(crate) use any::each;
 pub(crate) use walk::{BvhWalk, Met};
 
-use crate::{Aabb, BvhOrder, NodeId, PrimId};
+use crate::{Aabb, BvhOrder, BvhRule, Cancelled, Grow, NodeId, Observer, PrimId, Primitives, Volume};
 
-/// A binary tree of boxes. Siblings are neighbours in the array of nodes, so that a parent needs the
+/// A binary tree of volumes, boxes unless another is named. Siblings are neighbours in the array of nodes, so that a parent needs the
 /// place of the first only.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bvh {
-    nodes: Vec<BvhNode>,
+pub struct Bvh<V: Volume = Aabb> {
+    nodes: Vec<BvhNode<V>>,
     /// The primitives of all leaves, one leaf after the other; each primitive once.
     refs: Vec<PrimId>,
     /// In which order a walk opens the nodes.
     pub(crate) order: BvhOrder,
 }
 
-/// A node: 32 bytes.
+/// A node; of boxes, 32 bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct BvhNode {
-    /// The box around all that lies below.
-    pub(crate) bounds: Aabb,
+pub(crate) struct BvhNode<V> {
+    /// The volume around all that lies below.
+    pub(crate) volume: V,
     /// In an inner node the first child, in a leaf the first of its references.
     first: u32,
     /// How many references a leaf has; 0 in an inner node.
@@ -36,9 +39,24 @@ impl Bvh {
     /// The deepest a tree can be; the root has depth 0.
     pub const DEEPEST: usize = build::SAH_DEPTH + u32::BITS as usize;
 
-    /// The root's box; empty if there are no primitives.
+    /// Builds a hierarchy of boxes over `prims`.
+    ///
+    /// # Errors
+    /// The observer cancelled it.
+    pub fn build(prims: &impl Primitives, rule: &BvhRule, watch: &mut impl Observer<Grow>) -> Result<Bvh, Cancelled> {
+        Bvh::over(prims, rule, watch)
+    }
+}
+
+impl<V: Volume> Bvh<V> {
+    /// The box around the root's volume; empty if there are no primitives.
     pub fn bounds(&self) -> Aabb {
-        self.nodes.first().map_or(Aabb::EMPTY, |root| root.bounds)
+        self.nodes.first().map_or(Aabb::EMPTY, |root| root.volume.bounds())
+    }
+
+    /// A node's volume.
+    pub fn volume(&self, node: NodeId) -> &V {
+        &self.nodes[node.index()].volume
     }
 
     /// The number of nodes, leaves included; 0 if there are no primitives.
@@ -63,13 +81,14 @@ impl Bvh {
         }
     }
 
-    /// The boxes of all nodes.
+    /// The boxes around the volumes of all nodes.
     pub fn node_bounds(&self) -> Vec<Aabb> {
-        self.nodes.iter().map(|node| node.bounds).collect()
+        self.nodes.iter().map(|node| node.volume.bounds()).collect()
     }
 
     /// How much memory it takes.
     pub fn bytes(&self) -> usize {
-        size_of::<Bvh>() + size_of_val(&*self.nodes) + size_of_val(&*self.refs)
+        let volumes: usize = self.nodes.iter().map(|node| node.volume.bytes() - size_of::<V>()).sum();
+        size_of_val(self) + size_of_val(&*self.nodes) + volumes + size_of_val(&*self.refs)
     }
 }

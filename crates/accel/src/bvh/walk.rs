@@ -1,17 +1,17 @@
-//! Walking a hierarchy of boxes, slide 56: as printed, and with an order and a stack.
+//! Walking a hierarchy of volumes, slide 56: as printed, and with an order and a stack.
 
 use super::Bvh;
 use crate::{
-    Accel, Best, BvhOrder, Ending, Hit, Interval, NodeId, Observer, Place, Primitives, Ray, Side, Verdict, Visit, Want,
-    slab, test,
+    Accel, Best, BvhOrder, Ending, Hit, Interval, NodeId, Observer, Place, Primitives, Ray, Side, Verdict, Visit,
+    Volume, Want, test,
 };
 
-impl Accel for Bvh {
+impl<V: Volume> Accel for Bvh<V> {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
         let mut walk = BvhWalk::new(self, prims, ray, want, watch);
         let why = match self.order {
             _ if self.nodes.is_empty() => Ending::Outside,
-            BvhOrder::Printed => walk.printed(NodeId::ROOT, 0),
+            BvhOrder::Printed => walk.printed(NodeId::ROOT, ray.range(), 0),
             BvhOrder::Ordered => walk.ordered(),
         };
         walk.end(why)
@@ -26,40 +26,40 @@ pub(crate) struct Met {
 }
 
 /// What a walk has at hand.
-pub(crate) struct BvhWalk<'a, P, W> {
-    bvh: &'a Bvh,
+pub(crate) struct BvhWalk<'a, V: Volume, P, W> {
+    bvh: &'a Bvh<V>,
     prims: &'a P,
     ray: &'a Ray,
     pub(crate) best: Best,
     pub(crate) watch: &'a mut W,
-    /// Whether boxes are compared with the best hit.
+    /// Whether volumes are compared with the best hit.
     pub(crate) cuts: bool,
 }
 
-impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
-    pub(crate) fn new(bvh: &'a Bvh, prims: &'a P, ray: &'a Ray, want: Want, watch: &'a mut W) -> BvhWalk<'a, P, W> {
+impl<'a, V: Volume, P: Primitives, W: Observer<Visit>> BvhWalk<'a, V, P, W> {
+    pub(crate) fn new(bvh: &'a Bvh<V>, prims: &'a P, ray: &'a Ray, want: Want, watch: &'a mut W) -> Self {
         BvhWalk { bvh, prims, ray, best: Best::new(want), watch, cuts: bvh.order == BvhOrder::Ordered }
     }
 
     /// A walk in order that has found `best` so far: a lane of a packet.
-    pub(crate) fn resume(bvh: &'a Bvh, prims: &'a P, ray: &'a Ray, best: Best, watch: &'a mut W) -> BvhWalk<'a, P, W> {
+    pub(crate) fn resume(bvh: &'a Bvh<V>, prims: &'a P, ray: &'a Ray, best: Best, watch: &'a mut W) -> Self {
         BvhWalk { bvh, prims, ray, best, watch, cuts: true }
     }
 
-    /// The recursion that slide 56 means: every box that the ray meets is opened, whatever was found before.
+    /// The recursion that slide 56 means: every volume that the ray meets is opened, whatever was found before.
     /// `depth` second children wait on the call stack.
-    fn printed(&mut self, node: NodeId, depth: u32) -> Ending {
+    fn printed(&mut self, node: NodeId, within: Interval, depth: u32) -> Ending {
         // Test the node's volume.
-        let Some(here) = self.volume(node) else { return Ending::Outside };
+        let Some(here) = self.volume(node, within) else { return Ending::Outside };
         // A leaf: test its primitives. Else: both children, one after the other.
         if let Some([left, right]) = self.open(here) {
             let Interval { near: t_near, far: t_far } = here.within;
             self.watch.on(Visit::Push { node: right, t_near, t_far, depth: depth + 1 });
-            if self.printed(left, depth + 1) == Ending::Found {
+            if self.printed(left, here.within, depth + 1) == Ending::Found {
                 return Ending::Found;
             }
             self.watch.on(Visit::Pop { node: right, t_near, t_far, depth });
-            return match self.printed(right, depth) {
+            return match self.printed(right, here.within, depth) {
                 Ending::Found => Ending::Found,
                 _ => Ending::Exhausted,
             };
@@ -67,7 +67,7 @@ impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
         if self.best.answered() { Ending::Found } else { Ending::Exhausted }
     }
 
-    /// The nearer child first; a box that begins behind the best hit stays closed.
+    /// The nearer child first; a volume that begins behind the best hit stays closed.
     fn ordered(&mut self) -> Ending {
         let Some(mut here) = self.root() else { return Ending::Outside };
         let mut stack = [here; Bvh::DEEPEST];
@@ -75,7 +75,7 @@ impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
         loop {
             if let Some([left, right]) = self.open(here) {
                 // Test the volumes of both children.
-                match (self.volume(left), self.volume(right)) {
+                match (self.volume(left, here.within), self.volume(right, here.within)) {
                     (Some(left), Some(right)) => {
                         // The one that the ray enters first is next, the other one waits.
                         let (near, far) =
@@ -121,14 +121,15 @@ impl<'a, P: Primitives, W: Observer<Visit>> BvhWalk<'a, P, W> {
 
     /// Tests the root's volume.
     pub(crate) fn root(&mut self) -> Option<Met> {
-        if self.bvh.nodes.is_empty() { None } else { self.volume(NodeId::ROOT) }
+        if self.bvh.nodes.is_empty() { None } else { self.volume(NodeId::ROOT, self.ray.range()) }
     }
 
-    /// Tests a node's volume; nothing if the ray misses it or has a nearer hit already.
+    /// Tests a node's volume where the ray lies in its parent's; nothing if the ray misses it or has a nearer
+    /// hit already.
     #[inline(never)]
-    pub(crate) fn volume(&mut self, node: NodeId) -> Option<Met> {
+    pub(crate) fn volume(&mut self, node: NodeId, within: Interval) -> Option<Met> {
         let place = Place::Node(node);
-        let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, self.ray.range(), place, self.watch);
+        let within = self.bvh.volume(node).meet(self.ray, within, place, self.watch);
         let Interval { near: t_near, far: t_far } = within;
         let verdict = if within.is_empty() {
             Verdict::Miss

@@ -1,9 +1,14 @@
 //! The walk of boxes that opens the left child first, wherever the ray comes from.
 
 use crate::bvh::{BvhWalk, Met};
-use crate::{Bvh, Ending, Hit, Interval, NodeId, Observer, Primitives, Ray, Visit, Want};
+use crate::{Bvh, Ending, Hit, Interval, NodeId, Observer, Primitives, Ray, Visit, Volume, Want};
 
-pub(super) fn walk(tree: &Bvh, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {
+pub(super) fn walk<V: Volume>(
+    tree: &Bvh<V>,
+    prims: &impl Primitives,
+    ray: &Ray,
+    watch: &mut impl Observer<Visit>,
+) -> Option<Hit> {
     let mut walk = BvhWalk::new(tree, prims, ray, Want::Nearest, watch);
     let mut stack: Vec<Met> = walk.root().into_iter().collect();
     let mut why = if stack.is_empty() { Ending::Outside } else { Ending::Exhausted };
@@ -20,7 +25,7 @@ pub(super) fn walk(tree: &Bvh, prims: &impl Primitives, ray: &Ray, watch: &mut i
             why = Ending::Exhausted;
         }
         let Some([left, right]) = walk.open(here) else { continue };
-        let (left, right) = (walk.volume(left), walk.volume(right));
+        let (left, right) = (walk.volume(left, here.within), walk.volume(right, here.within));
         // MISTAKE: left comes first, even if the ray enters the right box before it.
         for child in [right, left].into_iter().flatten() {
             stack.push(child);

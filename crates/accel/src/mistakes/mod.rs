@@ -15,6 +15,7 @@ mod slab_strict;
 
 pub use example::Example;
 
+use crate::bvh::each;
 use crate::{Accel, Hit, Observer, Primitives, Ray, Structure, Visit};
 
 /// A mistaken walk.
@@ -149,8 +150,10 @@ impl Mistake {
             (Mistake::GridForgets, Structure::Grid(grid)) => grid_forgets::walk(grid, prims, ray, watch),
             (Mistake::KdLeftFirst, Structure::Kd(tree)) => kd_left_first::walk(tree, prims, ray, watch),
             (Mistake::KdAnyHit, Structure::Kd(tree)) => kd_any_hit::walk(tree, prims, ray, watch),
-            (Mistake::BvhUnordered, Structure::Bvh(tree)) => bvh_unordered::walk(tree, prims, ray, watch),
-            (Mistake::BvhNoCut, Structure::Bvh(tree)) => bvh_no_cut::walk(tree, prims, ray, watch),
+            (Mistake::BvhUnordered, Structure::Bvh(any)) => {
+                each!(any, tree => bvh_unordered::walk(tree, prims, ray, watch))
+            }
+            (Mistake::BvhNoCut, Structure::Bvh(any)) => each!(any, tree => bvh_no_cut::walk(tree, prims, ray, watch)),
             _ => structure.intersect(prims, ray, watch),
         }
     }

@@ -3,9 +3,9 @@
 use super::walk::{Part, Walk};
 use super::{Found, Packet, PacketVisit, WalkPackets};
 use crate::bvh::BvhWalk;
-use crate::{Bvh, NodeId, Observer, Primitives, Want};
+use crate::{Bvh, NodeId, Observer, Primitives, Volume, Want};
 
-impl WalkPackets for Bvh {
+impl<V: Volume> WalkPackets for Bvh<V> {
     /// Always in order and with the early exit, whatever the rule says of single rays.
     fn walk_packet(
         &self,
@@ -30,12 +30,12 @@ impl WalkPackets for Bvh {
                     walk.enter(&here, 0, false);
                     let mut parts = children.map(Part::new);
                     let mut votes = [0, 0];
-                    for (lane, ray, _) in walk.lanes(&here) {
+                    for (lane, ray, within) in walk.lanes(&here) {
                         // Each lane tests the volumes of both children.
                         let best = walk.best[lane];
                         let watch = &mut walk.lane(lane);
                         let mut alone = BvhWalk::resume(self, prims, ray, best, watch);
-                        let met = children.map(|child| alone.volume(child).map(|met| met.within));
+                        let met = children.map(|child| alone.volume(child, within).map(|met| met.within));
                         for (part, within) in parts.iter_mut().zip(met) {
                             part.live[lane] = within.unwrap_or(part.live[lane]);
                         }

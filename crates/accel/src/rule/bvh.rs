@@ -1,10 +1,22 @@
-//! How a hierarchy of boxes is to be built and walked.
+//! How a hierarchy of volumes is to be built and walked.
 
 use super::parameter::{Field, Slot, choice};
 use crate::events::words;
 use crate::{Axes, Measure};
 
 words! {
+    /// What bounds a node's primitives.
+    pub enum BvhVolume {
+        /// An axis-aligned box.
+        Aabb = "aabb",
+    }
+
+    /// From which end a hierarchy is put together.
+    pub enum BvhBuilder {
+        /// All primitives are divided, then each part (slide 53).
+        TopDown = "top-down",
+    }
+
     /// How a node's primitives are divided between its children.
     pub enum BvhSplit {
         /// By the middle of their centres' box.
@@ -25,11 +37,15 @@ words! {
         Ordered = "ordered",
     }
 }
-choice!(BvhSplit, BvhOrder);
+choice!(BvhVolume, BvhBuilder, BvhSplit, BvhOrder);
 
-/// The parameters of a hierarchy of boxes.
+/// The parameters of a hierarchy of volumes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BvhRule {
+    /// What bounds a node's primitives.
+    pub volume: BvhVolume,
+    /// From which end it is put together.
+    pub builder: BvhBuilder,
     /// How primitives are divided.
     pub split: BvhSplit,
     /// Nodes with so few primitives stay leaves.
@@ -47,6 +63,8 @@ pub struct BvhRule {
 impl Default for BvhRule {
     fn default() -> BvhRule {
         BvhRule {
+            volume: BvhVolume::Aabb,
+            builder: BvhBuilder::TopDown,
             split: BvhSplit::Binned,
             leaf_size: 2,
             bins: 16,
@@ -60,6 +78,12 @@ impl Default for BvhRule {
 impl BvhRule {
     pub(super) fn slots(&mut self) -> Vec<Slot<'_>> {
         vec![
+            Slot { key: "volume", about: "what bounds a node's primitives", field: Field::Word(&mut self.volume) },
+            Slot {
+                key: "builder",
+                about: "from which end the tree is put together",
+                field: Field::Word(&mut self.builder),
+            },
             Slot {
                 key: "split",
                 about: "how a node's primitives are divided between its children",

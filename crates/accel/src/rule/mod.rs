@@ -6,7 +6,7 @@ mod kd;
 mod octree;
 mod parameter;
 
-pub use bvh::{BvhOrder, BvhRule, BvhSplit};
+pub use bvh::{BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume};
 pub use grid::{GridRule, Resolution};
 pub use kd::{KdRule, KdSplit};
 pub use octree::OctreeRule;
@@ -29,7 +29,7 @@ pub enum Rule {
     Kd(KdRule),
     /// An octree, in a flat scene a quadtree.
     Octree(OctreeRule),
-    /// A hierarchy of boxes.
+    /// A hierarchy of bounding volumes.
     Bvh(BvhRule),
 }
 

@@ -77,7 +77,7 @@ impl<P: Primitives> Walk<'_, P> {
         let mut depth = 0;
         loop {
             if let Some([left, right]) = self.open(here) {
-                match (self.volume(left), self.volume(right)) {
+                match (self.volume(left, here.within), self.volume(right, here.within)) {
                     (Some(left), Some(right)) => {
                         let (near, far) =
                             if right.within.near < left.within.near { (right, left) } else { (left, right) };
@@ -110,12 +110,12 @@ impl<P: Primitives> Walk<'_, P> {
     }
 
     fn root(&mut self) -> Option<Met> {
-        if self.bvh.nodes.is_empty() { None } else { self.volume(NodeId::ROOT) }
+        if self.bvh.nodes.is_empty() { None } else { self.volume(NodeId::ROOT, self.ray.range()) }
     }
 
     #[inline(never)]
-    fn volume(&mut self, node: NodeId) -> Option<Met> {
-        let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, self.ray.range());
+    fn volume(&mut self, node: NodeId, within: Interval) -> Option<Met> {
+        let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, within);
         let verdict = if within.is_empty() {
             Verdict::Miss
         } else if self.cuts && self.best.rules_out(within.near) {

@@ -1,0 +1,28 @@
+//! The axis-aligned box, slide 50: the most common volume.
+
+use super::Volume;
+use crate::{Aabb, Axes, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
+
+impl Volume for Aabb {
+    fn fit<P: Primitives>(_: &P, _: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Aabb {
+        *bounds
+    }
+
+    #[inline(always)]
+    fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
+        slab(self, ray, within, place, watch)
+    }
+
+    #[inline]
+    fn bounds(&self) -> Aabb {
+        *self
+    }
+
+    fn measure(&self, measure: Measure) -> f32 {
+        Aabb::measure(self, measure)
+    }
+
+    fn content(&self) -> f32 {
+        self.extent().max(glam::Vec3::ZERO).element_product()
+    }
+}
