@@ -1,4 +1,5 @@
 //! Raystep: one ray walks through an acceleration structure, one decision at a time.
 
 pub mod cli;
+mod reel;
 pub mod window;

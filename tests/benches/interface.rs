@@ -4,7 +4,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, Ray, Rule, Structure, Visit};
-use raystep_figure::{Camera, Film, Look, Scenery, TreeView, Walk};
+use raystep_figure::{Camera, Film, Look, Reel, Scenery, TreeView, Walk};
 use raystep_scene::Scene;
 
 fn steps(criterion: &mut Criterion) {
@@ -25,22 +25,24 @@ fn steps(criterion: &mut Criterion) {
             events: &events,
             flat: false,
         };
-        let film = Film::new(&walk);
+        let reel = Reel::Walk(walk);
+        let film = Film::new(&reel);
         let camera = Camera::frame(&walk.world(), 1.4, false);
         let look = Look::WINDOW;
         let mut step = 0;
         group.bench_function(kind, |bencher| {
             bencher.iter(|| {
                 step = (step + 7) % (events.len() + 1);
-                let moment = film.at(&walk, step);
-                let space = raystep_figure::space(&walk, &moment);
+                let instant = film.at(&reel, step);
+                let still = reel.still(&instant);
+                let space = still.space();
                 [
                     raystep_figure::stage(&space, &scene.prims, &camera, Vec2::new(700.0, 500.0), Scenery::Left),
-                    raystep_figure::tree(&walk, &moment, &TreeView::default(), Vec2::new(700.0, 160.0), &look),
-                    raystep_figure::ruler(&walk, &moment, Vec2::new(700.0, 110.0), &look),
-                    raystep_figure::stack(&walk, &moment, true, Vec2::new(380.0, 160.0), &look),
-                    raystep_figure::work(&walk, &moment, None, Vec2::new(380.0, 120.0), &look),
-                    raystep_figure::timeline(&walk, step, false, Vec2::new(800.0, 60.0), &look),
+                    still.tree(&TreeView::default(), Vec2::new(700.0, 160.0), &look),
+                    still.ruler(false, Vec2::new(700.0, 110.0), &look),
+                    still.stack(true, Vec2::new(380.0, 160.0), &look),
+                    still.work(None, Vec2::new(380.0, 120.0), &look),
+                    still.timeline(false, Vec2::new(800.0, 60.0), &look),
                 ]
             });
         });

@@ -10,7 +10,7 @@ use glam::Vec2;
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use raystep_figure::Theme;
-use raystep_lesson::{Library, NamedRay, Slide, Stage, StageKind};
+use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
 use raystep_print::{PrintError, apng, gif, png, svg};
 
 use super::fault::{Fault, about};
@@ -102,12 +102,16 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The walks to draw.
+/// The walks and builds to draw.
 fn sessions<'a>(library: &'a Library, arguments: &ExportArguments) -> Result<Vec<(&'a Slide, Session<'a>)>, Fault> {
     let mut sessions = Vec::new();
     for slide in chosen(library, arguments)? {
         for stage in StageKind::ALL.into_iter().filter_map(|kind| slide.stage(kind)) {
             if arguments.stage.as_deref().is_some_and(|name| name != stage.kind.name()) {
+                continue;
+            }
+            // A build has no ray to be named.
+            if slide.plays == Plays::Build && arguments.ray.is_some() {
                 continue;
             }
             let rays = rays(slide, stage, arguments);
@@ -156,6 +160,9 @@ fn nothing(library: &Library, arguments: &ExportArguments) -> String {
     let slides = chosen(library, arguments).unwrap_or_default();
     let stages = |slide: &Slide| slide.stages.iter().map(|stage| stage.kind.name()).collect::<Vec<_>>().join(" and ");
     match (slides.as_slice(), &arguments.ray, &arguments.stage) {
+        ([slide], Some(_), _) if slide.plays == Plays::Build => {
+            format!("slide {} plays how its structure is built: it has no rays", slide.id())
+        }
         ([slide], Some(ray), _) => {
             let known: Vec<&str> =
                 slide.stages.iter().flat_map(|stage| &stage.rays).map(|ray| ray.name.as_str()).collect();
@@ -182,7 +189,7 @@ fn jobs<'a>(sessions: &'a [(&Slide, Session<'a>)], arguments: &ExportArguments) 
         let last = session.steps();
         let steps: Vec<(usize, Option<usize>)> = match &arguments.steps {
             Some(range) if *range.start() > last => {
-                return Err(Fault::new(format!("{stem}: the walk ends with step {last}, before {}", range.start())));
+                return Err(Fault::new(format!("{stem}: the last step is {last}, before {}", range.start())));
             }
             Some(range) => (*range.start()..=last.min(*range.end())).map(|step| (step, None)).collect(),
             None => beats(slide, session, arguments),

@@ -1,27 +1,28 @@
-//! A slide played on one of its stages with one of its rays, ready to be drawn.
+//! A slide played on one of its stages, with one of its rays or as a build, ready to be drawn.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Rule, Structure};
+use raystep_accel::{Aabb, Event, Rule, Structure};
 use raystep_figure::{
-    Figure, ListingLine, Look, Moment, Scenery, Shaded, Theme, TreeView, Walk, fill, sentence, shaded, short, space,
-    stage as picture_of, tree,
+    Figure, Look, Reel, Scenery, Shaded, Still, Theme, TreeView, fill, sentence, shaded, short, stage as picture_of,
 };
-use raystep_lesson::{Library, NamedRay, Play, Show, Slide, Stage};
-use raystep_print::{Below, Plate, Walked, json, plate};
+use raystep_lesson::{Library, NamedRay, Play, Plays, Show, Slide, Stage, Tape};
+use raystep_print::{Below, Plate, Record, Told, json, plate};
 use raystep_scene::Scene;
 
 use super::camera;
 use super::fault::Fault;
+use crate::reel::{beginning, lines, reel};
 
-/// A walk and the slide it belongs to.
+/// A walk or a build and the slide it belongs to.
 pub(crate) struct Session<'a> {
     library: &'a Library,
     slide: &'a Slide,
     stage: &'a Stage,
-    ray: &'a NamedRay,
+    /// The ray that walks; none where a build is played.
+    ray: Option<&'a NamedRay>,
     play: Play,
     node_bounds: Arc<Vec<Aabb>>,
     /// What the image of a solid scene is traced with.
@@ -42,7 +43,7 @@ pub enum View {
 }
 
 impl<'a> Session<'a> {
-    /// Plays these rays of a stage.
+    /// Plays these rays of a stage, or its build.
     pub(crate) fn open(
         library: &'a Library,
         slide: &'a Slide,
@@ -50,36 +51,35 @@ impl<'a> Session<'a> {
         rays: &[&'a NamedRay],
     ) -> Result<Vec<Session<'a>>, Fault> {
         let wrong = |error: raystep_lesson::PlayError| Fault::new(format!("{}: {error}", slide.file));
-        let (scene, structure) = stage.build().map_err(wrong)?;
+        let built = stage.build(slide.plays).map_err(wrong)?;
+        let (scene, structure) = (&built.scene, &built.structure);
         let node_bounds = Arc::new(structure.node_bounds());
         let scenery = Arc::default();
-        let tracer = if structure.node_count() > 0 || scene.flat { Arc::clone(&structure) } else { quick(&scene)? };
-        let play = |ray: &&'a NamedRay| Session {
-            library,
-            slide,
-            stage,
-            ray,
-            play: Play::new(Arc::clone(&scene), Arc::clone(&structure), ray.ray, &slide.beats),
-            node_bounds: Arc::clone(&node_bounds),
-            tracer: Arc::clone(&tracer),
-            scenery: Arc::clone(&scenery),
+        let tracer = if structure.node_count() > 0 || scene.flat { Arc::clone(structure) } else { quick(scene)? };
+        let session = |ray: Option<&'a NamedRay>| {
+            let play = built.play(ray.map(|ray| ray.ray), &slide.beats)?;
+            let (node_bounds, tracer, scenery) = (Arc::clone(&node_bounds), Arc::clone(&tracer), Arc::clone(&scenery));
+            Some(Session { library, slide, stage, ray, play, node_bounds, tracer, scenery })
         };
-        Ok(rays.iter().map(play).collect())
+        Ok(match slide.plays {
+            Plays::Walk => rays.iter().filter_map(|ray| session(Some(ray))).collect(),
+            Plays::Build => session(None).into_iter().collect(),
+        })
     }
 
-    /// How many steps the walk has.
+    /// How many steps it has.
     pub(crate) fn steps(&self) -> usize {
-        self.play.events.len()
+        self.play.tape.len()
     }
 
-    /// The step at which a beat stands, if the walk reaches it.
+    /// The step at which a beat stands, if it is reached.
     pub(crate) fn step_of(&self, beat: usize) -> Option<usize> {
         self.play.beats.get(beat).copied().flatten()
     }
 
-    /// Whether this is the ray that a beat is told on.
+    /// Whether this is the ray that a beat is told on; a build has only itself.
     pub(crate) fn is_told_here(&self, beat: usize) -> bool {
-        self.slide.ray_of(self.stage, beat).is_some_and(|ray| ray.name == self.ray.name)
+        self.ray.is_none_or(|own| self.slide.ray_of(self.stage, beat).is_some_and(|ray| ray.name == own.name))
     }
 
     /// `"flat"` or `"solid"`.
@@ -89,8 +89,9 @@ impl<'a> Session<'a> {
 
     /// The beginning of a file's name: slide, stage, and the ray if it is not the stage's own.
     pub(crate) fn file_stem(&self) -> String {
-        let own = self.stage.rays.first().is_some_and(|first| first.name == self.ray.name);
-        let ray = if own { String::new() } else { format!("-{}", slug(&self.ray.name)) };
+        let own = self.stage.rays.first().map(|first| &first.name);
+        let other = self.ray.filter(|ray| Some(&ray.name) != own);
+        let ray = other.map_or_else(String::new, |ray| format!("-{}", slug(&ray.name)));
         format!("slide{}-{}{ray}", self.slide.name, self.stage.kind.name())
     }
 
@@ -111,81 +112,78 @@ impl<'a> Session<'a> {
         let larger = if *theme == Theme::PROJECTOR { PROJECTED } else { 1.0 };
         let scale = (pixels.x * pixels.y / (page.x * page.y)).sqrt() * larger;
         let size = pixels / scale;
-        let walk = self.walk();
-        let moment = Moment::at(&walk, step);
+        let reel = reel(&self.play, &self.node_bounds);
+        let instant = reel.at(step);
+        let still = reel.still(&instant);
         let figure = match view {
-            View::Space => self.picture(&walk, &moment, size, scale, theme),
-            View::Tree => tree(&walk, &moment, &TreeView::default(), size, &Look { titles: false, ..Look::WINDOW }),
+            View::Space => self.picture(&reel, &still, size, scale, theme),
+            View::Tree => still.tree(&TreeView::default(), size, &Look { titles: false, ..Look::WINDOW }),
             View::Plate => {
-                let picture = |size| self.picture(&walk, &moment, size, scale, theme);
-                self.plate(&walk, &moment, beat, size, &picture)
+                let picture = |size| self.picture(&reel, &still, size, scale, theme);
+                self.plate(&still, step, beat, size, &picture)
             }
         };
         (figure, scale)
     }
 
-    /// The walk as JSON.
+    /// The walk or the build as JSON.
     pub(crate) fn json(&self) -> Result<String, Fault> {
         let rule = self.stage.plan.rule(self.play.scene.flat).map_err(|error| Fault::new(error.to_string()))?;
-        Ok(json(&Walked {
+        let told = match &self.play.tape {
+            Tape::Walk(walk) => Told::Walk {
+                name: self.ray.map(|ray| ray.name.as_str()),
+                ray: &walk.ray,
+                events: &walk.events,
+                hit: walk.hit,
+            },
+            Tape::Build(build) => Told::Build(&build.events),
+        };
+        Ok(json(&Record {
             scene: &self.play.scene.name,
             kind: rule.kind(),
             parameters: &rule.parameters().into_iter().map(|p| (p.key.to_owned(), p.value)).collect::<Vec<_>>(),
             nodes: self.play.structure.node_count(),
             bytes: self.play.structure.bytes(),
-            name: Some(&self.ray.name),
-            ray: &self.play.ray,
-            events: &self.play.events,
-            lost: self.play.lost,
-            hit: self.play.hit,
+            told,
+            lost: self.play.tape.lost(),
         }))
     }
 
-    fn walk(&self) -> Walk<'_> {
-        Walk {
-            structure: &self.play.structure,
-            prims: &self.play.scene.prims,
-            node_bounds: &self.node_bounds,
-            ray: self.play.ray,
-            events: &self.play.events,
-            flat: self.play.scene.flat,
-        }
-    }
-
-    fn picture(&self, walk: &Walk<'_>, moment: &Moment, size: Vec2, scale: f32, theme: &Theme) -> Figure {
-        let shown = space(walk, moment);
+    fn picture(&self, reel: &Reel<'_>, still: &Still<'_>, size: Vec2, scale: f32, theme: &Theme) -> Figure {
+        let shown = still.space();
+        let prims = reel.prims();
         let camera = camera::of_stage(self.stage, &self.play.scene, &shown, size);
         if self.play.scene.flat {
-            return picture_of(&shown, walk.prims, &camera, size, Scenery::Drawn);
+            return picture_of(&shown, prims, &camera, size, Scenery::Drawn);
         }
         let pixels = [size.x * scale, size.y * scale].map(|side| (side.round() as u32).clamp(1, MOST_PIXELS));
-        let made = || Arc::new(shaded(&self.tracer, walk.prims, &camera, pixels[0], pixels[1], theme));
+        let made = || Arc::new(shaded(&self.tracer, prims, &camera, pixels[0], pixels[1], theme));
         let scenery = match self.scenery.lock() {
             // Whoever comes second waits for the first, and finds the image ready.
             Ok(mut known) => Arc::clone(known.entry(pixels).or_insert_with(made)),
             Err(_) => made(),
         };
-        picture_of(&shown, walk.prims, &camera, size, Scenery::Shaded(&scenery))
+        picture_of(&shown, prims, &camera, size, Scenery::Shaded(&scenery))
     }
 
     fn plate(
         &self,
-        walk: &Walk<'_>,
-        moment: &Moment,
+        still: &Still<'_>,
+        step: usize,
         beat: Option<usize>,
         size: Vec2,
         picture: &dyn Fn(Vec2) -> Figure,
     ) -> Figure {
-        let (heading, caption) = self.said(moment, beat);
+        let event = still.event();
+        let (heading, caption) = self.said(event.as_ref(), step, beat);
         let about = format!(
-            "{} · {} · {} · ray: {}",
+            "{} · {} · {} · {}",
             self.slide.section_title(),
             self.slide.numbers_text(),
             self.stage.kind.name(),
-            self.ray.name
+            self.ray.map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {}", ray.name))
         );
-        let event: Vec<String> = moment.event.iter().map(|event| event.name().to_owned()).collect();
-        let listing = self.listing(&event);
+        let listing = lines(self.library.listing(&self.slide.listing), event);
         let mut below: Vec<Below> = self.slide.show.iter().filter_map(below).collect();
         below.dedup();
         let sheet = Plate {
@@ -193,39 +191,26 @@ impl<'a> Session<'a> {
             about: &about,
             heading: &heading,
             caption: &caption,
-            walk: *walk,
-            moment,
+            still: *still,
             listing: &listing,
             below: &below,
-            stack: walk.structure.node_count() > 0,
+            stack: self.play.structure.node_count() > 0,
         };
         plate(&sheet, size, picture)
     }
 
     /// The heading and the text of a step: a beat's if one stands here, else what the event says.
-    fn said(&self, moment: &Moment, beat: Option<usize>) -> (String, String) {
-        let Some(event) = &moment.event else {
-            return ("Before the walk".to_owned(), format!("The ray **{}** is about to start.", self.ray.name));
+    fn said(&self, event: Option<&Event>, step: usize, beat: Option<usize>) -> (String, String) {
+        let Some(event) = event else {
+            let says = self.ray.map(|ray| format!("The ray **{}** is about to start.", ray.name));
+            return ("The beginning".to_owned(), says.unwrap_or_else(|| beginning(self.slide.plays).to_owned()));
         };
-        let here = |beat: &usize| self.step_of(*beat) == Some(moment.step);
+        let here = |beat: &usize| self.step_of(*beat) == Some(step);
         let beat = beat.or_else(|| (0..self.slide.beats.len()).find(here));
         match beat.and_then(|beat| self.slide.beats.get(beat)) {
             Some(beat) => (fill(&beat.title, event), fill(&beat.text(event), event)),
             None => (capitalised(short(event)), sentence(event)),
         }
-    }
-
-    /// The slide's algorithm; only the line that shows the event goes by its name.
-    fn listing<'b>(&'b self, event: &'b [String]) -> Vec<ListingLine<'b>> {
-        let Some(listing) = self.library.listing(&self.slide.listing) else { return Vec::new() };
-        let current = event.first().and_then(|event| listing.line_of(event));
-        let line = |(index, line): (usize, &'b raystep_lesson::Line)| ListingLine {
-            indent: line.indent,
-            text: &line.text,
-            events: if Some(index) == current { event } else { &[] },
-            values: line.values.as_deref(),
-        };
-        listing.lines.iter().enumerate().map(line).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use glam::Vec2;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
-use raystep_print::Walked;
+use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
 use super::fault::Fault;
@@ -160,17 +160,14 @@ fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>]) -> R
 fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray) -> String {
     let mut tape = Trace::new(TAPE);
     let hit = structure.intersect(&scene.prims, ray, &mut tape);
-    raystep_print::json(&Walked {
+    raystep_print::json(&Record {
         scene: &scene.name,
         kind: rule.kind(),
         parameters: &rule.parameters().into_iter().map(|p| (p.key.to_owned(), p.value)).collect::<Vec<_>>(),
         nodes: structure.node_count(),
         bytes: structure.bytes(),
-        name: None,
-        ray,
-        events: &tape.events,
+        told: Told::Walk { name: None, ray, events: &tape.events, hit },
         lost: tape.lost,
-        hit,
     })
 }
 

@@ -177,8 +177,8 @@ impl App {
         let Some(place) = self.picked.filter(|_| self.state.question().is_none()) else { return };
         if let Some(playback) = self.state.playback() {
             let now = self.state.view.step;
-            let walk = playback.walk();
-            let next = walk.steps_at(place).find(|step| *step > now).or_else(|| walk.steps_at(place).next());
+            let steps = playback.reel().steps_at(place);
+            let next = steps.iter().find(|step| **step > now).or(steps.first()).copied();
             if let Some(step) = next {
                 self.state.go(step);
             }
@@ -227,7 +227,8 @@ impl App {
         }
         let bottom = Panel::bottom("bottom").exact_size(80.0).frame(bar).resizable(false);
         let lit = self.lit();
-        let (asked, under) = bottom.show(ui, |ui| bottom::bar(ui, &self.state, self.theme, lit)).inner;
+        let (asked, under) =
+            bottom.show(ui, |ui| bottom::bar(ui, &self.state, self.pictures.as_mut(), self.theme, lit)).inner;
         match asked {
             Some(bottom::Asked::Command(command)) => self.run(ui, command),
             Some(bottom::Asked::Step(step)) => {

@@ -2,12 +2,13 @@
 
 use egui::{Align, Button, ComboBox, Layout, RichText, Sense, Ui, vec2};
 use raystep_accel::{Grain, Place};
-use raystep_figure::{Figure, Look, Theme, Track, timeline};
+use raystep_figure::{Look, Theme, Track, TreeView, short};
 
 use super::command::Command;
 use super::controls;
 use super::icons::{Icon, icon_button};
 use super::painter::{paint_figure, place_at};
+use super::pictures::{Pane, Pictures};
 use super::state::State;
 use super::steps::grain_name;
 
@@ -20,7 +21,13 @@ pub(super) enum Asked {
 }
 
 /// Shows the bar; says what was asked for and which place the pointer is on.
-pub(super) fn bar(ui: &mut Ui, state: &State, theme: &Theme, hovered: Option<Place>) -> (Option<Asked>, Option<Place>) {
+pub(super) fn bar(
+    ui: &mut Ui,
+    state: &State,
+    pictures: Option<&mut Pictures>,
+    theme: &Theme,
+    hovered: Option<Place>,
+) -> (Option<Asked>, Option<Place>) {
     let (mut asked, mut under) = (None, None);
     let narrow = ui.available_width() < 1180.0;
     ui.horizontal_centered(|ui| {
@@ -48,7 +55,7 @@ pub(super) fn bar(ui: &mut Ui, state: &State, theme: &Theme, hovered: Option<Pla
             speed(ui, state, &mut asked);
             grain(ui, state, &mut asked);
             let room = vec2(ui.available_width(), ui.available_height());
-            under = track(ui, state, theme, hovered, room, &mut asked);
+            under = track(ui, state, pictures, theme, hovered, room, &mut asked);
         });
     });
     (asked, under)
@@ -82,20 +89,21 @@ fn speed(ui: &mut Ui, state: &State, asked: &mut Option<Asked>) {
 fn track(
     ui: &mut Ui,
     state: &State,
+    pictures: Option<&mut Pictures>,
     theme: &Theme,
     hovered: Option<Place>,
     room: egui::Vec2,
     asked: &mut Option<Asked>,
 ) -> Option<Place> {
     let (rect, response) = ui.allocate_exact_size(room, Sense::click_and_drag());
-    let Some(playback) = state.playback() else {
+    let (Some(playback), Some(pictures)) = (state.playback(), pictures) else {
         response.widget_info(|| egui::WidgetInfo::slider(false, 0.0, "Timeline"));
         return None;
     };
     let size = glam::Vec2::new(rect.width(), rect.height());
-    let figure: Figure = timeline(&playback.walk(), state.view.step, state.question().is_some(), size, &Look::WINDOW);
-    paint_figure(ui.painter(), rect.min, &figure, theme, hovered);
-    let track = Track::new(playback.play.events.len(), size, &Look::WINDOW);
+    let figure = pictures.pane(Pane::Timeline, size, &Look::WINDOW, None, &TreeView::default(), None);
+    paint_figure(ui.painter(), rect.min, figure, theme, hovered);
+    let track = Track::new(playback.steps().last(), size, &Look::WINDOW);
     let step = state.view.step as f64;
     response.widget_info(|| egui::WidgetInfo::slider(true, step, "Timeline"));
 
@@ -105,11 +113,11 @@ fn track(
     let pointer = response.hover_pos()?;
     if pointer.x - rect.left() > track.left - 10.0 && !response.dragged() {
         let at = track.step_at(pointer.x - rect.left());
-        let says = match at.checked_sub(1).and_then(|i| playback.play.events.get(i)) {
-            Some(event) if state.question().is_none() => format!("step {at}: {}", raystep_figure::short(event)),
+        let says = match playback.event(at) {
+            Some(event) if state.question().is_none() => format!("step {at}: {}", short(&event)),
             _ => format!("step {at}"),
         };
         response.on_hover_text_at_pointer(RichText::new(says));
     }
-    place_at(&figure, rect.min, pointer)
+    place_at(figure, rect.min, pointer)
 }

@@ -46,6 +46,9 @@ fn stacked(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let shown = work.show(ui, |ui| pane(app, ui, Pane::Work));
     note(ui, &mut app.remembered.heights.work, shown.response.rect.height(), height * 0.2);
     let mut under = shown.inner;
+    if !has(app, Pane::Stack) {
+        return pane(app, ui, Pane::Walk).or(under);
+    }
     let stack = Panel::bottom(salt("stack", sizes.stack, height))
         .frame(frame)
         .default_size(sizes.stack.unwrap_or(height * 0.22))
@@ -60,7 +63,7 @@ fn stacked(app: &mut App, ui: &mut Ui) -> Option<Place> {
 fn tabs(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let mut panes = vec![Pane::Walk];
     panes.extend(main(app));
-    panes.extend([Pane::Stack, Pane::Work]);
+    panes.extend([Pane::Stack, Pane::Work].into_iter().filter(|pane| has(app, *pane)));
     if !panes.contains(&app.remembered.tab) {
         app.remembered.tab = Pane::Walk;
     }
@@ -79,7 +82,8 @@ fn tabs(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let height = ui.available_height();
     let chosen = app.remembered.tab;
     let below = match chosen {
-        Pane::Walk if height > 520.0 => Some(Pane::Stack),
+        Pane::Walk if height > 520.0 && has(app, Pane::Stack) => Some(Pane::Stack),
+        Pane::Walk if height > 520.0 => Some(Pane::Work),
         Pane::Stack if height > 420.0 => Some(Pane::Work),
         _ => None,
     };
@@ -108,6 +112,9 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
         note(ui, &mut app.remembered.heights.tree, shown.response.rect.height(), usual);
         under = shown.inner;
     }
+    if !has(app, Pane::Ruler) {
+        return stage_pane::stages(app, ui).or(under);
+    }
     let usual = (height * 0.15).clamp(100.0, 150.0);
     let ruler = Panel::bottom(salt("ruler", sizes.ruler, height))
         .frame(frame)
@@ -116,6 +123,11 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let shown = ruler.show(ui, |ui| pane(app, ui, Pane::Ruler));
     note(ui, &mut app.remembered.heights.ruler, shown.response.rect.height(), usual);
     shown.inner.or(stage_pane::stages(app, ui)).or(under)
+}
+
+/// Whether there is anything to show in a pane.
+fn has(app: &App, pane: Pane) -> bool {
+    app.pictures.as_ref().is_none_or(|pictures| pictures.has(pane))
 }
 
 /// The pane in which the structure of this slide is best seen.
@@ -138,7 +150,7 @@ pub(super) fn figure(app: &mut App, ui: &mut Ui, pane: Pane, rect: Rect, look: &
     let library = app.state.library.clone();
     let code = app.state.slide().and_then(|slide| library.listing(&slide.listing));
     let tests = app.beside.as_ref().filter(|_| app.state.beside == Beside::BruteForce);
-    let tests = tests.map(|beside| ("brute force", beside.moment(app.state.view.step).cost.prim_tests));
+    let tests = tests.map(|beside| ("brute force", beside.tests(app.state.view.step)));
     let drawn = pictures.pane(pane, glam_size(rect), look, code, &app.tree, tests);
     paint_figure(&ui.painter_at(rect), rect.min, drawn, app.theme, app.lit());
     let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);

@@ -133,7 +133,7 @@ impl App {
         let (folder, format, theme) = (PathBuf::from(&form.folder), form.format, form.theme);
         self.errands.beside(move || {
             let written = steps.iter().try_fold(0, |count, &step| {
-                let shown = raystep_figure::space(&playback.walk(), &playback.moment(step));
+                let shown = playback.reel().still(&playback.instant(step)).space();
                 let camera =
                     camera.unwrap_or_else(|| eye::home(look.as_ref(), &playback.play.scene, &shown.bounds, SIZE));
                 let figure = exported(&shown, &playback, &camera, SIZE, theme);

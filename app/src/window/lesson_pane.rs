@@ -10,6 +10,7 @@ use super::prose::Prose;
 use super::question;
 use super::state::State;
 use super::visuals::ink;
+use crate::reel::beginning;
 
 /// Shows the lesson; says which command was asked for.
 pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
@@ -45,18 +46,18 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
                 ui.label(RichText::new(&beat.title).font(font(Face::Medium, 15.5)).color(ink(theme, Role::Here)));
             }
             if let Some(at) = at {
-                prose.show(ui, formulas, &fill(&beat.text(at), at));
+                prose.show(ui, formulas, &fill(&beat.text(&at), &at));
             }
             // Later events say what they do themselves.
             if state.view.step > step
                 && let Some(event) = event
             {
-                said(ui, theme, &sentence(event));
+                said(ui, theme, &sentence(&event));
             }
         }
         None => match event {
-            Some(event) => said(ui, theme, &sentence(event)),
-            None => said(ui, theme, "Before the walk: the ray has met nothing yet."),
+            Some(event) => said(ui, theme, &sentence(&event)),
+            None => said(ui, theme, beginning(slide.plays)),
         },
     }
     ui.add_space(8.0);

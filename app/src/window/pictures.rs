@@ -4,15 +4,13 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::Primitives;
-use raystep_figure::{
-    Camera, Figure, ListingLine, Look, Moment, Scenery, Space, Theme, TreeView, cells, legend, legend_height, listing,
-    ruler, ruler_line, shaded, slabs, space, stack, stage, tree, work,
-};
-use raystep_lesson::{Listing, Play, Show};
+use raystep_accel::{Event, Grow, Primitives};
+use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, Theme, TreeView, shaded, stage};
+use raystep_lesson::{Choice, Listing, Play, Show};
 
 use super::playback::Playback;
 use super::state::State;
+use crate::reel::lines;
 
 /// The most primitives that are drawn as outlines.
 const OUTLINED: usize = 2000;
@@ -20,10 +18,10 @@ const OUTLINED: usize = 2000;
 /// The step that is shown, folded and drawn.
 pub(super) struct Pictures {
     key: Key,
-    /// The walk.
+    /// The walk or the build.
     pub(super) playback: Arc<Playback>,
-    /// The state of the walk at this step.
-    pub(super) moment: Moment,
+    /// Its state at this step.
+    pub(super) instant: Instant,
     /// What space shows.
     pub(super) space: Space,
     figures: HashMap<PaneKey, Figure>,
@@ -57,6 +55,7 @@ pub(super) enum Pane {
     StackHere,
     Work,
     Legend,
+    Timeline,
 }
 
 impl Pane {
@@ -71,6 +70,7 @@ impl Pane {
             Pane::Stack | Pane::StackHere => "Stack",
             Pane::Work => "Work",
             Pane::Legend => "Signs",
+            Pane::Timeline => "Timeline",
         }
     }
 }
@@ -86,13 +86,12 @@ impl Pictures {
         {
             return Some(kept);
         }
-        let mut moment = playback.moment(state.view.step);
+        let mut instant = playback.instant(state.view.step);
         if let Some(posed) = state.question() {
-            let guess = |choice: &raystep_lesson::Choice| Some((choice.place?, super::question::label(choice)));
-            moment.guesses = posed.choices.iter().filter_map(guess).collect();
+            guess(&mut instant, &posed.choices);
         }
-        let space = space(&playback.walk(), &moment);
-        Some(Pictures { key, playback, moment, space, figures: HashMap::new() })
+        let space = playback.reel().still(&instant).space();
+        Some(Pictures { key, playback, instant, space, figures: HashMap::new() })
     }
 
     /// The figure of a pane.
@@ -110,27 +109,40 @@ impl Pictures {
         let sized = [size.x as u32, size.y as u32];
         let asking = self.key.asking;
         let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32, extra };
-        let Pictures { playback, moment, space, figures, .. } = self;
+        let Pictures { playback, instant, space, figures, .. } = self;
         figures.entry(key).or_insert_with(|| {
-            let walk = playback.walk();
+            let reel = playback.reel();
+            let still = reel.still(instant);
             match pane {
-                Pane::Ruler => ruler(&walk, moment, size, look),
-                Pane::RulerLine => ruler_line(&walk, moment, size, look),
-                Pane::Tree => tree(&walk, moment, view, size, look),
-                Pane::Cells => cells(&walk, moment, asking, size, look),
-                Pane::Slabs => slabs(&walk, moment, size, look),
-                Pane::Walk => listing(&lines(code), moment.event.as_ref(), size, look),
-                Pane::Stack => stack(&walk, moment, false, size, look),
-                Pane::StackHere => stack(&walk, moment, true, size, look),
-                Pane::Work => work(&walk, moment, beside, size, look),
-                Pane::Legend => legend(space, size, look),
+                Pane::Ruler => still.ruler(asking, size, look),
+                Pane::RulerLine => still.ruler_line(asking, size, look),
+                Pane::Tree => still.tree(view, size, look),
+                Pane::Cells => still.cells(asking, size, look),
+                Pane::Slabs => still.slabs(size, look),
+                Pane::Walk => still.listing(&lines(code, still.event()), size, look),
+                Pane::Stack => still.stack(false, size, look),
+                Pane::StackHere => still.stack(true, size, look),
+                Pane::Work => still.work(beside, size, look),
+                Pane::Legend => still.legend(space, size, look),
+                Pane::Timeline => still.timeline(asking, size, look),
             }
         })
     }
 
+    /// Whether there is anything to show in a pane.
+    pub(super) fn has(&self, pane: Pane) -> bool {
+        let reel = self.playback.reel();
+        let still = reel.still(&self.instant);
+        match pane {
+            Pane::Ruler | Pane::RulerLine => still.has_ruler(),
+            Pane::Stack | Pane::StackHere => still.has_stack(),
+            _ => true,
+        }
+    }
+
     /// How high the legend of this width is.
     pub(super) fn legend_height(&self, width: f32, look: &Look) -> f32 {
-        legend_height(&self.space, width, look)
+        self.playback.reel().still(&self.instant).legend_height(&self.space, width, look)
     }
 
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
@@ -156,18 +168,23 @@ pub(super) fn exported(space: &Space, playback: &Playback, camera: &Camera, size
     stage(space, &scene.prims, camera, size, Scenery::Shaded(&image))
 }
 
-/// The lines of a listing for its figure.
-fn lines(code: Option<&Listing>) -> Vec<ListingLine<'_>> {
-    let Some(code) = code else { return Vec::new() };
-    let lines = code.lines.iter();
-    lines
-        .map(|line| ListingLine {
-            indent: line.indent,
-            text: &line.text,
-            events: &line.events,
-            values: line.values.as_deref(),
-        })
-        .collect()
+/// Shows the answers of an open question where they lie: places of a walk, planes of a build.
+fn guess(instant: &mut Instant, choices: &[Choice]) {
+    match instant {
+        Instant::Walk(moment) => {
+            let guess = |choice: &Choice| Some((choice.place?, super::question::label(choice)));
+            moment.guesses = choices.iter().filter_map(guess).collect();
+        }
+        Instant::Build(moment) => {
+            let guess = |choice: &Choice| match choice.own {
+                Some(Event::Build(Grow::Weigh { axis, plane, .. })) => {
+                    Some((axis, plane, super::question::label(choice)))
+                }
+                _ => None,
+            };
+            moment.guesses = choices.iter().filter_map(guess).collect();
+        }
+    }
 }
 
 /// The pane that a structure is best seen in beside space.

@@ -1,11 +1,13 @@
-//! One walk, ready to be shown at any step: what `lesson` plays, with what the views need beside it.
+//! One walk or build, ready to be shown at any step: what `lesson` plays, with what the views need beside it.
 
 use std::sync::Arc;
 
-use raystep_accel::{Aabb, Accel, Cost, Mistake, Ray, Rule, Structure, Trace, Visit};
-use raystep_figure::{Film, Moment, Walk};
-use raystep_lesson::{Choice, Play, Slide, Stage};
+use raystep_accel::{Aabb, Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace};
+use raystep_figure::{Film, Instant, Reel};
+use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
 use raystep_scene::Scene;
+
+use crate::reel::reel;
 
 use super::state::Beside;
 use super::steps::Steps;
@@ -14,18 +16,18 @@ use super::view::{RayChoice, View};
 /// The most events of a mistaken walk that are kept.
 const MOST: usize = 50_000;
 
-/// A walk and everything that its pictures are made of.
+/// A walk or a build and everything that its pictures are made of.
 #[derive(Debug)]
 pub struct Playback {
     /// What was asked for.
     pub view: View,
-    /// What it walks through, and how.
+    /// What happens.
     pub play: Play,
     /// How the structure was built.
     pub rule: Rule,
     /// The boxes of all nodes.
     pub node_bounds: Arc<Vec<Aabb>>,
-    /// The questions of the beats that this walk reaches.
+    /// The questions of the beats that are reached.
     pub posed: Vec<Posed>,
     /// What can be done wrong in such a structure.
     pub mistakes: Vec<Mistake>,
@@ -34,7 +36,7 @@ pub struct Playback {
     film: Film,
 }
 
-/// A question and where in the walk it stands.
+/// A question and where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Posed {
     /// The beat that asks.
@@ -58,13 +60,15 @@ pub struct Built {
     pub structure: Arc<Structure>,
     /// The boxes of all its nodes.
     pub node_bounds: Arc<Vec<Aabb>>,
+    /// How it was built, if that is to be played.
+    pub growth: Option<Arc<BuildTape>>,
 }
 
 impl Playback {
-    /// Lets the view's ray walk through what was built.
-    pub fn new(view: View, built: Built, ray: Ray, slide: &Slide, stage: &Stage) -> Playback {
-        let Built { scene, rule, structure, node_bounds } = built;
-        let mut play = Play::new(scene, structure, ray, &slide.beats);
+    /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
+    pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
+        let Built { scene, rule, structure, node_bounds, growth } = built;
+        let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, &slide.beats)?;
         // Beats that speak of another of the slide's rays are silent on this one.
         if let RayChoice::Named(index) = view.ray
             && let Some(this) = stage.rays.get(index)
@@ -75,22 +79,22 @@ impl Playback {
                 }
             }
         }
-        let film = Film::new(&walk(&play, &node_bounds));
-        let mistakes = Mistake::of_kind(rule.kind()).collect();
+        let film = Film::new(&reel(&play, &node_bounds));
+        // Only walks go wrong.
+        let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.ray().is_some()).collect();
         let kind = Beside::Nothing;
         let mut playback = Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, film };
         playback.posed = playback.questions(slide);
-        playback
+        Some(playback)
     }
 
     /// The same ray through the same structure with a mistake made.
     pub fn mistaken(&self, index: usize) -> Option<Playback> {
-        let mistake = *self.mistakes.get(index)?;
+        let (mistake, ray) = (*self.mistakes.get(index)?, self.play.tape.ray()?);
         let mut tape = Trace::new(MOST);
-        let mut play = self.play.clone();
-        play.hit = mistake.walk(&play.structure, &play.scene.prims, &play.ray, &mut tape);
-        play.events = tape.events;
-        play.beats = Vec::new();
+        let hit = mistake.walk(&self.play.structure, &self.play.scene.prims, &ray, &mut tape);
+        let tape = Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit });
+        let play = Play::new(self.play.scene.clone(), self.play.structure.clone(), tape, &[]);
         self.aside(play, self.rule, self.node_bounds.clone(), Beside::Mistake(index))
     }
 
@@ -106,33 +110,42 @@ impl Playback {
     /// The same ray through brute force.
     pub fn brute_force(&self) -> Option<Playback> {
         let structure = Arc::new(Structure::List(raystep_accel::List));
-        let play = Play::new(self.play.scene.clone(), structure, self.play.ray, &[]);
+        let tape = Tape::walk(&self.play.scene, &structure, self.play.tape.ray()?);
+        let play = Play::new(self.play.scene.clone(), structure, tape, &[]);
         self.aside(play, Rule::List, Arc::default(), Beside::BruteForce)
     }
 
     fn aside(&self, play: Play, rule: Rule, node_bounds: Arc<Vec<Aabb>>, kind: Beside) -> Option<Playback> {
-        let film = Film::new(&walk(&play, &node_bounds));
+        let film = Film::new(&reel(&play, &node_bounds));
         let (view, mistakes) = (self.view.clone(), self.mistakes.clone());
         Some(Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, film })
     }
 
     /// What the figures are drawn of.
-    pub fn walk(&self) -> Walk<'_> {
-        walk(&self.play, &self.node_bounds)
+    pub fn reel(&self) -> Reel<'_> {
+        reel(&self.play, &self.node_bounds)
     }
 
     /// The state after so many events.
-    pub fn moment(&self, step: usize) -> Moment {
-        self.film.at(&self.walk(), step)
+    pub fn instant(&self, step: usize) -> Instant {
+        self.film.at(&self.reel(), step)
     }
 
-    /// The walk's steps.
+    /// How many primitives a walk has tested after so many events.
+    pub fn tests(&self, step: usize) -> u64 {
+        match self.instant(step) {
+            Instant::Walk(moment) => moment.cost.prim_tests,
+            Instant::Build(_) => 0,
+        }
+    }
+
+    /// The steps.
     pub fn steps(&self) -> Steps<'_> {
-        Steps { events: &self.play.events, flat: self.play.scene.flat }
+        Steps { tape: &self.play.tape, flat: self.play.scene.flat }
     }
 
     /// The event that a step shows.
-    pub fn event(&self, step: usize) -> Option<&Visit> {
+    pub fn event(&self, step: usize) -> Option<Event> {
         self.play.event(step)
     }
 
@@ -170,16 +183,5 @@ impl Playback {
         // One question at a time.
         posed.dedup_by_key(|posed| posed.step);
         posed
-    }
-}
-
-fn walk<'a>(play: &'a Play, node_bounds: &'a [Aabb]) -> Walk<'a> {
-    Walk {
-        structure: &play.structure,
-        prims: &play.scene.prims,
-        node_bounds,
-        ray: play.ray,
-        events: &play.events,
-        flat: play.scene.flat,
     }
 }

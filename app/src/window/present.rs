@@ -3,6 +3,7 @@
 use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
 use raystep_figure::{Face, Look, Role, fill as filled, sentence};
+use raystep_lesson::Plays;
 
 use super::app::App;
 use super::columns::figure;
@@ -14,6 +15,7 @@ use super::prose::Prose;
 use super::question;
 use super::stage_pane;
 use super::visuals::{fill, ink};
+use crate::reel::beginning;
 
 /// Shows the page in the whole window.
 pub(super) fn page(app: &mut App, ui: &mut Ui) {
@@ -27,7 +29,13 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
     heading(app, ui, Rect::from_min_size(inner.min, vec2(inner.width(), title_height)), body);
 
     let foot = body * 1.5;
-    let ruler = body * 3.6;
+    let pictures = app.pictures.as_ref();
+    let builds = app.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+    let ruler = match pictures.is_none_or(|pictures| pictures.has(Pane::RulerLine)) {
+        true if builds => body * 7.0,
+        true => body * 3.6,
+        false => 0.0,
+    };
     let side = (inner.width() * 0.3).max(body * 11.0);
     let top = inner.top() + title_height;
     let bottom = inner.bottom() - foot - ruler;
@@ -37,7 +45,9 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
 
     let look = Look { text: body * 0.78, titles: false };
     let mut under = stage_pane::stage(app, ui, space, false, body / 19.0);
-    under = figure(app, ui, Pane::RulerLine, line, &look).or(under);
+    if ruler > 0.0 {
+        under = figure(app, ui, Pane::RulerLine, line, &look).or(under);
+    }
     under = side_page(app, ui, words, body).or(under);
     footer(app, ui, Rect::from_min_max(pos2(inner.left(), inner.bottom() - foot), inner.max), body);
     app.hover(ui, under);
@@ -63,9 +73,8 @@ fn heading(app: &App, ui: &Ui, rect: Rect, body: f32) {
 fn footer(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) {
     let Some(playback) = app.state.playback() else { return };
     let step = app.state.view.step;
-    let (last, tests) = (playback.steps().last(), playback.moment(step).cost.prim_tests);
-    let all = raystep_accel::Primitives::len(&playback.play.scene.prims);
-    let says = format!("step {step} of {last} · {tests} of {all} primitives tested");
+    let tally = playback.reel().still(&playback.instant(step)).tally();
+    let says = format!("step {step} of {} · {tally}", playback.steps().last());
     caption(
         ui.painter(),
         rect.left_center(),
@@ -96,13 +105,17 @@ fn footer(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) {
 
 /// The question or what the beat says, then the stack.
 fn side_page(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) -> Option<Place> {
-    let stack = body * 0.62 * 1.7 * 4.6;
+    let has_stack = app.pictures.as_ref().is_some_and(|pictures| pictures.has(Pane::StackHere));
+    let stack = if has_stack { body * 0.62 * 1.7 * 4.6 } else { 0.0 };
     let text = Rect::from_min_max(rect.min, rect.max - vec2(0.0, stack));
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(text));
     child.set_clip_rect(text.expand(4.0));
     let asked = egui::ScrollArea::vertical().id_salt("presented").show(&mut child, |ui| said(app, ui, body)).inner;
     if let Some(command) = asked {
         app.run(ui, command);
+    }
+    if !has_stack {
+        return None;
     }
     let look = Look { text: body * 0.62, titles: false };
     figure(app, ui, Pane::StackHere, Rect::from_min_max(pos2(rect.left(), rect.bottom() - stack), rect.max), &look)
@@ -129,15 +142,16 @@ fn said(app: &mut App, ui: &mut Ui, body: f32) -> Option<Command> {
         Prose { role: Role::Hit, size: body * 1.1, ..prose }.show(ui, &mut app.formulas, &text);
     }
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
+    let opening = state.slide().map_or("", |slide| beginning(slide.plays));
     match state.beat().filter(|(_, step)| *step == state.view.step) {
         Some((beat, _)) => {
             ui.label(RichText::new(&beat.title).font(font(Face::Medium, body * 1.1)).color(ink(app.theme, Role::Text)));
             if let Some(event) = event {
-                prose.show(ui, &mut app.formulas, &filled(&beat.text(event), event));
+                prose.show(ui, &mut app.formulas, &filled(&beat.text(&event), &event));
             }
         }
         None => {
-            let says = event.map_or_else(|| "Before the walk.".to_owned(), sentence);
+            let says = event.map_or_else(|| opening.to_owned(), |event| sentence(&event));
             Prose { size: body * 1.05, ..prose }.show(ui, &mut app.formulas, &says);
         }
     }

@@ -1,7 +1,8 @@
 //! The question box: asked before the step that answers it, answered by button, key or a click on the place.
 
 use egui::{Button, Frame, Margin, RichText, Stroke, Ui, vec2};
-use raystep_figure::{Face, Role, Theme, fill as filled, value};
+use raystep_accel::{Event, Grow};
+use raystep_figure::{Answer, Face, Role, Theme, fill as filled, value};
 use raystep_lesson::Choice;
 
 use super::command::Command;
@@ -50,7 +51,7 @@ pub(super) fn question_text(state: &State, posed: &Posed) -> String {
     let ask = state.slide().and_then(|slide| slide.beats.get(posed.beat)?.ask.as_ref());
     let event = state.playback().and_then(|playback| playback.event(posed.step));
     match (ask, event) {
-        (Some(ask), Some(event)) => filled(&ask.question, event),
+        (Some(ask), Some(event)) => filled(&ask.question, &event),
         _ => String::new(),
     }
 }
@@ -59,14 +60,18 @@ pub(super) fn question_text(state: &State, posed: &Posed) -> String {
 pub(super) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
     let event = state.playback().and_then(|playback| playback.event(posed.step));
     match (&choice.reason, event) {
-        (Some(reason), Some(event)) => filled(reason, event),
+        (Some(reason), Some(event)) => filled(reason, &Answer { coming: event, own: choice.own }),
         _ => "Look at the numbers of this step and try again.".to_owned(),
     }
 }
 
 /// What stands on an answer's button.
 pub(super) fn label(choice: &Choice) -> String {
-    choice.label.clone().unwrap_or_else(|| value(&choice.value))
+    let cut = match choice.own {
+        Some(Event::Build(Grow::Weigh { axis, .. })) => Some(format!("{axis} = {}", value(&choice.value))),
+        _ => None,
+    };
+    choice.label.clone().or(cut).unwrap_or_else(|| value(&choice.value))
 }
 
 /// One button for each answer, two in a row where they fit.

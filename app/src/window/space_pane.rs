@@ -46,10 +46,11 @@ pub(super) struct Picture<'a> {
     pub(super) space: &'a Space,
     pub(super) figure: &'a Figure,
     pub(super) camera: Camera,
-    pub(super) ray: Ray,
+    /// The ray; none where a build is played.
+    pub(super) ray: Option<Ray>,
     pub(super) theme: &'a Theme,
     pub(super) hovered: Option<Place>,
-    /// Whether the ray can be dragged.
+    /// Whether the ray can be dragged, if there is one.
     pub(super) live: bool,
     /// Whether all but the labels is painted already.
     pub(super) painted: bool,
@@ -95,7 +96,9 @@ impl Picture<'_> {
             let first = response.drag_started_by(PointerButton::Primary);
             let grip = press.filter(|_| self.live && first).and_then(|press| self.grip(rect, press));
             *hold = Some(match (first, shift, grip, press) {
-                (true, true, _, Some(press)) if self.live => Hold::New(self.world(rect, press, self.target())),
+                (true, true, _, Some(press)) if self.live && self.ray.is_some() => {
+                    Hold::New(self.world(rect, press, self.target()))
+                }
                 (true, _, Some(grip), _) => grip,
                 (true, ..) => Hold::Turn,
                 (false, ..) => Hold::Shift,
@@ -111,12 +114,12 @@ impl Picture<'_> {
                 Hold::Turn => happened.camera = Some(eye::turned(&self.camera, moved, size)),
                 Hold::Shift => happened.camera = Some(eye::shifted(&self.camera, moved, size)),
                 Hold::Origin => {
-                    let (origin, head) = self.ends();
-                    happened.ray = self.drawn(self.world(rect, pointer, origin), head);
+                    let ends = self.ends();
+                    happened.ray = ends.and_then(|(origin, head)| self.drawn(self.world(rect, pointer, origin), head));
                 }
                 Hold::Head => {
-                    let (origin, head) = self.ends();
-                    happened.ray = self.drawn(origin, self.world(rect, pointer, head));
+                    let ends = self.ends();
+                    happened.ray = ends.and_then(|(origin, head)| self.drawn(origin, self.world(rect, pointer, head)));
                 }
                 Hold::New(from) => happened.ray = self.drawn(from, self.world(rect, pointer, from)),
             }
@@ -138,7 +141,7 @@ impl Picture<'_> {
 
     /// The end of the ray under the pointer.
     fn grip(&self, rect: Rect, pointer: Pos2) -> Option<Hold> {
-        let (origin, head) = self.ends();
+        let (origin, head) = self.ends()?;
         let near = |world: Vec3| {
             let (page, _) = self.camera.project(world, glam_size(rect))?;
             Some((rect.min + egui::vec2(page.x, page.y)).distance(pointer) <= GRIP)
@@ -150,20 +153,21 @@ impl Picture<'_> {
     }
 
     /// Where the ray is seen to begin and to end.
-    fn ends(&self) -> (Vec3, Vec3) {
+    fn ends(&self) -> Option<(Vec3, Vec3)> {
+        let ray = self.ray?;
         let arrow = self.space.marks.iter().find_map(|mark| match mark.form {
             Form::Arrow(_, tip) if matches!(mark.role, Role::Ray | Role::Live) => Some(tip),
             _ => None,
         });
-        (self.ray.o, arrow.unwrap_or_else(|| self.ray.at(1.0)))
+        Some((ray.o, arrow.unwrap_or_else(|| ray.at(1.0))))
     }
 
     /// A ray through two points; in a flat scene it stays in the plane.
     fn drawn(&self, from: Vec3, to: Vec3) -> Option<Ray> {
         let flat = |at: Vec3| if self.space.flat { at.truncate().extend(0.0) } else { at };
         let (from, to) = (flat(from), flat(to));
-        let along = (to - from).try_normalize()?;
-        Ray::new(from, along).ok()?.within(self.ray.t_min, self.ray.t_max).ok()
+        let (along, ray) = ((to - from).try_normalize()?, self.ray?);
+        Ray::new(from, along).ok()?.within(ray.t_min, ray.t_max).ok()
     }
 
     fn world(&self, rect: Rect, pointer: Pos2, through: Vec3) -> Vec3 {

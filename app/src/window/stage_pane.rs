@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Align2, Rect, RichText, Ui, pos2, vec2};
 use raystep_accel::Place;
-use raystep_figure::{Camera, Face, Figure, Look, Role, Space, space};
+use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 
 use super::app::App;
 use super::columns::strip;
@@ -69,7 +69,7 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
         space: &pictures.space,
         figure: &figure,
         camera,
-        ray: pictures.playback.play.ray,
+        ray: pictures.playback.play.tape.ray(),
         theme: app.theme,
         hovered: lit,
         live: true,
@@ -89,11 +89,10 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
 /// Another walk of the same ray, at the same step.
 fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
     let step = app.state.view.step.min(beside.steps().last());
-    let moment = beside.moment(step);
-    let shown: Space = space(&beside.walk(), &moment);
+    let shown: Space = beside.reel().still(&beside.instant(step)).space();
     let camera = camera(app, &shown, rect);
     let figure: Figure = super::pictures::drawn(&shown, beside, &camera, glam_size(rect), false);
-    let ray = beside.play.ray;
+    let ray = beside.play.tape.ray();
     let lit = app.lit();
     let picture = Picture {
         space: &shown,
@@ -109,7 +108,7 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
     let tested = format!(
         "{} of {} tested · step {step} of {}",
-        moment.cost.prim_tests,
+        beside.tests(step),
         raystep_accel::Primitives::len(&beside.play.scene.prims),
         beside.steps().last()
     );
@@ -195,9 +194,9 @@ impl App {
     /// Moves the camera to where the walk stands.
     pub(super) fn frame_here(&mut self) {
         let Some(pictures) = &self.pictures else { return };
-        let walk = pictures.playback.walk();
-        let place = pictures.moment.here.or(pictures.moment.event.map(|event| event.place()));
-        let bounds = place.map_or(pictures.space.bounds, |place| walk.bounds(place));
+        let reel = pictures.playback.reel();
+        let still = reel.still(&pictures.instant);
+        let bounds = still.here().map_or(pictures.space.bounds, |place| still.bounds(place));
         if bounds.is_empty() {
             return;
         }
@@ -216,7 +215,7 @@ impl App {
         };
         self.toasts.say(ui, mistake.consequence());
         self.state.beside = Beside::Mistake(index);
-        if playback.shows(index, &playback.play.ray) {
+        if playback.play.tape.ray().is_some_and(|ray| playback.shows(index, &ray)) {
             return;
         }
         let rays = self.state.stage().map_or(&[][..], |stage| stage.rays.as_slice());

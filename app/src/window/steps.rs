@@ -1,12 +1,13 @@
-//! Which steps of a walk one stops at.
+//! Which steps one stops at.
 
-use raystep_accel::{Grain, Visit};
+use raystep_accel::{Event, Grain};
+use raystep_lesson::Tape;
 
-/// The events of a walk as steps: step `n` is the state after `n` events.
+/// The events of a tape as steps: step `n` is the state after `n` events.
 #[derive(Clone, Copy, Debug)]
 pub struct Steps<'a> {
     /// What happened.
-    pub events: &'a [Visit],
+    pub tape: &'a Tape,
     /// Whether events that concern z are passed over.
     pub flat: bool,
 }
@@ -14,7 +15,7 @@ pub struct Steps<'a> {
 impl Steps<'_> {
     /// The last step.
     pub fn last(&self) -> usize {
-        self.events.len()
+        self.tape.len()
     }
 
     /// Whether stepping by this grain stops at a step. The two ends always count.
@@ -22,7 +23,7 @@ impl Steps<'_> {
         if step == 0 || step == self.last() {
             return true;
         }
-        self.events.get(step - 1).is_some_and(|event| self.shown(event) && event.grain() as u8 >= grain as u8)
+        self.tape.event(step - 1).is_some_and(|event| self.shown(&event) && event.grain() as u8 >= grain as u8)
     }
 
     /// The next stop after a step; the step itself at the end.
@@ -35,7 +36,7 @@ impl Steps<'_> {
         (0..step).rev().find(|&step| self.stops(step, grain)).unwrap_or(step)
     }
 
-    fn shown(&self, event: &Visit) -> bool {
+    fn shown(&self, event: &Event) -> bool {
         !(self.flat && event.concerns_z())
     }
 }
@@ -59,27 +60,31 @@ pub(super) fn grain_name(grain: Grain) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use raystep_accel::{Axis, NodeId, Place, PrimId};
+    use glam::Vec3;
+    use raystep_accel::{Axis, NodeId, Place, PrimId, Ray, Visit};
+    use raystep_lesson::WalkTape;
 
     use super::*;
 
-    fn events() -> Vec<Visit> {
+    fn tape() -> Tape {
         let place = Place::Node(NodeId(0));
         let order = |axis| Visit::Order { place, axis, t1: 0.0, t2: 1.0, swapped: false };
-        vec![
+        let events = vec![
             order(Axis::X.into()),
             order(Axis::Z.into()),
             Visit::Enter { place, t_near: 0.0, t_far: 1.0, prims: 1, leaf: true },
             Visit::Test { prim: PrimId(0), t: 0.5, hit: true },
             Visit::End { why: raystep_accel::Ending::Exhausted, hit: true, t: 0.5 },
-        ]
+        ];
+        let ray = Ray::new(Vec3::ZERO, Vec3::X).unwrap();
+        Tape::Walk(WalkTape { ray, events, lost: 0, hit: None })
     }
 
     #[test]
     fn coarse_steps_pass_over_fine_ones_and_flat_scenes_over_z() {
-        let events = events();
+        let tape = tape();
         let walk = |grain, flat| {
-            let steps = Steps { events: &events, flat };
+            let steps = Steps { tape: &tape, flat };
             let mut at = vec![0];
             while *at.last().unwrap() < steps.last() {
                 at.push(steps.next(*at.last().unwrap(), grain));
@@ -94,8 +99,8 @@ mod tests {
 
     #[test]
     fn back_is_the_way_forth() {
-        let events = events();
-        let steps = Steps { events: &events, flat: true };
+        let tape = tape();
+        let steps = Steps { tape: &tape, flat: true };
         for grain in [Grain::Arithmetic, Grain::Decision, Grain::Visit] {
             for step in (0..steps.last()).filter(|&step| steps.stops(step, grain)) {
                 assert_eq!(steps.previous(steps.next(step, grain), grain), step);

@@ -2,7 +2,7 @@
 
 use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
 use raystep_figure::{Face, Role, Theme};
-use raystep_lesson::StageKind;
+use raystep_lesson::{Plays, StageKind};
 
 use super::command::Command;
 use super::controls;
@@ -54,7 +54,9 @@ pub(super) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 (Command::Predict, state.predict),
                 (Command::Compare, state.beside == Beside::BruteForce),
             ];
-            for (command, on) in modes {
+            // Brute force has no structure that could be built.
+            let builds = state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+            for (command, on) in modes.into_iter().filter(|(command, _)| !(builds && *command == Command::Compare)) {
                 let button = Button::new(command.name()).selected(on);
                 let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };
                 if ui.add(button).on_hover_text(command.tip()).clicked() {
@@ -115,7 +117,7 @@ fn section_number(slide: &raystep_lesson::Slide) -> &str {
 
 /// The slide's rays, in the colour of rays.
 fn rays(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Option<Asked>) {
-    let Some(stage) = state.stage() else { return };
+    let Some(stage) = state.stage().filter(|stage| !stage.rays.is_empty()) else { return };
     let name = match &state.view.ray {
         RayChoice::Named(index) => stage.rays.get(*index).map_or("", |ray| ray.name.as_str()),
         RayChoice::Own(_) => "your own",

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use raystep_accel::{Cancelled, Grow, Observer, Primitives, Ray, Rule, Structure};
-use raystep_lesson::{Library, Stage};
+use raystep_accel::{Cancelled, Grow, Observer, Primitives, Ray, Rule};
+use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
 use raystep_scene::Scene;
 
 use super::playback::{Built, Playback};
@@ -126,6 +126,7 @@ impl Workshop {
                     rule: playback.rule,
                     structure: playback.play.structure.clone(),
                     node_bounds: playback.node_bounds.clone(),
+                    growth: playback.play.tape.growth(),
                 };
                 self.kept.retain(|kept| !same(kept, &built));
                 self.kept.insert(0, built);
@@ -138,13 +139,14 @@ impl Workshop {
     }
 }
 
-/// The ray that a view asks for.
-pub(super) fn ray_of(view: &View, stage: &Stage) -> Result<Ray, String> {
-    match &view.ray {
-        RayChoice::Own(ray) => Ok(*ray),
-        RayChoice::Named(index) => {
+/// The ray that a view asks for; a build needs none.
+pub(super) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option<Ray>, String> {
+    match (&view.ray, slide.plays) {
+        (_, Plays::Build) => Ok(None),
+        (RayChoice::Own(ray), _) => Ok(Some(*ray)),
+        (RayChoice::Named(index), _) => {
             let named = stage.rays.get(*index).ok_or("The slide has no such ray.")?;
-            Ok(named.ray)
+            Ok(Some(named.ray))
         }
     }
 }
@@ -180,7 +182,7 @@ fn make(order: Order) -> Result<Playback, Failure> {
     let library = order.library.clone();
     let slide = library.slides.get(order.view.slide).ok_or_else(|| wrong("There is no such slide.".to_owned()))?;
     let stage = order.stage().cloned().ok_or_else(|| wrong("The slide has no stage.".to_owned()))?;
-    let ray = ray_of(&order.view, &stage).map_err(wrong)?;
+    let ray = ray_of(&order.view, slide, &stage).map_err(wrong)?;
     let built = match &order.built {
         Some(built) => built.clone(),
         None => {
@@ -190,16 +192,16 @@ fn make(order: Order) -> Result<Playback, Failure> {
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
             let mut watch = Watch(&order.stop);
-            let structure =
-                Structure::build(&scene.prims, &rule, &mut watch).map_err(|Cancelled| Failure::Cancelled)?;
+            let (structure, growth) =
+                BuildTape::record(slide.plays, &scene, &rule, &mut watch).map_err(|Cancelled| Failure::Cancelled)?;
             let node_bounds = Arc::new(structure.node_bounds());
-            Built { scene, rule, structure: Arc::new(structure), node_bounds }
+            Built { scene, rule, structure: Arc::new(structure), node_bounds, growth }
         }
     };
     if order.stop.cancelled.load(Ordering::Relaxed) {
         return Err(Failure::Cancelled);
     }
-    Ok(Playback::new(order.view, built, ray, slide, &stage))
+    Playback::new(order.view, built, ray, slide, &stage).ok_or_else(|| wrong("The slide has no ray.".to_owned()))
 }
 
 /// Counts what a builder has settled and asks it to give up.
@@ -219,10 +221,12 @@ impl Observer<Grow> for Watch<'_> {
 
 /// Whether a kept structure is the one that a view asks for.
 fn fits(built: &Built, view: &View, library: &Library) -> bool {
-    let Some(stage) = library.slides.get(view.slide).and_then(|slide| slide.stage(view.stage).or(slide.stages.first()))
-    else {
+    let Some(slide) = library.slides.get(view.slide) else { return false };
+    let Some(stage) = slide.stage(view.stage).or(slide.stages.first()) else { return false };
+    // How it was built is kept only where it is played.
+    if built.growth.is_some() != (slide.plays == Plays::Build) {
         return false;
-    };
+    }
     let same_scene = match &view.mesh {
         Some(mesh) => Arc::ptr_eq(mesh, &built.scene),
         None => built.scene.name == stage.scene,
@@ -231,5 +235,7 @@ fn fits(built: &Built, view: &View, library: &Library) -> bool {
 }
 
 fn same(a: &Built, b: &Built) -> bool {
-    a.rule == b.rule && (Arc::ptr_eq(&a.scene, &b.scene) || a.scene.name == b.scene.name)
+    a.rule == b.rule
+        && a.growth.is_some() == b.growth.is_some()
+        && (Arc::ptr_eq(&a.scene, &b.scene) || a.scene.name == b.scene.name)
 }

@@ -1,7 +1,7 @@
 //! How an event vocabulary is written down: a table of variants, from which names, fields and their
 //! values follow. Slides, listings and questions refer to events by these names.
 
-use crate::{Axis, CellId, Lanes, NodeId, Place, PrimId};
+use crate::{Aabb, Axis, CellId, Lanes, NodeId, Place, PrimId};
 
 /// The value of one field of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +20,8 @@ pub enum Value {
     Place(Place),
     /// Which rays of a packet.
     Lanes(Lanes),
+    /// A box.
+    Box(Aabb),
 }
 
 macro_rules! value_from {
@@ -39,6 +41,7 @@ value_from! {
     Axis => Value::Axis;
     Lanes => Value::Lanes;
     Place => Value::Place;
+    Aabb => Value::Box;
     NodeId => |id| Value::Place(Place::Node(id));
     CellId => |id| Value::Place(Place::Cell(id));
     PrimId => |id| Value::Place(Place::Prim(id));

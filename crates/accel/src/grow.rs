@@ -1,7 +1,8 @@
 //! The vocabulary of builders: what a structure does while it grows. Folding it rebuilds the structure.
 
+use crate::Aabb;
 use crate::events::{vocabulary, words};
-use crate::{Aabb, CellId, Direction, NodeId, Place, PrimId, Value};
+use crate::{CellId, Direction, Grain, NodeId, Place, PrimId};
 
 words! {
     /// Why a node was not split further.
@@ -19,18 +20,11 @@ words! {
     }
 }
 
-impl From<Aabb> for Value {
-    /// A box has no single value; its longest side stands for it.
-    fn from(bounds: Aabb) -> Value {
-        Value::Number(bounds.extent().max_element())
-    }
-}
-
 vocabulary! {
     /// One thing that a builder did.
     pub enum Grow {
-        /// The box around the primitives grew to `bounds` to hold `prim`.
-        Widen ["widen"] { prim: PrimId, bounds: Aabb }
+        /// A primitive was put into the box around them all, which is `bounds` now; it had to grow, or not.
+        Widen ["widen.grown", "widen.same"] { prim: PrimId, bounds: Aabb, grown: bool }
         /// The grid's resolution was chosen.
         Resolve ["resolve"] { bounds: Aabb, nx: u32, ny: u32, nz: u32, prims: u32 }
         /// A primitive's box was rasterised into this cell.
@@ -43,6 +37,8 @@ vocabulary! {
         Weigh ["weigh"] { node: NodeId, axis: Direction, plane: f32, below: u32, above: u32, cost: f32 }
         /// A split was taken; the children are `below` and `above`.
         Split ["split"] { node: NodeId, axis: Direction, plane: f32, below: NodeId, above: NodeId, cost: f32 }
+        /// A primitive lies on both sides of the split just taken: both children refer to it.
+        Share ["share"] { node: NodeId, prim: PrimId }
         /// A cell was cut through its middle into `ways` equal children, side by side from `first`.
         Divide ["divide"] { node: NodeId, first: NodeId, ways: u32, at_x: f32, at_y: f32, at_z: f32 }
         /// A node was looked at while the structure was changed.
@@ -57,6 +53,8 @@ vocabulary! {
         Move ["move"] { node: NodeId, parent: NodeId, cost: f32 }
         /// A node got its final id.
         Renumber ["renumber"] { from: NodeId, to: NodeId }
+        /// The structure is built: so many nodes or cells, which refer to primitives so many times.
+        End ["end"] { nodes: u32, cells: u32, references: u32 }
     }
 }
 
@@ -64,13 +62,15 @@ impl Grow {
     /// What slides, listings and questions call this event.
     pub fn name(&self) -> &'static str {
         match self {
-            Grow::Widen { .. } => "widen",
+            Grow::Widen { grown: true, .. } => "widen.grown",
+            Grow::Widen { grown: false, .. } => "widen.same",
             Grow::Resolve { .. } => "resolve",
             Grow::Rasterise { .. } => "rasterise",
             Grow::Prune { .. } => "prune",
             Grow::Open { .. } => "open",
             Grow::Weigh { .. } => "weigh",
             Grow::Split { .. } => "split",
+            Grow::Share { .. } => "share",
             Grow::Divide { .. } => "divide",
             Grow::Touch { .. } => "touch",
             Grow::Leaf { .. } => "leaf",
@@ -78,6 +78,19 @@ impl Grow {
             Grow::Merge { .. } => "merge",
             Grow::Move { .. } => "move",
             Grow::Renumber { .. } => "renumber",
+            Grow::End { .. } => "end",
+        }
+    }
+
+    /// How coarse the event is: what is weighed and measured is fine, what comes to be is coarse.
+    pub fn grain(&self) -> Grain {
+        match self {
+            Grow::Weigh { .. } | Grow::Rasterise { .. } | Grow::Widen { grown: false, .. } | Grow::Touch { .. } => {
+                Grain::Arithmetic
+            }
+            Grow::Open { .. } | Grow::Resolve { .. } | Grow::Merge { .. } | Grow::End { .. } => Grain::Visit,
+            Grow::Settle { place: Place::Cell(_), .. } => Grain::Visit,
+            _ => Grain::Decision,
         }
     }
 
@@ -85,12 +98,13 @@ impl Grow {
     pub fn place(&self) -> Place {
         match *self {
             Grow::Widen { prim, .. } => Place::Prim(prim),
-            Grow::Resolve { .. } => Place::World,
+            Grow::Resolve { .. } | Grow::End { .. } => Place::World,
             Grow::Rasterise { cell, .. } | Grow::Prune { cell, .. } => Place::Cell(cell),
             Grow::Settle { place, .. } => place,
             Grow::Open { node, .. }
             | Grow::Weigh { node, .. }
             | Grow::Split { node, .. }
+            | Grow::Share { node, .. }
             | Grow::Divide { node, .. }
             | Grow::Touch { node }
             | Grow::Leaf { node, .. }

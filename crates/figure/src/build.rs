@@ -2,7 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use raystep_accel::{Aabb, CellId, Direction, Grow, LeafReason, NodeId, Place, PrimId};
+use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure};
+
+/// A build that was recorded, with what it ended in.
+#[derive(Clone, Copy)]
+pub struct Build<'a> {
+    /// The finished structure: it knows where a grid's cells lie.
+    pub structure: &'a Structure,
+    /// What it was built over.
+    pub prims: &'a Prims,
+    /// What happened, in order.
+    pub events: &'a [Grow],
+    /// How many more events there were than the recording holds.
+    pub lost: u64,
+    /// Whether the scene is flat.
+    pub flat: bool,
+}
 
 /// A structure that grows: what its builder has done so far. Nothing in it comes from later events.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,10 +38,52 @@ pub struct GrowMoment {
     pub resolution: Option<[u32; 3]>,
     /// What each cell refers to so far.
     pub cells: BTreeMap<CellId, Vec<PrimId>>,
-    /// The cells that the current primitive's box was rasterised into, and whether it was pruned there.
-    pub rasterised: Vec<(CellId, bool)>,
+    /// The cells that the current primitive's box was rasterised into, and what became of it there.
+    pub rasterised: Vec<(CellId, Fate)>,
+    /// The primitives that set the six sides of the box: the lower ones of x, y and z, then the upper ones.
+    pub sides: [Option<PrimId>; 6],
+    /// The primitives on both sides of the split just taken.
+    pub shared: Vec<PrimId>,
+    /// Nodes that wait to be split or to become leaves, the next one last.
+    pub waiting: Vec<NodeId>,
+    /// What was done so far.
+    pub tally: Tally,
+    /// Planes that an open question offers, with a word for each. The build knows nothing of it: whoever
+    /// asks puts them here.
+    pub guesses: Vec<(Direction, f32, String)>,
+    parents: BTreeMap<NodeId, NodeId>,
     /// The primitive under consideration.
     pub prim: Option<PrimId>,
+}
+
+/// What becomes of a primitive in a cell that its box meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// That is still to be decided.
+    Open,
+    /// The cell refers to it.
+    Stored,
+    /// It does not reach into the cell.
+    Pruned,
+}
+
+/// How often a builder did what.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Primitives put into the box.
+    pub boxed: u64,
+    /// Cells that the box of a primitive met.
+    pub rasterised: u64,
+    /// Those that the primitive itself did not reach.
+    pub pruned: u64,
+    /// References stored.
+    pub stored: u64,
+    /// Splits weighed.
+    pub weighed: u64,
+    /// Splits taken.
+    pub taken: u64,
+    /// Leaves made.
+    pub leaves: u64,
 }
 
 /// A node that grows.
@@ -88,6 +145,12 @@ impl Default for GrowMoment {
             resolution: None,
             cells: BTreeMap::new(),
             rasterised: Vec::new(),
+            sides: [None; 6],
+            shared: Vec::new(),
+            waiting: Vec::new(),
+            tally: Tally::default(),
+            guesses: Vec::new(),
+            parents: BTreeMap::new(),
             prim: None,
         }
     }
@@ -97,10 +160,15 @@ impl GrowMoment {
     /// The state after the first `step` events.
     pub fn at(events: &[Grow], step: usize) -> GrowMoment {
         let mut moment = GrowMoment::default();
-        for event in &events[..step.min(events.len())] {
-            moment.happen(*event);
-        }
+        moment.advance(events, step);
         moment
+    }
+
+    /// Lets events happen until `step` have. Steps already taken are not taken back.
+    pub fn advance(&mut self, events: &[Grow], step: usize) {
+        for event in events.get(self.step..step.min(events.len())).unwrap_or_default() {
+            self.happen(*event);
+        }
     }
 
     /// Lets one more event happen.
@@ -108,9 +176,11 @@ impl GrowMoment {
         self.step += 1;
         self.event = Some(event);
         match event {
-            Grow::Widen { prim, bounds } => {
+            Grow::Widen { prim, bounds, .. } => {
+                self.set_sides(prim, &bounds);
                 self.bounds = bounds;
                 self.prim = Some(prim);
+                self.tally.boxed += 1;
             }
             Grow::Resolve { bounds, nx, ny, nz, .. } => {
                 self.bounds = bounds;
@@ -119,14 +189,13 @@ impl GrowMoment {
             }
             Grow::Rasterise { prim, cell } => {
                 self.take_up(prim);
-                self.rasterised.push((cell, false));
+                self.rasterised.push((cell, Fate::Open));
+                self.tally.rasterised += 1;
             }
             Grow::Prune { prim, cell } => {
                 self.take_up(prim);
-                match self.rasterised.iter_mut().find(|(other, _)| *other == cell) {
-                    Some((_, pruned)) => *pruned = true,
-                    None => self.rasterised.push((cell, true)),
-                }
+                self.decide(cell, Fate::Pruned);
+                self.tally.pruned += 1;
             }
             Grow::Open { node, bounds, prims, .. } => {
                 self.prim = None;
@@ -135,45 +204,63 @@ impl GrowMoment {
                     GrowNode { bounds, prims, split: None, children: Vec::new(), leaf: None, settled: Vec::new() };
                 self.nodes.insert(node, fresh);
                 self.consider(node);
+                self.waiting.retain(|waiting| *waiting != node);
             }
             Grow::Weigh { node, axis, plane, below, above, cost } => {
                 self.consider(node);
+                self.tally.weighed += 1;
                 self.weighed.push(Weighed { axis, plane, below, above, cost });
             }
             Grow::Split { node, axis, plane, below, above, cost } => {
                 self.consider(node);
+                self.tally.taken += 1;
+                self.give_birth(node, vec![below, above]);
                 if let Some(node) = self.nodes.get_mut(&node) {
                     node.split = Some(Taken { axis, plane, below, above, cost });
-                    node.children = vec![below, above];
                 }
+            }
+            Grow::Share { node, prim } => {
+                self.consider(node);
+                self.shared.push(prim);
             }
             Grow::Divide { node, first, ways, .. } => {
                 self.consider(node);
-                if let Some(node) = self.nodes.get_mut(&node) {
-                    node.children = (first.0..first.0 + ways).map(NodeId).collect();
-                }
+                self.tally.taken += 1;
+                self.give_birth(node, (first.0..first.0 + ways).map(NodeId).collect());
             }
             Grow::Touch { node } => self.consider(node),
             Grow::Leaf { node, why, .. } => {
                 self.consider(node);
+                self.tally.leaves += 1;
                 if let Some(node) = self.nodes.get_mut(&node) {
                     node.leaf = Some(why);
                 }
             }
             Grow::Settle { prim, place } => {
                 self.take_up(prim);
+                self.tally.stored += 1;
                 match place {
                     Place::Node(node) => {
                         if let Some(node) = self.nodes.get_mut(&node) {
                             node.settled.push(prim);
                         }
                     }
-                    Place::Cell(cell) => self.cells.entry(cell).or_default().push(prim),
+                    Place::Cell(cell) => {
+                        self.cells.entry(cell).or_default().push(prim);
+                        self.decide(cell, Fate::Stored);
+                    }
                     Place::World | Place::Prim(_) => {}
                 }
             }
             // Builders that join and move nodes are not among the structures so far.
             Grow::Merge { .. } | Grow::Move { .. } | Grow::Renumber { .. } => {}
+            Grow::End { .. } => {
+                self.prim = None;
+                self.node = None;
+                self.weighed.clear();
+                self.shared.clear();
+                self.rasterised.clear();
+            }
         }
     }
 
@@ -184,8 +271,7 @@ impl GrowMoment {
 
     /// The path from the root to the node under consideration.
     pub fn path(&self) -> Vec<NodeId> {
-        let parent =
-            |child: &NodeId| self.nodes.iter().find(|(_, node)| node.children.contains(child)).map(|(id, _)| *id);
+        let parent = |child: &NodeId| self.parents.get(child).copied();
         let mut path: Vec<NodeId> = std::iter::successors(self.node, parent).collect();
         path.reverse();
         path
@@ -202,6 +288,36 @@ impl GrowMoment {
         if self.node != Some(node) {
             self.node = Some(node);
             self.weighed.clear();
+            self.shared.clear();
+        }
+    }
+
+    /// The children of a node, which are to be built one after the other.
+    fn give_birth(&mut self, node: NodeId, children: Vec<NodeId>) {
+        self.waiting.extend(children.iter().rev());
+        self.parents.extend(children.iter().map(|child| (*child, node)));
+        if let Some(node) = self.nodes.get_mut(&node) {
+            node.children = children;
+        }
+    }
+
+    /// What becomes of the current primitive in a cell.
+    fn decide(&mut self, cell: CellId, fate: Fate) {
+        match self.rasterised.iter_mut().find(|(other, _)| *other == cell) {
+            Some((_, known)) => *known = fate,
+            None => self.rasterised.push((cell, fate)),
+        }
+    }
+
+    /// The sides of the box that a primitive moves are its own from now on.
+    fn set_sides(&mut self, prim: PrimId, bounds: &Aabb) {
+        for axis in Axis::ALL {
+            if bounds.min[axis] != self.bounds.min[axis] {
+                self.sides[axis.index()] = Some(prim);
+            }
+            if bounds.max[axis] != self.bounds.max[axis] {
+                self.sides[3 + axis.index()] = Some(prim);
+            }
         }
     }
 }

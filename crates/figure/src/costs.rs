@@ -8,14 +8,14 @@ use raystep_accel::{Direction, Grow, Place};
 use crate::build::{GrowMoment, Weighed};
 use crate::look::{line, write};
 use crate::ticks::Ticks;
-use crate::{Anchor, Face, Figure, Ink, Look, Role, number};
+use crate::{Anchor, Face, Figure, Ink, Look, Role, number, text_width};
 
 /// Most dots of one curve; of more, evenly spaced ones.
 const MOST: usize = 80;
 
 /// A curve for each axis that was tried: cost over the plane's coordinate. The cheapest so far is ringed,
-/// the one taken filled.
-pub fn costs(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
+/// the one taken filled. While a question asks for it, `hide` shows the planes without their costs.
+pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let title = moment.node.map_or("Costs".to_owned(), |node| format!("Costs of splitting node {node}"));
     let weighed: Vec<Weighed> = moment.weighed.iter().copied().filter(|w| w.cost.is_finite()).collect();
@@ -24,15 +24,13 @@ pub fn costs(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
         look.nothing(&mut figure, &title, "No split has been weighed here yet.");
         return figure;
     }
-    let remark = moment.cheapest().map_or(String::new(), |least| {
-        format!("cheapest so far: {} at {} = {}", number(least.cost), least.axis, number(least.plane))
-    });
+    let remark = remark(moment, hide);
     let top = look.heading(&mut figure, &title, &remark);
 
     // Beside each other, over one scale of costs.
     let (least, most) = weighed.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), w| (a.min(w.cost), b.max(w.cost)));
     let u = look.text;
-    let (bottom, plot_top) = (size.y - look.margin() - u * 1.2, top + u * 1.6);
+    let (bottom, plot_top) = (size.y - look.margin() - u * 1.2, top + u * 2.2);
     let gap = u * 3.5;
     let width = (size.x - 2.0 * look.margin() - gap * axes.len() as f32) / axes.len() as f32;
     for (index, axis) in axes.iter().enumerate() {
@@ -49,10 +47,28 @@ pub fn costs(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
             right: plot_top,
         };
         let mut plot = Plot { figure: &mut figure, moment, look, across, up, bottom, plot_top };
-        plot.frame(*axis);
-        plot.curve(&here);
+        plot.frame(*axis, hide);
+        plot.shares(*axis, &here);
+        if hide {
+            plot.planes(&here);
+        } else {
+            plot.curve(&here);
+        }
     }
     figure
+}
+
+/// What was found, in words.
+fn remark(moment: &GrowMoment, hide: bool) -> String {
+    let taken = moment.node.and_then(|node| moment.nodes.get(&node)?.split);
+    match (taken, moment.cheapest()) {
+        _ if hide => format!("{} planes were weighed", moment.weighed.len()),
+        (Some(taken), _) => format!("taken: {} = {}, cost {}", taken.axis, number(taken.plane), number(taken.cost)),
+        (None, Some(least)) => {
+            format!("cheapest so far: {} = {}, cost {}", least.axis, number(least.plane), number(least.cost))
+        }
+        (None, None) => String::new(),
+    }
 }
 
 struct Plot<'a> {
@@ -67,7 +83,7 @@ struct Plot<'a> {
 }
 
 impl Plot<'_> {
-    fn frame(&mut self, axis: Direction) {
+    fn frame(&mut self, axis: Direction, hide: bool) {
         let (u, small) = (self.look.text, self.look.small());
         let (left, right) = (self.across.left, self.across.right);
         let corner = Vec2::new(left, self.bottom);
@@ -80,15 +96,44 @@ impl Plot<'_> {
             write(self.figure, Role::Quiet, None, below, &number(plane), small, Face::Regular, Anchor::Middle);
         }
         let sideways = Ticks { left: 0.0, right: (self.bottom - self.plot_top).max(1.0), ..self.up };
-        for cost in sideways.marks(u * 2.2) {
+        for cost in sideways.marks(u * 2.2).into_iter().filter(|_| !hide) {
             let at = Vec2::new(left, self.up.x(cost));
             self.figure.add(Role::Edge, None, line(at, at - Vec2::new(u * 0.3, 0.0)));
             let beside = at - Vec2::new(u * 0.5, 0.0);
             write(self.figure, Role::Quiet, None, beside, &number(cost), small, Face::Regular, Anchor::End);
         }
-        let name = format!("cost, splitting across {axis}");
-        let at = Vec2::new(left + u * 0.5, self.plot_top - u * 0.9);
+        let name = if hide { format!("planes across {axis}") } else { format!("cost of planes across {axis}") };
+        let at = Vec2::new(left - u * 2.0, self.plot_top - u * 1.7);
         write(self.figure, Role::Quiet, None, at, &name, small, Face::Regular, Anchor::Start);
+    }
+
+    /// Where the node's middle lies, and the plane with the most even shares: what one might guess.
+    fn shares(&mut self, axis: Direction, weighed: &[Weighed]) {
+        let u = self.look.text;
+        let middle = self.moment.node.and_then(|node| self.moment.nodes.get(&node));
+        let middle = middle.and_then(|node| Some(node.bounds.center()[axis.axis()?]));
+        let even = weighed.iter().min_by_key(|w| w.below.abs_diff(w.above)).map(|w| w.plane);
+        let mut taken = f32::NEG_INFINITY;
+        let mut notes = [(middle, "middle"), (even, "even")];
+        notes.sort_by(|a, b| a.0.unwrap_or(0.0).total_cmp(&b.0.unwrap_or(0.0)));
+        for (plane, word) in notes {
+            let Some(plane) = plane.filter(|plane| self.across.shows(*plane)) else { continue };
+            let x = self.across.x(plane);
+            self.figure.add(Role::Hidden, None, line(Vec2::new(x, self.bottom), Vec2::new(x, self.plot_top)));
+            let half = text_width(word, Face::Regular, self.look.small()) / 2.0;
+            let at = Vec2::new(x.max(taken + half + u * 0.4), self.plot_top - u * 0.5);
+            taken = at.x + half;
+            write(self.figure, Role::Quiet, None, at, word, self.look.small(), Face::Regular, Anchor::Middle);
+        }
+    }
+
+    /// The planes alone.
+    fn planes(&mut self, weighed: &[Weighed]) {
+        let place = self.moment.node.map(Place::Node);
+        for weighed in weighed.iter().step_by(weighed.len().div_ceil(MOST).max(1)) {
+            let at = Vec2::new(self.across.x(weighed.plane), self.bottom);
+            self.figure.add(Role::Candidate, place, line(at, at - Vec2::new(0.0, self.look.text * 0.6)));
+        }
     }
 
     fn curve(&mut self, weighed: &[Weighed]) {
@@ -97,6 +142,7 @@ impl Plot<'_> {
         let at = |w: &Weighed| Vec2::new(self.across.x(w.plane), self.up.x(w.cost));
         let mut points: Vec<Vec2> = weighed.iter().step_by(weighed.len().div_ceil(MOST).max(1)).map(at).collect();
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
+        self.figure.add(Role::Edge, None, Ink::Line { points: points.clone() });
         for center in &points {
             self.figure.add(Role::Scene, place, Ink::Circle { center: *center, radius: u * 0.2 });
         }

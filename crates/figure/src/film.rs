@@ -1,32 +1,32 @@
-//! A long walk, ready to be shown at any step.
+//! A long reel, ready to be shown at any step.
 
-use crate::{Moment, Walk};
+use crate::{Instant, Reel};
 
-/// Moments along a walk from which any other is reached in few events.
+/// Instants along a reel from which any other is reached in few events.
 #[derive(Clone, Debug)]
 pub struct Film {
     every: usize,
-    moments: Vec<Moment>,
+    instants: Vec<Instant>,
 }
 
 impl Film {
-    /// Plays the walk once.
-    pub fn new(walk: &Walk<'_>) -> Film {
-        let every = (walk.events.len() / 16).max(1024);
-        let mut moment = Moment::start(walk);
-        let mut moments = vec![moment.clone()];
-        for step in (every..=walk.events.len()).step_by(every) {
-            moment.advance(walk, step);
-            moments.push(moment.clone());
+    /// Plays the reel once.
+    pub fn new(reel: &Reel<'_>) -> Film {
+        let every = (reel.len() / 16).max(1024);
+        let mut instant = reel.start();
+        let mut instants = vec![instant.clone()];
+        for step in (every..=reel.len()).step_by(every) {
+            reel.advance(&mut instant, step);
+            instants.push(instant.clone());
         }
-        Film { every, moments }
+        Film { every, instants }
     }
 
-    /// The same as [`Moment::at`], quicker. `walk` must be the one played.
-    pub fn at(&self, walk: &Walk<'_>, step: usize) -> Moment {
-        let last = self.moments.len() - 1;
-        let mut moment = self.moments[(step / self.every).min(last)].clone();
-        moment.advance(walk, step);
-        moment
+    /// The same as [`Reel::at`], quicker. `reel` must be the one played.
+    pub fn at(&self, reel: &Reel<'_>, step: usize) -> Instant {
+        let last = self.instants.len() - 1;
+        let mut instant = self.instants[(step / self.every).min(last)].clone();
+        reel.advance(&mut instant, step);
+        instant
     }
 }

@@ -1,10 +1,10 @@
 //! What a builder has done so far, in space and as a tree.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, NodeId, Place, PrimId, Structure};
+use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
 use crate::branches::{Tree, TreeView};
-use crate::build::GrowMoment;
+use crate::build::{Build, Fate, GrowMoment};
 use crate::tree::draw_tree;
 use crate::work::counted;
 use crate::{Figure, Form, Look, Role, Space, SpaceMark, number};
@@ -18,22 +18,19 @@ const CELLS: usize = 1024;
 /// Most weighed splits in one picture.
 const TICKS: usize = 120;
 
-/// Space at a moment of a build. `structure` is what the build ends in: it knows where a grid's cells lie.
-pub fn space_of_build(structure: &Structure, moment: &GrowMoment, flat: bool) -> Space {
-    let bounds = structure.bounds();
-    let mut drawing = Drawing { structure, moment, flat, marks: Vec::new() };
-    if !moment.bounds.is_empty() {
-        let widens = matches!(moment.event, Some(Grow::Widen { .. }));
-        drawing.add(if widens { Role::Here } else { Role::Edge }, Some(Place::World), Form::Box(moment.bounds));
-    }
+/// Space at a moment of a build.
+pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
+    let bounds = build.structure.bounds();
+    let mut drawing = Drawing { build, moment, marks: Vec::new() };
+    drawing.the_box();
     drawing.cells();
     drawing.nodes();
+    drawing.shared();
     drawing.splits();
-    if let Some(prim) = moment.prim {
-        drawing.add(Role::Here, Some(Place::Prim(prim)), Form::Prim(prim));
-    }
-    let margin = 0.02 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
-    Space { marks: drawing.marks, bounds: bounds.padded(margin), flat }
+    drawing.current();
+    drawing.guesses();
+    let margin = 0.03 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
+    Space { marks: drawing.marks, bounds: bounds.padded(margin), flat: build.flat }
 }
 
 /// The tree at a moment of a build.
@@ -47,9 +44,8 @@ pub fn tree_of_build(moment: &GrowMoment, view: &TreeView, size: Vec2, look: &Lo
 }
 
 struct Drawing<'a> {
-    structure: &'a Structure,
+    build: &'a Build<'a>,
     moment: &'a GrowMoment,
-    flat: bool,
     marks: Vec<SpaceMark>,
 }
 
@@ -64,21 +60,79 @@ impl Drawing<'_> {
         self.add(role, Some(Place::Node(node)), form);
     }
 
+    /// The box around the primitives, and while it grows, which of them set its sides.
+    fn the_box(&mut self) {
+        let moment = self.moment;
+        if moment.bounds.is_empty() {
+            return;
+        }
+        let grows = moment.nodes.is_empty() && moment.cells.is_empty() && moment.rasterised.is_empty();
+        self.add(if grows { Role::Here } else { Role::Edge }, Some(Place::World), Form::Box(moment.bounds));
+        if !grows {
+            return;
+        }
+        let axes = if self.build.flat { 2 } else { 3 };
+        let mut setters: Vec<PrimId> =
+            (0..6).filter(|side| side % 3 < axes).filter_map(|side| moment.sides[side]).collect();
+        setters.sort();
+        setters.dedup();
+        for prim in setters {
+            self.add(Role::Best, Some(Place::Prim(prim)), Form::Prim(prim));
+        }
+        let sides = moment.bounds.extent().to_array();
+        let text = sides[..axes].iter().map(|side| number(*side)).collect::<Vec<_>>().join(" × ");
+        let form = Form::Label { at: moment.bounds.center(), within: Some(moment.bounds), text };
+        self.add(Role::Here, Some(Place::World), form);
+    }
+
+    /// The primitive under consideration; in a drawing, with its number.
+    fn current(&mut self) {
+        let Some(prim) = self.moment.prim else { return };
+        self.add(Role::Here, Some(Place::Prim(prim)), Form::Prim(prim));
+        let bounds = self.build.prims.bounds(prim);
+        let form = Form::Label { at: bounds.center(), within: Some(bounds), text: format!("primitive {prim}") };
+        self.add(Role::Value, Some(Place::Prim(prim)), form);
+    }
+
+    /// The primitives on both sides of the split just taken.
+    fn shared(&mut self) {
+        for prim in self.moment.shared.iter().rev().take(BOXES) {
+            self.add(Role::Hit, Some(Place::Prim(*prim)), Form::Prim(*prim));
+        }
+    }
+
+    /// The planes that an open question offers.
+    fn guesses(&mut self) {
+        let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
+        for (axis, plane, text) in &self.moment.guesses {
+            let Some(axis) = axis.axis() else { continue };
+            let sheet = sheet(&node.bounds, axis, *plane);
+            self.add(Role::Guess, Some(Place::Node(*id)), Form::Sheet(sheet));
+            let form = Form::Label { at: sheet.center(), within: None, text: text.clone() };
+            self.add(Role::Guess, Some(Place::Node(*id)), form);
+        }
+    }
+
     /// All cells while they are few; those that hold something; those of the current primitive.
     fn cells(&mut self) {
-        let (Structure::Grid(grid), Some(_)) = (self.structure, self.moment.resolution) else { return };
+        let (Structure::Grid(grid), Some(_)) = (self.build.structure, self.moment.resolution) else { return };
         let outline = |role, cell: CellId| SpaceMark {
             form: Form::Box(grid.cell_bounds(cell)),
             role,
             place: Some(Place::Cell(cell)),
         };
-        if self.flat && grid.cell_count() <= CELLS {
+        if self.build.flat && grid.cell_count() <= CELLS {
             self.marks.extend((0..grid.cell_count() as u32).map(|cell| outline(Role::Edge, CellId(cell))));
         }
         let filled = self.moment.cells.keys().rev().take(CELLS);
         self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));
-        for &(cell, pruned) in &self.moment.rasterised {
-            self.marks.push(outline(if pruned { Role::Dropped } else { Role::Here }, cell));
+        for &(cell, fate) in &self.moment.rasterised {
+            let role = match fate {
+                Fate::Open => Role::Waiting,
+                Fate::Stored => Role::Here,
+                Fate::Pruned => Role::Dropped,
+            };
+            self.marks.push(outline(role, cell));
         }
     }
 
@@ -104,13 +158,10 @@ impl Drawing<'_> {
                 self.add(Role::Candidate, place, Form::Segment(from, to));
             }
         }
-        let sheet = |direction: Direction, plane: f32| {
-            let axis = direction.axis()?;
-            let mut sheet = node.bounds;
-            sheet.min[axis] = plane;
-            sheet.max[axis] = plane;
-            Some(Form::Sheet(sheet))
-        };
+        let sheet = |across: Direction, plane: f32| Some(Form::Sheet(sheet(&node.bounds, across.axis()?, plane)));
+        if let Some(sheet) = node.split.and_then(|taken| sheet(taken.axis, taken.plane)) {
+            self.add(Role::Plane, place, sheet);
+        }
         match self.moment.event {
             Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
                 if let Some(sheet) = sheet(axis, plane) {
@@ -124,9 +175,6 @@ impl Drawing<'_> {
                 );
             }
             Some(Grow::Split { axis, plane, .. }) => {
-                if let Some(sheet) = sheet(axis, plane) {
-                    self.add(Role::Plane, place, sheet);
-                }
                 self.title(Role::Here, *id, node.bounds, format!("{id} split at {axis} = {}", number(plane)));
             }
             _ => {
@@ -135,6 +183,14 @@ impl Drawing<'_> {
             }
         }
     }
+}
+
+/// The part of a plane across `axis` that lies in a box.
+fn sheet(bounds: &Aabb, axis: Axis, plane: f32) -> Aabb {
+    let mut sheet = *bounds;
+    sheet.min[axis] = plane;
+    sheet.max[axis] = plane;
+    sheet
 }
 
 /// Short lines at the two sides of a box that a plane across `axis` would cut.

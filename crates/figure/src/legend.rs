@@ -5,13 +5,46 @@ use glam::Vec2;
 use crate::look::{block, line, write};
 use crate::{Anchor, Face, Figure, Form, Ink, Look, Role, Space, text_width};
 
+/// What the marks of a walk mean, in the order of the story they tell.
+pub(crate) const OF_WALK: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Ray, "ray"),
+    (Role::Live, "part under consideration"),
+    (Role::Here, "where the walk is"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "waits on the stack"),
+    (Role::Seen, "visited"),
+    (Role::Dropped, "never opened"),
+    (Role::Plane, "plane"),
+    (Role::Candidate, "weighed"),
+    (Role::Tick, "t on the ray"),
+    (Role::Missed, "tested, missed"),
+    (Role::Hit, "hit"),
+    (Role::Best, "nearest hit so far"),
+    (Role::Wrong, "goes wrong here"),
+];
+
+/// What the marks of a build mean.
+pub(crate) const OF_BUILD: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Here, "under consideration"),
+    (Role::Best, "sets a side of the box"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "still to be decided"),
+    (Role::Candidate, "weighed"),
+    (Role::Plane, "taken"),
+    (Role::Hit, "on both sides"),
+    (Role::Seen, "done"),
+    (Role::Dropped, "not reached"),
+];
+
 /// A sample and a few words for each kind of mark in `space`, in as many rows as needed.
-pub fn legend(space: &Space, size: Vec2, look: &Look) -> Figure {
+pub(crate) fn legend(space: &Space, words: &[(Role, &'static str)], size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let (u, small) = (look.text, look.small());
     let (sample, gap) = (u * 1.5, u * 0.5);
     let (mut x, mut y) = (look.margin(), look.margin() + u * 0.5);
-    for (role, words) in meanings(space) {
+    for (role, words) in meanings(space, words) {
         let width = sample + gap + text_width(words, Face::Regular, small);
         if x > look.margin() && x + width > size.x - look.margin() {
             (x, y) = (look.margin(), y + look.line());
@@ -25,8 +58,8 @@ pub fn legend(space: &Space, size: Vec2, look: &Look) -> Figure {
 }
 
 /// How high a legend of this width becomes.
-pub fn legend_height(space: &Space, width: f32, look: &Look) -> f32 {
-    let figure = legend(space, Vec2::new(width, 0.0), look);
+pub(crate) fn legend_height(space: &Space, words: &[(Role, &'static str)], width: f32, look: &Look) -> f32 {
+    let figure = legend(space, words, Vec2::new(width, 0.0), look);
     let lowest = figure.marks.iter().filter_map(|mark| match mark.ink {
         Ink::Text { at, .. } => Some(at.y),
         _ => None,
@@ -34,30 +67,13 @@ pub fn legend_height(space: &Space, width: f32, look: &Look) -> f32 {
     lowest.fold(0.0, f32::max) + look.margin() + look.text * 0.5
 }
 
-/// The kinds of marks that occur, in the order of the story they tell.
-fn meanings(space: &Space) -> Vec<(Role, &'static str)> {
-    let all = [
-        (Role::Scene, "primitive"),
-        (Role::Ray, "ray"),
-        (Role::Live, "part under consideration"),
-        (Role::Here, "where the walk is"),
-        (Role::Guess, "possible answer"),
-        (Role::Waiting, "waits on the stack"),
-        (Role::Seen, "visited"),
-        (Role::Dropped, "never opened"),
-        (Role::Plane, "plane"),
-        (Role::Candidate, "weighed"),
-        (Role::Tick, "t on the ray"),
-        (Role::Missed, "tested, missed"),
-        (Role::Hit, "hit"),
-        (Role::Best, "nearest hit so far"),
-        (Role::Wrong, "goes wrong here"),
-    ];
+/// The kinds of marks that occur.
+fn meanings(space: &Space, words: &[(Role, &'static str)]) -> Vec<(Role, &'static str)> {
     let occurs = |role| {
         role == Role::Scene
             || space.marks.iter().any(|mark| mark.role == role && !matches!(mark.form, Form::Label { .. }))
     };
-    all.into_iter().filter(|(role, _)| occurs(*role)).collect()
+    words.iter().copied().filter(|(role, _)| occurs(*role)).collect()
 }
 
 /// A small sample of what the role draws.

@@ -13,17 +13,17 @@ pub struct ListingLine<'a> {
     pub indent: usize,
     /// The line.
     pub text: &'a str,
-    /// Names of the events that happen in it.
-    pub events: &'a [String],
+    /// Whether it shows the current event.
+    pub current: bool,
     /// A template for the line's numbers: `({{plane}} − {{o}}) / {{d}} = {{t}}`.
     pub values: Option<&'a str>,
 }
 
-/// The lines, with the one marked in which `event` happens. Of a long listing, the part around it.
-pub fn listing<E: Fact>(lines: &[ListingLine<'_>], event: Option<&E>, size: Vec2, look: &Look) -> Figure {
+/// The lines, with the one marked that shows `event`. Of a long listing, the part around it.
+pub fn listing<E: Fact>(title: &str, lines: &[ListingLine<'_>], event: Option<&E>, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let top = look.heading(&mut figure, "Walk", "");
-    let current = event.and_then(|event| current_line(lines, event));
+    let top = look.heading(&mut figure, title, "");
+    let current = lines.iter().position(|line| line.current);
     let values = current.and_then(|line| Some(fill(lines[line].values?, event?)));
 
     // As many rows as fit, the current line a third from the top of them; one row more for its numbers.
@@ -70,11 +70,6 @@ pub fn listing<E: Fact>(lines: &[ListingLine<'_>], event: Option<&E>, size: Vec2
         y += row;
     }
     figure
-}
-
-/// The first line in which the event happens.
-pub fn current_line(lines: &[ListingLine<'_>], event: &impl Fact) -> Option<usize> {
-    lines.iter().position(|line| line.events.iter().any(|name| name == event.name()))
 }
 
 /// The ground of the current line, with a bar at its left.

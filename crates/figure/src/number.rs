@@ -36,6 +36,7 @@ pub fn value(value: &Value) -> String {
         Value::Word(word, _) => word.to_owned(),
         Value::Place(place) => place.to_string(),
         Value::Lanes(lanes) => lanes.to_string(),
+        Value::Box(bounds) => bounds.extent().to_array().map(number).join(" × "),
     }
 }
 

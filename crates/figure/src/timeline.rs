@@ -1,8 +1,10 @@
 //! The walk from its first step to its last, to be scrubbed.
 
 use glam::Vec2;
-use raystep_accel::{Grow, Place};
+use raystep_accel::Place;
 
+use crate::build::Build;
+use crate::fact::{grow, visit};
 use crate::look::{line, write};
 use crate::{Anchor, Face, Fact, Figure, Ink, Look, Role, Symbol, Walk, text_width};
 
@@ -45,15 +47,28 @@ impl Track {
 /// The track of a walk with a symbol for each event that has one, the current step and what it is. While
 /// a question is open, `hide_ahead` leaves out what is still to come.
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-    draw(walk.events, walk.flat, step, hide_ahead, size, look)
+    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat };
+    draw(&tape, step, hide_ahead, size, look)
 }
 
 /// The track of a build.
-pub fn timeline_of_build(events: &[Grow], step: usize, size: Vec2, look: &Look) -> Figure {
-    draw(events, false, step, false, size, look)
+pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
+    let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: build.lost, flat: build.flat };
+    draw(&tape, step, hide_ahead, size, look)
 }
 
-fn draw<E: Fact>(events: &[E], flat: bool, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
+/// What is on a track.
+struct Recorded<'a, E> {
+    events: &'a [E],
+    /// Every symbol that there is, in the order of a legend.
+    symbols: &'static [Symbol],
+    /// Events that were not recorded.
+    lost: u64,
+    flat: bool,
+}
+
+fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
+    let Recorded { events, symbols, lost, flat } = *tape;
     let mut figure = Figure::new(size);
     let track = Track::new(events.len(), size, look);
     let (small, u) = (look.small(), look.text);
@@ -83,7 +98,15 @@ fn draw<E: Fact>(events: &[E], flat: bool, step: usize, hide_ahead: bool, size: 
         figure.add(role, None, Ink::Circle { center: now, radius: u * 0.5 });
     }
 
-    legend_row(&mut figure, told, Vec2::new(track.left, track.y + 1.5 * u), track.right, look);
+    let right = if lost > 0 {
+        let says = format!("and {lost} more, left out");
+        let at = Vec2::new(track.right, track.y + 1.5 * u);
+        write(&mut figure, Role::Quiet, None, at, &says, small, Face::Regular, Anchor::End);
+        track.right - text_width(&says, Face::Regular, small) - u
+    } else {
+        track.right
+    };
+    legend_row(&mut figure, told, symbols, Vec2::new(track.left, track.y + 1.5 * u), right, look);
     figure
 }
 
@@ -110,10 +133,10 @@ fn crowd<E: Fact>(events: &[E], flat: bool, track: &Track, apart: f32) -> Vec<(f
 }
 
 /// The symbols that occur, with their names.
-fn legend_row<E: Fact>(figure: &mut Figure, events: &[E], at: Vec2, right: f32, look: &Look) {
+fn legend_row<E: Fact>(figure: &mut Figure, events: &[E], symbols: &[Symbol], at: Vec2, right: f32, look: &Look) {
     let (small, mut x) = (look.small(), at.x);
     let occurs = |symbol: &&Symbol| events.iter().any(|event| event.symbol().as_ref() == Some(symbol));
-    for symbol in E::SYMBOLS.iter().filter(occurs) {
+    for symbol in symbols.iter().filter(occurs) {
         let width = small * 1.2 + text_width(symbol.name, Face::Regular, small);
         if x + width > right {
             break;

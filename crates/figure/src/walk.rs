@@ -1,6 +1,8 @@
 //! A walk that was recorded, with what it went through.
 
-use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims, Ray, Structure, Visit};
+use raystep_accel::{Aabb, Place, Primitives, Prims, Ray, Structure, Visit};
+
+use crate::reel::around;
 
 /// Everything that the views of one walk need.
 #[derive(Clone, Copy)]
@@ -40,12 +42,6 @@ impl Walk<'_> {
         if !bounds.is_empty() {
             return bounds;
         }
-        (0..self.prims.len() as u32).fold(Aabb::EMPTY, |all, prim| all.union(self.prims.bounds(PrimId(prim))))
-    }
-
-    /// The steps at which something happened at a place: each is the number of the event, counted from 1.
-    pub fn steps_at(&self, place: Place) -> impl Iterator<Item = usize> + '_ {
-        let here = move |(index, event): (usize, &Visit)| (event.place() == place).then_some(index + 1);
-        self.events.iter().enumerate().filter_map(here)
+        around(self.prims)
     }
 }

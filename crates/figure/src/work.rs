@@ -78,7 +78,7 @@ fn sentence(moment: &Moment) -> Vec<String> {
 }
 
 /// The parts with dots between them, broken into lines.
-fn wrapped(parts: &[String], width: f32, size: f32) -> Vec<String> {
+pub(crate) fn wrapped(parts: &[String], width: f32, size: f32) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for part in parts {
         match lines.last_mut() {

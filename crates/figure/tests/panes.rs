@@ -112,18 +112,17 @@ fn the_step_to_the_next_cell_names_its_axis_only_when_taken() {
 #[test]
 fn the_line_of_the_event_is_marked_with_its_numbers() {
     let played = Played::new("kd", &[]);
-    let names = ["plane".to_owned()];
     let values = Some("({{plane}} − {{o}}) / {{d}} = {{t}}");
     let lines: Vec<ListingLine<'_>> = (0..20)
         .map(|index| ListingLine {
             indent: index % 3,
             text: "a line",
-            events: if index == 12 { &names } else { &[] },
+            current: index == 12,
             values: if index == 12 { values } else { None },
         })
         .collect();
     let event = played.events[played.step("plane", 0) - 1];
-    check("listing", &listing(&lines, Some(&event), Vec2::new(300.0, 170.0), &LOOK));
+    check("listing", &listing("Walk", &lines, Some(&event), Vec2::new(300.0, 170.0), &LOOK));
 }
 
 #[test]
@@ -131,7 +130,7 @@ fn a_build_shows_what_it_weighs() {
     let played = Played::new("kd", &[("min_objects", "1")]);
     let step = played.grown.iter().position(|event| matches!(event, Grow::Split { .. })).unwrap() + 1;
     let moment = GrowMoment::at(&played.grown, step);
-    check("build_costs", &costs(&moment, Vec2::new(440.0, 150.0), &LOOK));
+    check("build_costs", &costs(&moment, false, Vec2::new(440.0, 150.0), &LOOK));
     check("build_tree", &tree_of_build(&moment, &TreeView::default(), Vec2::new(400.0, 150.0), &LOOK));
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, Axes, KdRule, Measure, NodeId, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
 use raystep_figure::{
-    Camera, Figure, Film, Form, Ink, Moment, Scenery, Space, Theme, Walk, labels, shaded, space, stage,
+    Camera, Figure, Film, Form, Ink, Instant, Moment, Reel, Scenery, Space, Theme, Walk, labels, shaded, space, stage,
 };
 
 /// Discs in the four quarters of a square, two in each.
@@ -96,9 +96,9 @@ fn a_moment_is_the_same_from_the_start_and_from_a_film() {
     for kind in ["list", "slab", "grid", "kd", "bvh"] {
         let stand = Stand::new(&Rule::default_for(kind).expect("a kind"));
         let walk = stand.walk();
-        let film = Film::new(&walk);
+        let film = Film::new(&Reel::Walk(walk));
         for step in 0..=stand.events.len() {
-            assert_eq!(film.at(&walk, step), Moment::at(&walk, step), "{kind} at {step}");
+            assert_eq!(film.at(&Reel::Walk(walk), step), Instant::Walk(Moment::at(&walk, step)), "{kind} at {step}");
         }
         assert_eq!(Moment::at(&walk, usize::MAX).step, stand.events.len());
     }

@@ -1,10 +1,10 @@
 //! A question, asked before the step that answers it.
 
-use raystep_accel::{Place, Value};
+use raystep_accel::{Event, Place, Value};
 
 use crate::Spot;
 
-/// A question. Its right answer is read off the walk, so it is right for every ray.
+/// A question. Its right answer is read off what is played, so it is right for every ray.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ask {
     /// The question: Markdown, with `{{field}}` of the coming event.
@@ -24,8 +24,13 @@ pub struct Ask {
 pub enum About {
     /// A field of the coming event.
     Field(String),
-    /// How many such events the whole walk has.
-    Count(String),
+    /// How many such events the whole walk or build has.
+    Count {
+        /// The name of the events.
+        event: String,
+        /// Only those in which this field is what it is in the coming event.
+        alike: Option<String>,
+    },
     /// Which of these events comes.
     Event(Vec<String>),
 }
@@ -54,6 +59,8 @@ pub struct Choice {
     pub place: Option<Place>,
     /// Whether it is right.
     pub right: bool,
-    /// Why it is not: Markdown with `{{field}}` of the event.
+    /// Why it is not: Markdown with `{{field}}` of the event, and `{{own.field}}` of [`Choice::own`].
     pub reason: Option<String>,
+    /// The event that is this answer's own: of a plane to cut at, how it was weighed.
+    pub own: Option<Event>,
 }

@@ -1,6 +1,6 @@
 //! A beat: a heading of a slide, and the event it waits for.
 
-use raystep_accel::Visit;
+use raystep_accel::Event;
 
 use crate::{Ask, Spot, Wait, wait};
 
@@ -36,7 +36,7 @@ pub struct Paragraph {
 
 impl Beat {
     /// What the beat says at its event: Markdown, its `{{field}}` not yet filled in.
-    pub fn text(&self, event: &Visit) -> String {
+    pub fn text(&self, event: &Event) -> String {
         let said = |paragraph: &&Paragraph| match &paragraph.only_if {
             None => true,
             Some((field, name)) if field == "event" => wait::names(name, event.name()),

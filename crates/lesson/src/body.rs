@@ -4,7 +4,7 @@ use crate::attributes::{self, Attribute};
 use crate::problem::misspelt;
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{About, Ask, Beat, Paragraph, Reason, Wait, template, vocabulary, wait};
+use crate::{About, Ask, Beat, Paragraph, Plays, Reason, Wait, template, wait};
 
 /// A line of the body with the byte where it begins.
 type Line<'a> = (usize, &'a str);
@@ -32,6 +32,9 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     for Attribute { key, key_at, value, value_at } in braces {
         match key.as_str() {
             "at" => waits = Some((value_at, value)),
+            "ray" if reading.plays == Plays::Build => {
+                reading.problem(key_at, "a build has no rays: its beats name none");
+            }
             "ray" => ray = Some((value_at, value)),
             _ => fields.push((key_at, key, value)),
         }
@@ -65,7 +68,7 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
 
 /// A heading's condition is a field of the event it waits for; anything else is a misspelt attribute.
 fn check_condition(at: &Wait, key: &str, key_at: usize, reading: &mut Reading<'_>) -> bool {
-    let known = vocabulary::fields(&at.event);
+    let known = reading.plays.fields(&at.event);
     let good = known.contains(&key);
     if !good {
         let allowed: Vec<&str> = ["at", "ray"].into_iter().chain(known).collect();
@@ -141,7 +144,7 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
         return None;
     };
     let question_at = start + first.len() - question.len();
-    let mut about = None;
+    let (mut about, mut alike) = (None, None);
     let mut options = Vec::new();
     for Attribute { key, key_at, value, value_at } in attributes::read(braces, question_at - 2 - braces.len(), reading)
     {
@@ -152,16 +155,25 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
             }
             "count" => {
                 check_event(&value, value_at, reading);
-                about = Some(About::Count(value));
+                about = Some(About::Count { event: value, alike: None });
+            }
+            "alike" => {
+                check_field(event, &value, value_at, reading);
+                alike = Some(value);
             }
             "event" => {
                 check_event(&value, value_at, reading);
                 about = Some(About::Event(value.split('|').map(str::to_owned).collect()));
             }
             "options" => options = value.split_whitespace().map(str::to_owned).collect(),
-            _ => reading
-                .problem(key_at, misspelt("attribute of a question", &key, &["field", "count", "event", "options"])),
+            _ => reading.problem(
+                key_at,
+                misspelt("attribute of a question", &key, &["field", "count", "alike", "event", "options"]),
+            ),
         }
+    }
+    if let Some(About::Count { alike: of, .. }) = &mut about {
+        *of = alike;
     }
     if about.is_none() {
         reading.problem(start, "a question needs `field=` (of the coming event), `event=` (which comes) or `count=` (how many the walk has)");

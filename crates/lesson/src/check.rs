@@ -1,13 +1,12 @@
 //! Checks the lessons by playing them: every slide on each of its stages with each of its rays.
 
 use std::collections::HashMap;
-use std::sync::Arc;
 
-use raystep_accel::{Structure, Value, Visit};
+use raystep_accel::{Event, Value};
 use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
-use crate::{About, Ask, Beat, Library, Listing, Play, Problem, Slide, Spot, Stage, StageKind, names, vocabulary};
+use crate::{About, Ask, Beat, Built, Library, Listing, Play, Plays, Problem, Slide, Spot, Stage, StageKind, names};
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well.
 pub fn check(library: &Library) -> Vec<Problem> {
@@ -20,14 +19,11 @@ pub fn check(library: &Library) -> Vec<Problem> {
     checker.problems
 }
 
-/// A scene and the structure over it.
-type Built = Option<(Arc<Scene>, Arc<Structure>)>;
-
 struct Checker<'a> {
     library: &'a Library,
     problems: Vec<Problem>,
     /// What was built before: slides share scenes and structures.
-    built: HashMap<String, Built>,
+    built: HashMap<String, Option<Built>>,
 }
 
 impl Checker<'_> {
@@ -44,8 +40,8 @@ impl Checker<'_> {
         }
         for stage in &slide.stages {
             self.beat_rays(slide, stage);
-            if let Some((scene, structure)) = self.build(slide, stage) {
-                self.stage(slide, stage, listing, &scene, &structure);
+            if let Some(built) = self.build(slide, stage) {
+                self.stage(slide, stage, listing, &built);
             }
         }
     }
@@ -62,7 +58,7 @@ impl Checker<'_> {
     }
 
     /// Builds a stage, or says why that cannot be done.
-    fn build(&mut self, slide: &Slide, stage: &Stage) -> Built {
+    fn build(&mut self, slide: &Slide, stage: &Stage) -> Option<Built> {
         let scene = match Scene::named(&stage.scene) {
             Ok(scene) => scene,
             Err(error) => {
@@ -94,29 +90,33 @@ impl Checker<'_> {
             return None;
         }
         let key = format!(
-            "{} {} {:?}",
+            "{} {} {} {:?}",
+            slide.plays.name(),
             stage.scene,
             stage.plan.kind,
             stage.plan.settings.iter().map(|s| (&s.key, &s.value)).collect::<Vec<_>>()
         );
-        self.built.entry(key).or_insert_with(|| stage.build().ok()).clone()
+        self.built.entry(key).or_insert_with(|| stage.build(slide.plays).ok()).clone()
     }
 
-    /// Plays every ray of a stage.
-    fn stage(
-        &mut self,
-        slide: &Slide,
-        stage: &Stage,
-        listing: Option<&Listing>,
-        scene: &Arc<Scene>,
-        structure: &Arc<Structure>,
-    ) {
+    /// Plays every ray of a stage, or its build.
+    fn stage(&mut self, slide: &Slide, stage: &Stage, listing: Option<&Listing>, built: &Built) {
         // Of a file that could not be read in full, the beats that are left may miss those before them.
         let readable = self.library.problems.iter().all(|problem| problem.file != slide.file);
+        if slide.plays == Plays::Build {
+            let Some(play) = built.play(None, &slide.beats) else { return };
+            let what = format!("in the build of the {} stage", stage.kind.name());
+            for (index, beat) in slide.beats.iter().enumerate() {
+                self.values(slide, beat, &play);
+                if readable {
+                    self.beat(slide, &what, beat, play.beats[index], &play, listing);
+                }
+            }
+        }
         for ray in &stage.rays {
-            let play = Play::new(Arc::clone(scene), Arc::clone(structure), ray.ray, &slide.beats);
+            let Some(play) = built.play(Some(ray.ray), &slide.beats) else { continue };
             for promise in &ray.promises {
-                if promise.step(&play.events, 0, scene.flat).is_none() {
+                if promise.step(&play.tape, 0, play.scene.flat).is_none() {
                     self.say(
                         slide,
                         ray.spot,
@@ -124,33 +124,32 @@ impl Checker<'_> {
                     );
                 }
             }
+            let what = format!("on the ray `{}` of the {} stage", ray.name, stage.kind.name());
             for (index, beat) in slide.beats.iter().enumerate() {
                 self.values(slide, beat, &play);
                 if readable && slide.ray_of(stage, index).is_some_and(|own| own.name == ray.name) {
-                    self.beat(slide, stage, &ray.name, beat, play.beats[index], &play, listing);
+                    self.beat(slide, &what, beat, play.beats[index], &play, listing);
                 }
             }
         }
     }
 
-    /// A beat on its own ray: it happens, its listing shows it, and there is something to ask.
+    /// A beat where it belongs, `what`: it happens, its listing shows it, and there is something to ask.
     fn beat(
         &mut self,
         slide: &Slide,
-        stage: &Stage,
-        ray: &str,
+        what: &str,
         beat: &Beat,
         step: Option<usize>,
         play: &Play,
         listing: Option<&Listing>,
     ) {
         let Some((step, event)) = step.and_then(|step| Some((step, play.event(step)?))) else {
-            let seen = play.events.iter().filter(|event| beat.at.matches(event)).count();
+            let seen = play.tape.events().filter(|event| beat.at.matches(event)).count();
             let message = format!(
-                "`{}` never happens on the ray `{ray}` of the {} stage after the beat before it{}",
+                "`{}` never happens {what} after the beat before it{}",
                 beat.at,
-                stage.kind.name(),
-                if seen > 0 { format!(" (in the whole walk: {seen})") } else { String::new() },
+                if seen > 0 { format!(" (in the whole {}: {seen})", slide.plays.name()) } else { String::new() },
             );
             self.say(slide, beat.spot, message);
             return;
@@ -161,16 +160,14 @@ impl Checker<'_> {
         if let Some(ask) = &beat.ask {
             let choices = ask.choices(play, step);
             if choices.len() < 2 || !choices.iter().any(|choice| choice.right) {
-                let message =
-                    format!("there is nothing to choose between on the ray `{ray}` of the {} stage", stage.kind.name());
-                self.say(slide, ask.spot, message);
+                self.say(slide, ask.spot, format!("there is nothing to choose between {what}"));
             }
-            self.reasons(slide, ask, play, event);
+            self.reasons(slide, ask, play, &event);
         }
     }
 
     /// Every reason is for an answer that can be given.
-    fn reasons(&mut self, slide: &Slide, ask: &Ask, play: &Play, event: &Visit) {
+    fn reasons(&mut self, slide: &Slide, ask: &Ask, play: &Play, event: &Event) {
         let Some(right) = ask.right(play, event) else { return };
         for reason in ask.reasons.iter().filter(|reason| reason.answer != "else") {
             let answer = reason.answer.as_str();
@@ -182,11 +179,12 @@ impl Checker<'_> {
                 event.field(field).is_some_and(|value| std::mem::discriminant(&value) == std::mem::discriminant(&right))
             };
             match right {
+                Value::Number(_) if crate::choices::is_cut(ask, event) => allowed.extend(crate::choices::CUTS),
                 Value::Place(_) | Value::Number(_) => allowed.extend(event.fields().iter().filter(alike)),
                 Value::Count(_) if answer.parse::<u32>().is_ok() => continue,
                 Value::Count(_) => {
                     allowed.push("all");
-                    allowed.extend(vocabulary::events());
+                    allowed.extend(slide.plays.events());
                 }
                 _ => {}
             }
@@ -205,7 +203,7 @@ impl Checker<'_> {
     fn values(&mut self, slide: &Slide, beat: &Beat, play: &Play) {
         let conditions = beat.at.fields.iter().map(|condition| (condition, beat.spot));
         let paragraphs = beat.paragraphs.iter().filter_map(|p| Some((p.only_if.as_ref()?, p.spot)));
-        let Some(event) = play.events.iter().find(|event| names(&beat.at.event, event.name())) else { return };
+        let Some(event) = play.tape.events().find(|event| names(&beat.at.event, event.name())) else { return };
         for ((field, text), spot) in conditions.chain(paragraphs).collect::<Vec<_>>() {
             let Some(value) = event.field(field) else { continue };
             let allowed = spellings(&value);

@@ -1,46 +1,63 @@
-//! The possible answers of a question, read off the walk.
+//! The possible answers of a question, read off what is played.
 
-use raystep_accel::{Axis, Place, Structure, Value, Visit};
+use raystep_accel::{Axis, Event, Grow, Place, Structure, Value, Visit};
 
 use crate::{About, Ask, Choice, Play, names};
+
+/// The answers beside the right one to the question where a node is cut: nearest to its middle, and with
+/// the most even shares.
+pub(crate) const CUTS: [&str; 2] = ["middle", "even"];
 
 /// As many answers as a question about a number offers.
 const NUMBERS: usize = 3;
 
 impl Ask {
-    /// The answers to choose from when the walk stands before `step`, the right one among them. Fewer than
+    /// The answers to choose from when the tape stands before `step`, the right one among them. Fewer than
     /// two: this walk leaves nothing to ask.
     pub fn choices(&self, play: &Play, step: usize) -> Vec<Choice> {
         let Some(event) = play.event(step) else { return Vec::new() };
-        let Some(right) = self.right(play, event) else { return Vec::new() };
+        let Some(right) = self.right(play, &event) else { return Vec::new() };
+        if is_cut(self, &event) {
+            return self.cuts(play, step, &event);
+        }
         let values = match right {
             Value::Flag(_) => vec![("yes".to_owned(), Value::Flag(true)), ("no".to_owned(), Value::Flag(false))],
             Value::Axis(_) => axes(play.scene.flat),
-            Value::Word(name, []) => self.events(name),
+            Value::Word(name, []) => self.events(play, name),
             Value::Word(word, all) => self.words(word, all),
-            Value::Place(_) => self.places(event),
-            Value::Number(_) => self.numbers(event, right),
-            Value::Count(count) => self.counts(play, event, count),
-            // Only packets have lanes, and no play is one.
-            Value::Lanes(_) => Vec::new(),
+            Value::Place(_) => self.places(&event),
+            Value::Number(_) => self.numbers(&event, right),
+            Value::Count(count) => self.counts(play, &event, count),
+            // Only packets have lanes, and no play is one; boxes cannot be chosen from.
+            Value::Lanes(_) | Value::Box(_) => Vec::new(),
         };
         let choice = |(answer, value): (String, Value)| Choice {
-            label: self.label(&answer).or_else(|| side(&play.structure, event, &value, play.scene.flat)),
+            label: self.label(&answer).or_else(|| side(&play.structure, &event, &value, play.scene.flat)),
             value,
             place: if let Value::Place(place) = value { Some(place) } else { None },
             right: same(&value, &right),
             reason: if same(&value, &right) { None } else { self.reason(&answer) },
+            own: None,
         };
         values.into_iter().map(choice).collect()
     }
 
     /// The right answer.
-    pub fn right(&self, play: &Play, event: &Visit) -> Option<Value> {
+    pub fn right(&self, play: &Play, event: &Event) -> Option<Value> {
         match &self.about {
             About::Field(field) => event.field(field),
-            About::Count(name) => Some(Value::Count(count(name, &play.events))),
+            About::Count { event: name, .. } => Some(Value::Count(self.count(name, play, event))),
             About::Event(_) => Some(Value::Word(event.name(), &[])),
         }
+    }
+
+    /// How many events of that name there are, only those alike if the question says so.
+    fn count(&self, name: &str, play: &Play, coming: &Event) -> u32 {
+        let alike = |event: &Event| match &self.about {
+            About::Count { alike: Some(field), .. } => event.field(field) == coming.field(field),
+            _ => true,
+        };
+        play.tape.events().filter(|event| names(name, event.name()) && alike(event)).count() as u32
     }
 
     /// Why an answer is wrong: what the slide says of it, else what it says of all others.
@@ -55,9 +72,9 @@ impl Ask {
     }
 
     /// The events that may come.
-    fn events(&self, right: &'static str) -> Vec<(String, Value)> {
+    fn events(&self, play: &Play, right: &'static str) -> Vec<(String, Value)> {
         let About::Event(patterns) = &self.about else { return Vec::new() };
-        let known = Visit::NAMES.iter().flat_map(|(known, _)| known.iter().copied());
+        let known = play.tape.plays().vocabulary().iter().flat_map(|(known, _)| known.iter().copied());
         let value = |pattern: &String| {
             let name =
                 if names(pattern, right) { Some(right) } else { known.clone().find(|name| names(pattern, name)) };
@@ -74,7 +91,7 @@ impl Ask {
     }
 
     /// The places that the event names, in the order of their ids, so that the order tells nothing.
-    fn places(&self, event: &Visit) -> Vec<(String, Value)> {
+    fn places(&self, event: &Event) -> Vec<(String, Value)> {
         let place = |field: &&'static str| match event.field(field) {
             Some(Value::Place(place)) if *field != "node" || self.about == About::Field("node".to_owned()) => {
                 Some((place, (*field).to_owned()))
@@ -88,7 +105,7 @@ impl Ask {
     }
 
     /// The right number, those that the slide gives a reason for, and others of the event.
-    fn numbers(&self, event: &Visit, right: Value) -> Vec<(String, Value)> {
+    fn numbers(&self, event: &Event, right: Value) -> Vec<(String, Value)> {
         let About::Field(asked) = &self.about else { return Vec::new() };
         let named = self.reasons.iter().map(|reason| reason.answer.as_str());
         let mut numbers = vec![(asked.clone(), right)];
@@ -107,16 +124,58 @@ impl Ask {
         numbers
     }
 
+    /// Planes that were weighed: the one taken, the one nearest to the node's middle, the one with the most
+    /// even shares. They stand in the order of their coordinates, so that the order tells nothing.
+    fn cuts(&self, play: &Play, step: usize, event: &Event) -> Vec<Choice> {
+        let Event::Build(Grow::Split { node, axis, plane, .. }) = *event else { return Vec::new() };
+        let mut weighed: Vec<(f32, u32, Grow)> = Vec::new();
+        let mut middle = None;
+        for past in (1..step).rev().map_while(|step| play.event(step)) {
+            match past {
+                Event::Build(Grow::Weigh { node: of, axis: across, plane, below, above, .. }) if of == node => {
+                    if let (true, Event::Build(grow)) = (across == axis, past) {
+                        weighed.push((plane, below.abs_diff(above), grow));
+                    }
+                }
+                Event::Build(Grow::Open { node: of, bounds, .. }) if of == node => {
+                    middle = axis.axis().map(|axis| bounds.center()[axis]);
+                    break;
+                }
+                _ => break,
+            }
+        }
+        let Some(middle) = middle else { return Vec::new() };
+        let by = |less: fn(&(f32, u32, Grow), f32) -> f32| {
+            weighed.iter().min_by(|a, b| less(a, middle).total_cmp(&less(b, middle))).copied()
+        };
+        let taken = weighed.iter().find(|weighed| weighed.0 == plane).copied();
+        let others = [by(|weighed, middle| (weighed.0 - middle).abs()), by(|weighed, _| weighed.1 as f32)];
+        let mut cuts = vec![("", taken)];
+        cuts.extend(CUTS.into_iter().zip(others));
+        let mut choices: Vec<Choice> = Vec::new();
+        for (answer, cut) in cuts {
+            let Some((at, _, own)) = cut else { continue };
+            let value = Value::Number(at);
+            if !choices.iter().any(|other| same(&other.value, &value)) {
+                let reason = if answer.is_empty() { None } else { self.reason(answer) };
+                let (label, place) = (None, None);
+                choices.push(Choice { label, value, place, right: at == plane, reason, own: Some(Event::Build(own)) });
+            }
+        }
+        choices.sort_by(|a, b| number(&a.value).total_cmp(&number(&b.value)));
+        choices
+    }
+
     /// The right count, those that the slide gives a reason for (a number, a field, an event of the walk,
     /// `all` primitives), and neighbours.
-    fn counts(&self, play: &Play, event: &Visit, right: u32) -> Vec<(String, Value)> {
+    fn counts(&self, play: &Play, event: &Event, right: u32) -> Vec<(String, Value)> {
         let counted = |answer: &str| -> Option<u32> {
             if answer == "all" {
                 return Some(raystep_accel::Primitives::len(&play.scene.prims) as u32);
             }
             match event.field(answer) {
                 Some(Value::Count(count)) => Some(count),
-                _ if crate::vocabulary::events().contains(&answer) => Some(count(answer, &play.events)),
+                _ if play.tape.plays().events().contains(&answer) => Some(self.count(answer, play, event)),
                 _ => answer.parse().ok(),
             }
         };
@@ -137,9 +196,9 @@ impl Ask {
     }
 }
 
-/// How many events of that name a walk has.
-fn count(name: &str, events: &[Visit]) -> u32 {
-    events.iter().filter(|event| names(name, event.name())).count() as u32
+/// Whether it asks where a node is cut.
+pub(crate) fn is_cut(ask: &Ask, event: &Event) -> bool {
+    matches!(event, Event::Build(Grow::Split { .. })) && ask.about == About::Field("plane".to_owned())
 }
 
 /// x, y and, in space, z.
@@ -149,8 +208,10 @@ fn axes(flat: bool) -> Vec<(String, Value)> {
 }
 
 /// On which side of the split a child lies, in words: a button says more than an id.
-fn side(structure: &Structure, event: &Visit, value: &Value, flat: bool) -> Option<String> {
-    let (Visit::Split { node, .. }, Value::Place(Place::Node(child))) = (event, value) else { return None };
+fn side(structure: &Structure, event: &Event, value: &Value, flat: bool) -> Option<String> {
+    let (Event::Walk(Visit::Split { node, .. }), Value::Place(Place::Node(child))) = (event, value) else {
+        return None;
+    };
     let (axis, _) = structure.split(*node)?;
     let lower = structure.children(*node).first() == Some(child);
     let word = match (axis.axis()?, flat) {

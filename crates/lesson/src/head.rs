@@ -7,7 +7,7 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::misspelt;
 use crate::reading::Reading;
-use crate::{Look, NamedRay, Plan, Setting, Show, Spot, Stage, StageKind, wait};
+use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, wait};
 
 /// The format that this program reads.
 const FORMAT: f32 = 1.0;
@@ -45,6 +45,8 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Head {
     if title_at > 0 && title.trim().is_empty() {
         reading.problem(title_at, "the title is empty");
     }
+    // Everything that follows names the events of what is played.
+    reading.plays = plays(&mut keys, reading);
     let (listing_at, listing) = keys.need::<String>("listing", reading).unwrap_or_default();
     let show = show(&mut keys, reading);
 
@@ -61,6 +63,16 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Head {
     }
     keys.finish(reading);
     Head { numbers, title, listing, listing_spot: reading.spot(listing_at), show, stages }
+}
+
+/// What the slide plays: a walk if it does not say.
+fn plays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Plays {
+    let Some((at, name)) = keys.get::<String>("plays", reading) else { return Plays::default() };
+    let known = Plays::ALL.into_iter().find(|plays| plays.name() == name);
+    known.unwrap_or_else(|| {
+        reading.problem(at, misspelt("thing to play", &name, &Plays::ALL.map(Plays::name)));
+        Plays::default()
+    })
 }
 
 /// The panes that a slide shows; space and the listing if it does not say.
@@ -98,7 +110,10 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
             None
         }
     };
-    let rays = rays(keys, reading);
+    let rays = match reading.plays {
+        Plays::Walk => rays(keys, reading),
+        Plays::Build => no_rays(keys, reading),
+    };
     let camera = keys.table("camera", reading).and_then(|mut table| {
         let look = look(kind, &mut table, reading);
         table.finish(reading);
@@ -140,6 +155,14 @@ fn rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
         reading.problem(value.span().start, format!("a stage has two rays or more; here is {}", list.len()));
     }
     rays
+}
+
+/// A build needs no ray.
+fn no_rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
+    if let Some(value) = keys.raw("rays") {
+        reading.problem(value.span().start, "`rays` belong to a slide that plays a walk: this one plays a build");
+    }
+    Vec::new()
 }
 
 /// One ray.

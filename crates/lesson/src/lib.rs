@@ -1,7 +1,7 @@
 //! The lecture as data: slides, their beats, rays and questions, and the checker.
 //!
 //! A slide is a Markdown file with a TOML head. Its headings are *beats*: each waits for an event of a
-//! walk, by the event's name. Nothing in a slide is code; the grammars stand in `lessons/README.md`.
+//! walk or of a build, by the event's name. Nothing in a slide is code; the grammars stand in `lessons/README.md`.
 
 mod ask;
 mod attributes;
@@ -14,9 +14,11 @@ mod keys;
 mod library;
 mod listing;
 mod play;
+mod plays;
 mod problem;
 mod reading;
 mod slide;
+mod tape;
 mod template;
 mod vocabulary;
 mod wait;
@@ -26,7 +28,9 @@ pub use beat::{Beat, Paragraph};
 pub use check::check;
 pub use library::Library;
 pub use listing::{Line, Listing};
-pub use play::{Play, PlayError, play};
+pub use play::{Built, Play, PlayError};
+pub use plays::Plays;
 pub use problem::{Problem, Spot};
 pub use slide::{Look, NamedRay, Plan, Setting, Show, Slide, Stage, StageKind};
+pub use tape::{BuildTape, Tape, WalkTape};
 pub use wait::{Wait, names};

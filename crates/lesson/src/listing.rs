@@ -2,7 +2,7 @@
 
 use crate::reading::Reading;
 use crate::vocabulary::check_event;
-use crate::{Problem, template, wait};
+use crate::{Plays, Problem, template, wait};
 
 /// An algorithm in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,12 +39,25 @@ impl Listing {
     /// Reads `code | event event : values` line by line.
     pub(crate) fn read(name: &str, file: &str, text: &str) -> (Listing, Vec<Problem>) {
         let mut reading = Reading::new(file, text);
+        reading.plays = whose(&reading);
         let mut lines: Vec<Line> = reading.lines().map(|(at, line)| read_line(at, line, &mut reading)).collect();
         while lines.last().is_some_and(|line| line.text.is_empty()) {
             lines.pop();
         }
         (Listing { name: name.to_owned(), lines, file: file.to_owned() }, reading.finish())
     }
+}
+
+/// Whose algorithm it is: a walk's or a builder's, whichever knows more of the events that it names.
+fn whose(reading: &Reading<'_>) -> Plays {
+    let labels = reading.lines().filter_map(|(_, line)| line.split_once(" | "));
+    let words: Vec<&str> =
+        labels.flat_map(|(_, label)| label.split(" : ").next()).flat_map(str::split_whitespace).collect();
+    let known = |plays: Plays| {
+        let events = plays.events();
+        words.iter().filter(|word| events.contains(word)).count()
+    };
+    if known(Plays::Build) > known(Plays::Walk) { Plays::Build } else { Plays::Walk }
 }
 
 /// Reads one line that begins at byte `at`.

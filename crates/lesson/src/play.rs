@@ -1,33 +1,35 @@
-//! A slide being played: the walk of one ray, and where in it the beats stand.
+//! A slide being played: a tape, and where on it the beats stand.
 
 use std::sync::Arc;
 
-use raystep_accel::{Accel, Cancelled, Hit, Ray, Rule, RuleError, Structure, Trace, Visit};
+use raystep_accel::{Cancelled, Event, Ray, Rule, RuleError, Structure};
 use raystep_scene::{Scene, UnknownScene};
 use thiserror::Error;
 
-use crate::{Beat, Plan, Slide, Stage};
+use crate::{Beat, BuildTape, Plan, Plays, Stage, Tape};
 
-/// How many events a walk keeps.
-const TAPE: usize = 200_000;
-
-/// The walk of one ray through one structure, beside the beats of a slide.
+/// The walk of one ray through a structure, or the building of one, beside the beats of a slide.
 #[derive(Clone, Debug)]
 pub struct Play {
     /// What the structure was built over.
     pub scene: Arc<Scene>,
-    /// What the ray walks through.
+    /// What the ray walks through, or what the build ends in.
     pub structure: Arc<Structure>,
-    /// The ray.
-    pub ray: Ray,
-    /// What happens, in order. Step `i` shows the state after `events[..i]`.
-    pub events: Vec<Visit>,
-    /// How many events more there were.
-    pub lost: u64,
-    /// The answer.
-    pub hit: Option<Hit>,
-    /// For each beat of the slide the step at which it stands, if this walk reaches it.
+    /// What happens, in order. Step `i` shows the state after the first `i` events.
+    pub tape: Tape,
+    /// For each beat of the slide the step at which it stands, if this tape reaches it.
     pub beats: Vec<Option<usize>>,
+}
+
+/// A stage's scene, the structure over it, and how it was built if that is to be played.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// The scene.
+    pub scene: Arc<Scene>,
+    /// The structure.
+    pub structure: Arc<Structure>,
+    /// How it was built.
+    pub growth: Option<Arc<BuildTape>>,
 }
 
 /// Why a slide cannot be played.
@@ -59,30 +61,40 @@ impl Plan {
 }
 
 impl Stage {
-    /// The stage's scene and the structure over it.
+    /// The stage's scene and the structure over it, with how it was built if that is to be played.
     ///
     /// # Errors
     /// An unknown scene, or a rule that cannot be followed.
-    pub fn build(&self) -> Result<(Arc<Scene>, Arc<Structure>), PlayError> {
+    pub fn build(&self, plays: Plays) -> Result<Built, PlayError> {
         let scene = Scene::named(&self.scene)?;
         let rule = self.plan.rule(scene.flat)?;
-        let structure = Structure::build(&scene.prims, &rule, &mut ())?;
-        Ok((Arc::new(scene), Arc::new(structure)))
+        let (structure, growth) = BuildTape::record(plays, &scene, &rule, &mut ())?;
+        Ok(Built { scene: Arc::new(scene), structure: Arc::new(structure), growth })
+    }
+}
+
+impl Built {
+    /// The build itself if it is to be played, else the walk of the ray; nothing where there is neither.
+    pub fn play(&self, ray: Option<Ray>, beats: &[Beat]) -> Option<Play> {
+        let tape = match (&self.growth, ray) {
+            (Some(growth), _) => Tape::Build(growth.clone()),
+            (None, Some(ray)) => Tape::walk(&self.scene, &self.structure, ray),
+            (None, None) => return None,
+        };
+        Some(Play::new(self.scene.clone(), self.structure.clone(), tape, beats))
     }
 }
 
 impl Play {
-    /// Walks `ray` and looks up where the beats stand.
-    pub fn new(scene: Arc<Scene>, structure: Arc<Structure>, ray: Ray, beats: &[Beat]) -> Play {
-        let mut tape = Trace::new(TAPE);
-        let hit = structure.intersect(&scene.prims, &ray, &mut tape);
-        let beats = steps(beats, &tape.events, scene.flat);
-        Play { scene, structure, ray, events: tape.events, lost: tape.lost, hit, beats }
+    /// Looks up where on the tape the beats stand.
+    pub fn new(scene: Arc<Scene>, structure: Arc<Structure>, tape: Tape, beats: &[Beat]) -> Play {
+        let beats = steps(beats, &tape, scene.flat);
+        Play { scene, structure, tape, beats }
     }
 
     /// The event that a step shows; none at step 0.
-    pub fn event(&self, step: usize) -> Option<&Visit> {
-        self.events.get(step.checked_sub(1)?)
+    pub fn event(&self, step: usize) -> Option<Event> {
+        self.tape.event(step.checked_sub(1)?)
     }
 
     /// The beat that a step belongs to: the last one reached at or before it, if the beats run that way.
@@ -94,24 +106,15 @@ impl Play {
 
 /// The step of every beat. Each plays on from the one before it; where a slide turns to another ray, the
 /// walk begins again, whichever ray is played.
-fn steps(beats: &[Beat], events: &[Visit], flat: bool) -> Vec<Option<usize>> {
+fn steps(beats: &[Beat], tape: &Tape, flat: bool) -> Vec<Option<usize>> {
     let mut from = 0;
     let step = |(index, beat): (usize, &Beat)| {
         if index > 0 && beat.ray.is_some() {
             from = 0;
         }
-        let step = beat.at.step(events, from, flat);
+        let step = beat.at.step(tape, from, flat);
         from = step.unwrap_or(from);
         step
     };
     beats.iter().enumerate().map(step).collect()
-}
-
-/// Plays a slide on one of its stages with one of the stage's rays.
-///
-/// # Errors
-/// An unknown scene, or a rule that cannot be followed.
-pub fn play(slide: &Slide, stage: &Stage, ray: &Ray) -> Result<Play, PlayError> {
-    let (scene, structure) = stage.build()?;
-    Ok(Play::new(scene, structure, *ray, &slide.beats))
 }

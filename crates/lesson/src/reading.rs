@@ -1,18 +1,20 @@
 //! A file being read, and the problems found in it.
 
-use crate::{Problem, Spot};
+use crate::{Plays, Problem, Spot};
 
 /// The text of one file and where to say what is wrong with it.
 pub(crate) struct Reading<'a> {
     file: &'a str,
     text: &'a str,
     problems: Vec<Problem>,
+    /// Whose events it names.
+    pub(crate) plays: Plays,
 }
 
 impl<'a> Reading<'a> {
     /// Begins to read a file.
     pub(crate) fn new(file: &'a str, text: &'a str) -> Reading<'a> {
-        Reading { file, text, problems: Vec::new() }
+        Reading { file, text, problems: Vec::new(), plays: Plays::default() }
     }
 
     /// Its lines without their ends, each with the byte where it begins.

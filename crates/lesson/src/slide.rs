@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 use raystep_accel::Ray;
 
 use crate::reading::Reading;
-use crate::{Beat, Problem, Spot, body, head};
+use crate::{Beat, Plays, Problem, Spot, body, head};
 
 /// One slide of the lecture, as its file says it.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,13 +19,15 @@ pub struct Slide {
     pub numbers: Vec<String>,
     /// What it is called.
     pub title: String,
+    /// A walk or a build.
+    pub plays: Plays,
     /// The name of its listing.
     pub listing: String,
     /// The panes that it is about, most important first.
     pub show: Vec<Show>,
     /// Where it plays: flat first if it has both.
     pub stages: Vec<Stage>,
-    /// What it says, in the order of the walk.
+    /// What it says, in the order of what it plays.
     pub beats: Vec<Beat>,
     /// The file it was read from.
     pub file: String,
@@ -90,6 +92,7 @@ impl Slide {
             section_title: section.split('-').skip(1).collect::<Vec<_>>().join(" "),
             numbers: head.numbers,
             title: head.title,
+            plays: reading.plays,
             listing: head.listing,
             show: head.show,
             stages: head.stages,
@@ -143,7 +146,7 @@ pub struct Stage {
     pub scene: String,
     /// Which structure is built over it, and how.
     pub plan: Plan,
-    /// Its rays, at least two; the first is the slide's own.
+    /// Its rays, at least two, the first the slide's own; none where a build is played.
     pub rays: Vec<NamedRay>,
     /// Where it is seen from, if not as its scene says.
     pub camera: Option<Look>,

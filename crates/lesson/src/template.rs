@@ -1,5 +1,6 @@
 //! Text with `{{field}}` in it.
 
+use crate::Plays;
 use crate::reading::Reading;
 use crate::vocabulary::check_field;
 
@@ -14,7 +15,11 @@ pub(crate) fn check(text: &str, at: usize, event: &str, reading: &mut Reading<'_
         };
         let field = text[inside..close].trim();
         let found_at = at + inside + (text[inside..close].len() - text[inside..close].trim_start().len());
-        check_field(event, field, found_at, reading);
+        // What belongs to one answer: a plane to cut at, as it was weighed.
+        match field.strip_prefix("own.").filter(|_| reading.plays == Plays::Build) {
+            Some(own) => check_field("weigh", own, found_at, reading),
+            None => check_field(event, field, found_at, reading),
+        }
         from = close + 2;
     }
 }

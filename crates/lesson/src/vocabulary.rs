@@ -1,38 +1,41 @@
-//! The names of a walk's events and of their fields, as slides and listings use them.
+//! The names of events and of their fields, as slides and listings use them.
 
-use raystep_accel::Visit;
-
+use crate::Plays;
 use crate::problem::{listed, misspelt};
 use crate::reading::Reading;
 use crate::wait::names;
 
-/// Every name that a slide can wait for: those of the events, and their beginnings (`split`).
-pub(crate) fn events() -> Vec<&'static str> {
-    let mut known: Vec<&'static str> = Vec::new();
-    for name in Visit::NAMES.iter().flat_map(|(names, _)| names.iter().copied()) {
-        for word in [name.split('.').next().unwrap_or(name), name] {
-            if !known.contains(&word) {
-                known.push(word);
+impl Plays {
+    /// Every name that a slide can wait for: those of the events, and their beginnings (`split`).
+    pub(crate) fn events(self) -> Vec<&'static str> {
+        let mut known: Vec<&'static str> = Vec::new();
+        for name in self.vocabulary().iter().flat_map(|(names, _)| names.iter().copied()) {
+            for word in [name.split('.').next().unwrap_or(name), name] {
+                if !known.contains(&word) {
+                    known.push(word);
+                }
             }
         }
+        known
     }
-    known
-}
 
-/// The fields that every event of that name has.
-pub(crate) fn fields(event: &str) -> Vec<&'static str> {
-    let mut variants =
-        Visit::NAMES.iter().filter(|(known, _)| known.iter().any(|name| names(event, name))).map(|(_, fields)| *fields);
-    let first = variants.next().unwrap_or_default();
-    variants.fold(first.to_vec(), |common, fields| common.into_iter().filter(|f| fields.contains(f)).collect())
+    /// The fields that every event of that name has.
+    pub(crate) fn fields(self, event: &str) -> Vec<&'static str> {
+        let known = self.vocabulary().iter();
+        let mut variants =
+            known.filter(|(known, _)| known.iter().any(|name| names(event, name))).map(|(_, fields)| *fields);
+        let first = variants.next().unwrap_or_default();
+        variants.fold(first.to_vec(), |common, fields| common.into_iter().filter(|f| fields.contains(f)).collect())
+    }
 }
 
 /// Says so if there is no such event.
 pub(crate) fn check_event(event: &str, at: usize, reading: &mut Reading<'_>) -> bool {
-    let known = events();
+    let known = reading.plays.events();
+    let what = format!("event of a {}", reading.plays.name());
     let mut good = true;
     for word in event.split('|').filter(|word| !known.contains(word)) {
-        reading.problem(at, misspelt("event of a walk", word, &known));
+        reading.problem(at, misspelt(&what, word, &known));
         good = false;
     }
     good
@@ -40,8 +43,8 @@ pub(crate) fn check_event(event: &str, at: usize, reading: &mut Reading<'_>) -> 
 
 /// Says so if the event lacks the field.
 pub(crate) fn check_field(event: &str, field: &str, at: usize, reading: &mut Reading<'_>) {
-    let known = fields(event);
-    if !known.contains(&field) && event.split('|').all(|word| events().contains(&word)) {
+    let (known, events) = (reading.plays.fields(event), reading.plays.events());
+    if !known.contains(&field) && event.split('|').all(|word| events.contains(&word)) {
         let message = misspelt(&format!("field of `{event}`"), field, &known);
         let all = if message.contains("did you mean") && !known.is_empty() {
             format!(" It has {}.", listed(&known))

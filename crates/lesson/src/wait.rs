@@ -2,8 +2,9 @@
 
 use std::fmt;
 
-use raystep_accel::{Place, Value, Visit};
+use raystep_accel::{Event, Place, Value};
 
+use crate::Tape;
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
 
@@ -21,15 +22,15 @@ pub struct Wait {
 
 impl Wait {
     /// Whether this is such an event, whichever of several.
-    pub fn matches(&self, visit: &Visit) -> bool {
-        names(&self.event, visit.name())
-            && self.fields.iter().all(|(field, text)| visit.field(field).is_some_and(|value| says(&value, text)))
+    pub fn matches(&self, event: &Event) -> bool {
+        names(&self.event, event.name())
+            && self.fields.iter().all(|(field, text)| event.field(field).is_some_and(|value| says(&value, text)))
     }
 
     /// The step that shows the event, looking from step `from` on.
-    pub fn step(&self, events: &[Visit], from: usize, flat: bool) -> Option<usize> {
-        let seen = |visit: &Visit| !(flat && visit.concerns_z());
-        let hits = events.iter().enumerate().skip(from).filter(|(_, visit)| seen(visit) && self.matches(visit));
+    pub fn step(&self, tape: &Tape, from: usize, flat: bool) -> Option<usize> {
+        let seen = |event: &Event| !(flat && event.concerns_z());
+        let hits = tape.events().enumerate().skip(from).filter(|(_, event)| seen(event) && self.matches(event));
         hits.map(|(index, _)| index + 1).nth(self.nth.saturating_sub(1) as usize)
     }
 }
@@ -84,6 +85,7 @@ pub(crate) fn says(value: &Value, text: &str) -> bool {
         Value::Number(number) => text.parse() == Ok(number),
         Value::Place(place) => text == id_text(place),
         Value::Lanes(lanes) => text == lanes.to_string(),
+        Value::Box(_) => false,
     }
 }
 

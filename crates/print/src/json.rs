@@ -1,11 +1,11 @@
-//! A walk as JSON, for other programs. `TRACE.md` beside this crate describes every key.
+//! A walk or a build as JSON, for other programs. `TRACE.md` beside this crate describes every key.
 
-use raystep_accel::{Cost, Hit, Observer, Place, Ray, Value, Visit};
+use raystep_accel::{Cost, Event, Grow, Hit, Observer, Place, Ray, Value, Visit};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-/// A walk and what it went through.
+/// What is written: what it is about, and what happened.
 #[derive(Clone, Copy, Debug)]
-pub struct Walked<'a> {
+pub struct Record<'a> {
     /// The scene's name.
     pub scene: &'a str,
     /// The structure's kind: `list`, `grid`, `kd`, `bvh`.
@@ -16,52 +16,77 @@ pub struct Walked<'a> {
     pub nodes: usize,
     /// How many bytes it takes.
     pub bytes: usize,
-    /// The ray's name, if it has one.
-    pub name: Option<&'a str>,
-    /// The ray.
-    pub ray: &'a Ray,
-    /// What happened, in order.
-    pub events: &'a [Visit],
+    /// What happened.
+    pub told: Told<'a>,
     /// How many more events there were than the recording holds.
     pub lost: u64,
-    /// The answer.
-    pub hit: Option<Hit>,
 }
 
-/// The walk as JSON text, ending with a newline.
-pub fn json(walked: &Walked<'_>) -> String {
-    let mut cost = Cost::default();
-    for event in walked.events {
-        cost.on(*event);
+/// What happened, in order.
+#[derive(Clone, Copy, Debug)]
+pub enum Told<'a> {
+    /// A ray walked.
+    Walk {
+        /// The ray's name, if it has one.
+        name: Option<&'a str>,
+        /// The ray.
+        ray: &'a Ray,
+        /// What it did.
+        events: &'a [Visit],
+        /// The answer.
+        hit: Option<Hit>,
+    },
+    /// The structure was built.
+    Build(&'a [Grow]),
+}
+
+/// The walk or the build as JSON text, ending with a newline.
+pub fn json(record: &Record<'_>) -> String {
+    let structure =
+        Built { kind: record.kind, parameters: Pairs(record.parameters), nodes: record.nodes, bytes: record.bytes };
+    let (scene, lost, version) = (record.scene, record.lost, 1);
+    match record.told {
+        Told::Walk { name, ray, events, hit } => {
+            let mut cost = Cost::default();
+            for event in events {
+                cost.on(*event);
+            }
+            text(&Walked {
+                format: "raystep-walk",
+                version,
+                scene,
+                structure,
+                ray: Line {
+                    name,
+                    o: ray.o.to_array().map(Number),
+                    d: ray.d.to_array().map(Number),
+                    t_min: Number(ray.t_min),
+                    t_max: Number(ray.t_max),
+                },
+                hit: hit.map(|hit| Answer { t: Number(hit.t), prim: hit.prim.0 }),
+                cost: Counters(cost),
+                lost,
+                events: steps(events.iter().copied().map(Event::Walk)),
+            })
+        }
+        Told::Build(events) => {
+            let events = steps(events.iter().copied().map(Event::Build));
+            text(&Grown { format: "raystep-build", version, scene, structure, lost, events })
+        }
     }
-    let document = Document {
-        format: "raystep-walk",
-        version: 1,
-        scene: walked.scene,
-        structure: Built {
-            kind: walked.kind,
-            parameters: Pairs(walked.parameters),
-            nodes: walked.nodes,
-            bytes: walked.bytes,
-        },
-        ray: Line {
-            name: walked.name,
-            o: walked.ray.o.to_array().map(Number),
-            d: walked.ray.d.to_array().map(Number),
-            t_min: Number(walked.ray.t_min),
-            t_max: Number(walked.ray.t_max),
-        },
-        hit: walked.hit.map(|hit| Answer { t: Number(hit.t), prim: hit.prim.0 }),
-        cost: Counters(cost),
-        lost: walked.lost,
-        events: walked.events.iter().enumerate().map(|(index, event)| Step { number: index + 1, event }).collect(),
-    };
-    // Only numbers, texts and maps with text keys: nothing that could fail.
-    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
+}
+
+/// Only numbers, texts and maps with text keys: nothing that could fail.
+fn text(document: &impl Serialize) -> String {
+    serde_json::to_string_pretty(document).unwrap_or_default() + "\n"
+}
+
+fn steps(events: impl Iterator<Item = Event>) -> Vec<Step> {
+    events.enumerate().map(|(index, event)| Step { number: index + 1, event }).collect()
 }
 
 #[derive(serde::Serialize)]
-struct Document<'a> {
+struct Walked<'a> {
     format: &'static str,
     version: u32,
     scene: &'a str,
@@ -70,7 +95,17 @@ struct Document<'a> {
     hit: Option<Answer>,
     cost: Counters,
     lost: u64,
-    events: Vec<Step<'a>>,
+    events: Vec<Step>,
+}
+
+#[derive(serde::Serialize)]
+struct Grown<'a> {
+    format: &'static str,
+    version: u32,
+    scene: &'a str,
+    structure: Built<'a>,
+    lost: u64,
+    events: Vec<Step>,
 }
 
 #[derive(serde::Serialize)]
@@ -139,12 +174,12 @@ impl Serialize for Counters {
 }
 
 /// An event: its name, its place, and all its fields by their names.
-struct Step<'a> {
+struct Step {
     number: usize,
-    event: &'a Visit,
+    event: Event,
 }
 
-impl Serialize for Step<'_> {
+impl Serialize for Step {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         map.serialize_entry("step", &self.number)?;
@@ -179,6 +214,10 @@ impl Serialize for Field {
                     Place::Prim(prim) => ("prim", prim.0),
                 };
                 serializer.collect_map([(kind, id)])
+            }
+            Value::Box(bounds) => {
+                let corner = |corner: glam::Vec3| corner.to_array().map(Number);
+                serializer.collect_map([("min", corner(bounds.min)), ("max", corner(bounds.max))])
             }
         }
     }

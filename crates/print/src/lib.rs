@@ -17,7 +17,7 @@ mod svg;
 mod typefaces;
 
 pub use formula::{Extent, extent, formula};
-pub use json::{Walked, json};
+pub use json::{Record, Told, json};
 pub use movie::{apng, gif};
 pub use plate::{Below, Plate, plate};
 pub use png::{PrintError, png};

@@ -26,8 +26,9 @@ impl<V: Volume> Bvh<V> {
         let mut boxes = Vec::with_capacity(prims.len());
         for prim in (0..prims.len() as u32).map(PrimId) {
             boxes.push(prims.bounds(prim));
-            all = all.union(boxes[prim.index()]);
-            watch.on(Grow::Widen { prim, bounds: all });
+            let before = all;
+            all = before.union(boxes[prim.index()]);
+            watch.on(Grow::Widen { prim, bounds: all, grown: all != before });
         }
         let mut bvh = Bvh { nodes: Vec::new(), refs: Vec::with_capacity(prims.len()), order: rule.order };
         if prims.is_empty() {
@@ -62,6 +63,7 @@ impl<V: Volume> Bvh<V> {
             waiting.push(Task { node: above, part: cut.above, depth: depth + 1 });
             waiting.push(Task { node: below, part: cut.below, depth: depth + 1 });
         }
+        watch.on(Grow::End { nodes: bvh.nodes.len() as u32, cells: 0, references: bvh.refs.len() as u32 });
         Ok(bvh)
     }
 

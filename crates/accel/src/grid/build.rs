@@ -18,8 +18,9 @@ impl Grid {
         // The box around all primitives.
         let mut bounds = Aabb::EMPTY;
         for prim in ids() {
-            bounds = bounds.union(prims.bounds(prim));
-            watch.on(Grow::Widen { prim, bounds });
+            let before = bounds;
+            bounds = before.union(prims.bounds(prim));
+            watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
         }
 
         // The resolution.
@@ -46,6 +47,8 @@ impl Grid {
             grid.insert(prims, prim, &reaches[prim.index()], rule.prune, &mut settled, watch);
         }
         grid.file(&settled);
+        let (cells, references) = (grid.cell_count() as u32, grid.reference_count() as u32);
+        watch.on(Grow::End { nodes: 0, cells, references });
         Ok(grid)
     }
 
@@ -59,23 +62,26 @@ impl Grid {
         settled: &mut Vec<(CellId, PrimId)>,
         watch: &mut impl Observer<Grow>,
     ) {
-        let [xs, ys, zs] = self.rasterise(reach);
-        for z in zs {
-            for y in ys.clone() {
-                for x in xs.clone() {
-                    // Its box touches this cell.
-                    let cell = self.cell_at(x, y, z);
-                    watch.on(Grow::Rasterise { prim, cell });
-                    // The primitive itself does not.
-                    if prune && !prims.overlaps(prim, &self.cell_bounds(cell).padded(self.margin.pad)) {
-                        watch.on(Grow::Prune { prim, cell });
-                        continue;
-                    }
-                    watch.on(Grow::Settle { prim, place: Place::Cell(cell) });
-                    settled.push((cell, prim));
-                }
-            }
+        // The cells that its box touches.
+        for cell in self.cells_of(reach) {
+            watch.on(Grow::Rasterise { prim, cell });
         }
+        for cell in self.cells_of(reach) {
+            // The primitive itself does not reach this one.
+            if prune && !prims.overlaps(prim, &self.cell_bounds(cell).padded(self.margin.pad)) {
+                watch.on(Grow::Prune { prim, cell });
+                continue;
+            }
+            watch.on(Grow::Settle { prim, place: Place::Cell(cell) });
+            settled.push((cell, prim));
+        }
+    }
+
+    /// The cells that a box touches, row by row.
+    fn cells_of(&self, reach: &Aabb) -> impl Iterator<Item = CellId> {
+        let [xs, ys, zs] = self.rasterise(reach);
+        let rows = zs.flat_map(move |z| ys.clone().map(move |y| (y, z)));
+        rows.flat_map(move |(y, z)| xs.clone().map(move |x| self.cell_at(x, y, z)))
     }
 
     /// Sorts the references by cell, in the order in which they settled.

@@ -30,8 +30,9 @@ impl Kd {
         // The box around everything.
         let mut bounds = Aabb::EMPTY;
         for prim in ids(prims) {
-            bounds = bounds.union(prims.bounds(prim));
-            watch.on(Grow::Widen { prim, bounds });
+            let before = bounds;
+            bounds = before.union(prims.bounds(prim));
+            watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
         }
         let margin = Margin::of(&bounds);
         let refs: Vec<_> = ids(prims).filter_map(|prim| Reference::clipped(prims, prim, &bounds, margin.pad)).collect();
@@ -82,11 +83,15 @@ impl Kd {
             tree.nodes.extend([Node::leaf(0, 0); 2]);
             tree.nodes[node.index()] = Node::inner(cut.axis, cut.plane, below);
             watch.on(Grow::Split { node, axis: cut.axis.into(), plane: cut.plane, below, above, cost: cut.cost });
+            for reference in refs.iter().filter(|reference| reference.sides(cut.axis, cut.plane) == (true, true)) {
+                watch.on(Grow::Share { node, prim: reference.prim });
+            }
             let share = |refs: &[Reference]| (room as u64 * refs.len() as u64 / dealt.max(1) as u64) as usize;
             let depth = depth + 1;
             open.push(Open { node: above, bounds: halves.1, depth, room: share(&upper), refs: upper });
             open.push(Open { node: below, bounds: halves.0, depth, room: share(&lower), refs: lower });
         }
+        watch.on(Grow::End { nodes: tree.nodes.len() as u32, cells: 0, references: tree.refs.len() as u32 });
         Ok(tree)
     }
 

@@ -16,11 +16,9 @@ impl Octree {
         // Compute the bounding box.
         let mut bounds = Aabb::EMPTY;
         for prim in (0..prims.len() as u32).map(PrimId) {
-            let wider = bounds.union(prims.bounds(prim));
-            if wider != bounds {
-                bounds = wider;
-                watch.on(Grow::Widen { prim, bounds });
-            }
+            let before = bounds;
+            bounds = before.union(prims.bounds(prim));
+            watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
         }
         let everything = (0..prims.len() as u32).map(PrimId).collect();
         let mut tree = Octree {
@@ -33,6 +31,7 @@ impl Octree {
             free: Vec::new(),
         };
         tree.grow(prims, NodeId::ROOT, bounds, 0, watch)?;
+        watch.on(Grow::End { nodes: tree.nodes.len() as u32, cells: 0, references: tree.refs as u32 });
         Ok(tree)
     }
 

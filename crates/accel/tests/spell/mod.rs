@@ -15,6 +15,7 @@ pub(crate) fn line(name: &str, fields: &[&'static str], value: impl Fn(&str) -> 
             Value::Axis(axis) => axis.to_string(),
             Value::Word(word, _) => word.to_owned(),
             Value::Place(place) => place.to_string(),
+            Value::Box(bounds) => format!("{} {}", bounds.min, bounds.max),
             Value::Lanes(lanes) => lanes.to_string(),
         };
         write!(line, " {field}={value}").unwrap();

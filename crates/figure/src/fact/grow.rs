@@ -10,12 +10,14 @@ const WEIGHED: Symbol = Symbol { sign: "|", name: "weighed", role: Role::Candida
 const RASTERISED: Symbol = Symbol { sign: "◇", name: "cell met", role: Role::Here, rank: 2 };
 const PRUNED: Symbol = Symbol { sign: "×", name: "pruned", role: Role::Dropped, rank: 3 };
 const STORED: Symbol = Symbol { sign: "●", name: "stored", role: Role::Seen, rank: 4 };
+const SHARED: Symbol = Symbol { sign: "■", name: "on both sides", role: Role::Hit, rank: 4 };
 const LEAF: Symbol = Symbol { sign: "□", name: "leaf", role: Role::Seen, rank: 5 };
 const SPLIT: Symbol = Symbol { sign: "△", name: "split", role: Role::Plane, rank: 6 };
 
-impl Fact for Grow {
-    const SYMBOLS: &'static [Symbol] = &[GROWS, RASTERISED, PRUNED, WEIGHED, SPLIT, LEAF, STORED];
+/// Every symbol of a build, in the order of a legend.
+pub(crate) const SYMBOLS: &[Symbol] = &[GROWS, RASTERISED, PRUNED, WEIGHED, SPLIT, SHARED, LEAF, STORED];
 
+impl Fact for Grow {
     fn name(&self) -> &'static str {
         self.name()
     }
@@ -30,11 +32,12 @@ impl Fact for Grow {
 
     fn symbol(&self) -> Option<Symbol> {
         Some(match self {
-            Grow::Widen { .. } => GROWS,
+            Grow::Widen { grown: true, .. } => GROWS,
             Grow::Weigh { .. } => WEIGHED,
             Grow::Rasterise { .. } => RASTERISED,
             Grow::Prune { .. } => PRUNED,
             Grow::Settle { .. } => STORED,
+            Grow::Share { .. } => SHARED,
             Grow::Leaf { .. } => LEAF,
             Grow::Split { .. } | Grow::Divide { .. } => SPLIT,
             _ => return None,
@@ -43,13 +46,15 @@ impl Fact for Grow {
 
     fn short(&self) -> &'static str {
         match self {
-            Grow::Widen { .. } => "the box grows",
+            Grow::Widen { grown: true, .. } => "the box grows",
+            Grow::Widen { .. } => "it fits into the box",
             Grow::Resolve { .. } => "the resolution is chosen",
             Grow::Rasterise { .. } => "a primitive's box meets a cell",
             Grow::Prune { .. } => "the primitive itself does not",
             Grow::Open { .. } => "a node comes to be",
             Grow::Weigh { .. } => "a split is weighed",
             Grow::Split { .. } => "the split is taken",
+            Grow::Share { .. } => "it goes to both children",
             Grow::Divide { .. } => "the cell is divided",
             Grow::Touch { .. } => "a node is looked at",
             Grow::Leaf { .. } => "the node stays a leaf",
@@ -57,6 +62,11 @@ impl Fact for Grow {
             Grow::Merge { .. } => "two nodes become one",
             Grow::Move { .. } => "a node moves",
             Grow::Renumber { .. } => "a node gets its final number",
+            Grow::End { .. } => "the structure is built",
         }
+    }
+
+    fn sentence(&self) -> String {
+        crate::sentence::of_grow(self)
     }
 }

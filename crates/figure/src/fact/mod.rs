@@ -1,17 +1,14 @@
 //! What events of walks and of builds have in common, and how views call them.
 
-mod grow;
-mod visit;
+pub(crate) mod grow;
+pub(crate) mod visit;
 
-use raystep_accel::{Place, Value};
+use raystep_accel::{Event, Place, Value};
 
 use crate::Role;
 
 /// An event of a walk or of a build, as listings, templates and timelines see it.
 pub trait Fact {
-    /// Every symbol that events of this vocabulary have, in the order of a legend.
-    const SYMBOLS: &'static [Symbol];
-
     /// What slides and listings call it.
     fn name(&self) -> &'static str;
 
@@ -31,6 +28,9 @@ pub trait Fact {
 
     /// What it is, in a few words.
     fn short(&self) -> &'static str;
+
+    /// What it says, in plain words with its numbers.
+    fn sentence(&self) -> String;
 }
 
 /// A small sign for a kind of event.
@@ -44,6 +44,88 @@ pub struct Symbol {
     pub role: Role,
     /// In a crowd, the highest is drawn.
     pub rank: u8,
+}
+
+impl Fact for Event {
+    fn name(&self) -> &'static str {
+        self.name()
+    }
+
+    fn place(&self) -> Place {
+        self.place()
+    }
+
+    fn field(&self, name: &str) -> Option<Value> {
+        self.field(name)
+    }
+
+    fn concerns_z(&self) -> bool {
+        self.concerns_z()
+    }
+
+    fn symbol(&self) -> Option<Symbol> {
+        match self {
+            Event::Walk(visit) => visit.symbol(),
+            Event::Build(grow) => grow.symbol(),
+        }
+    }
+
+    fn short(&self) -> &'static str {
+        match self {
+            Event::Walk(visit) => visit.short(),
+            Event::Build(grow) => grow.short(),
+        }
+    }
+
+    fn sentence(&self) -> String {
+        match self {
+            Event::Walk(visit) => visit.sentence(),
+            Event::Build(grow) => grow.sentence(),
+        }
+    }
+}
+
+/// A wrong answer among the facts: the coming event, and as `own.field` the event that belongs to the answer.
+#[derive(Clone, Copy, Debug)]
+pub struct Answer {
+    /// The event that answers the question.
+    pub coming: Event,
+    /// What belongs to this answer alone.
+    pub own: Option<Event>,
+}
+
+impl Fact for Answer {
+    fn name(&self) -> &'static str {
+        self.coming.name()
+    }
+
+    fn place(&self) -> Place {
+        self.coming.place()
+    }
+
+    fn field(&self, name: &str) -> Option<Value> {
+        match name.strip_prefix("own.") {
+            Some(own) => self.own?.field(own),
+            None => self.coming.field(name),
+        }
+    }
+
+    fn symbol(&self) -> Option<Symbol> {
+        self.coming.symbol()
+    }
+
+    fn short(&self) -> &'static str {
+        self.coming.short()
+    }
+
+    fn sentence(&self) -> String {
+        self.coming.sentence()
+    }
+}
+
+/// One sentence about what just happened, with its numbers.
+pub fn sentence(event: &impl Fact) -> String {
+    event.sentence()
 }
 
 /// What an event is, in a few words.

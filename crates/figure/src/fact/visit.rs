@@ -16,9 +16,10 @@ const PUSH: Symbol = Symbol { sign: "□", name: "push", role: Role::Waiting, ra
 const DROP: Symbol = Symbol { sign: "×", name: "drop", role: Role::Dropped, rank: 8 };
 const HIT: Symbol = Symbol { sign: "●", name: "hit", role: Role::Hit, rank: 9 };
 
-impl Fact for Visit {
-    const SYMBOLS: &'static [Symbol] = &[SLAB, PLANE, BOX, CELL, PUSH, POP, DROP, SKIP, MISS, HIT];
+/// Every symbol of a walk, in the order of a legend.
+pub(crate) const SYMBOLS: &[Symbol] = &[SLAB, PLANE, BOX, CELL, PUSH, POP, DROP, SKIP, MISS, HIT];
 
+impl Fact for Visit {
     fn name(&self) -> &'static str {
         self.name()
     }
@@ -90,5 +91,9 @@ impl Fact for Visit {
             Visit::End { hit: true, .. } => "the nearest hit is found",
             Visit::End { .. } => "nothing is hit",
         }
+    }
+
+    fn sentence(&self) -> String {
+        crate::sentence::of_visit(self)
     }
 }

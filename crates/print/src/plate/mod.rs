@@ -1,13 +1,10 @@
-//! A step of a walk on one page: what is said, space, the ray's t, tree or cells, the listing, the stack
-//! and the work, as the window shows them.
+//! A step of a walk or of a build on one page: what is said, space, the ray's t or the costs, tree or cells,
+//! the listing, what waits and the work, as the window shows them.
 
 mod compose;
 
 use glam::Vec2;
-use raystep_figure::{
-    Anchor, Face, Figure, Ink, ListingLine, Look, Moment, Role, TreeView, Walk, cells, fonts, legend, legend_height,
-    listing, ruler, ruler_height, slabs, space, stack, timeline, tree, work,
-};
+use raystep_figure::{Anchor, Face, Figure, Ink, ListingLine, Look, Role, Still, TreeView, fonts};
 
 use crate::prose;
 use compose::{Area, enlarge, set_in};
@@ -23,22 +20,20 @@ pub struct Plate<'a> {
     pub heading: &'a str,
     /// What is said: Markdown with formulas, its fields filled in.
     pub caption: &'a str,
-    /// The walk.
-    pub walk: Walk<'a>,
-    /// Its state at this step.
-    pub moment: &'a Moment,
+    /// The step.
+    pub still: Still<'a>,
     /// The algorithm; may be empty.
     pub listing: &'a [ListingLine<'a>],
     /// The panes below space, from the top.
     pub below: &'a [Below],
-    /// Whether the walk has a stack to show.
+    /// Whether there is a stack to show.
     pub stack: bool,
 }
 
 /// What can stand below space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Below {
-    /// The ruler of t.
+    /// The ruler of t; of a build, what its splits cost.
     Ruler,
     /// The tree of nodes.
     Tree,
@@ -126,7 +121,7 @@ impl Page<'_> {
     fn space(&mut self, area: Area, picture: &dyn Fn(Vec2) -> Figure) {
         area.fill(&mut self.figure, Role::Panel);
         // A solid scene fills its pane; a drawing keeps away from the edges.
-        let inner = area.inset(if self.plate.walk.flat { EDGE * 0.5 } else { 1.0 });
+        let inner = area.inset(if self.plate.still.flat() { EDGE * 0.5 } else { 1.0 });
         // A page is read from further away than a window: labels are a little larger.
         let mut part = picture(inner.size() / CLOSER);
         enlarge(&mut part, CLOSER);
@@ -149,7 +144,7 @@ impl Page<'_> {
     fn foot(&mut self, area: Area) {
         area.fill(&mut self.figure, Role::Panel);
         let inner = Area::new(area.min.x + EDGE * 0.5, area.min.y, area.max.x - EDGE * 0.5, area.max.y);
-        let strip = timeline(&self.plate.walk, self.plate.moment.step, false, inner.size(), &self.look);
+        let strip = self.plate.still.timeline(false, inner.size(), &self.look);
         set_in(&mut self.figure, strip, inner.min);
     }
 
@@ -168,9 +163,9 @@ impl Page<'_> {
         let caption = self.caption(area.size().x);
         let end = area.min.y + caption.size.y;
         set_in(&mut self.figure, caption, area.min);
-        let shown = space(&self.plate.walk, self.plate.moment);
+        let shown = self.plate.still.space();
         let margin = TEXT * 0.8;
-        let height = legend_height(&shown, area.size().x + 2.0 * margin, &self.look);
+        let height = self.plate.still.legend_height(&shown, area.size().x + 2.0 * margin, &self.look);
         // The legend keeps to the foot of the column, and gives way to a long text.
         let top = area.max.y - height + margin;
         if top > end + SAID {
@@ -179,8 +174,8 @@ impl Page<'_> {
     }
 
     fn legend(&mut self, area: Area) {
-        let shown = space(&self.plate.walk, self.plate.moment);
-        let part = legend(&shown, area.size() + Vec2::X * TEXT * 0.8, &self.look);
+        let shown = self.plate.still.space();
+        let part = self.plate.still.legend(&shown, area.size() + Vec2::X * TEXT * 0.8, &self.look);
         set_in(&mut self.figure, part, area.min);
     }
 
@@ -192,7 +187,7 @@ impl Page<'_> {
 
     fn height(&self, below: Below) -> f32 {
         match below {
-            Below::Ruler => ruler_height(&self.plate.walk, &self.look) + 14.0,
+            Below::Ruler => self.plate.still.ruler_height(&self.look) + 14.0,
             Below::Tree => 200.0,
             Below::Cells => 232.0,
             Below::Slabs => 190.0,
@@ -207,12 +202,12 @@ impl Page<'_> {
             rest = after;
             pane.fill(&mut self.figure, Role::Panel);
             let inner = Area::new(pane.min.x + EDGE * 0.3, pane.min.y + 4.0, pane.max.x - EDGE * 0.3, pane.max.y - 4.0);
-            let (walk, moment, look) = (&self.plate.walk, self.plate.moment, &self.look);
+            let (still, look) = (&self.plate.still, &self.look);
             let part = match below {
-                Below::Ruler => ruler(walk, moment, inner.size(), look),
-                Below::Tree => tree(walk, moment, &TreeView::default(), inner.size(), look),
-                Below::Cells => cells(walk, moment, false, inner.size(), look),
-                Below::Slabs => slabs(walk, moment, inner.size(), look),
+                Below::Ruler => still.ruler(false, inner.size(), look),
+                Below::Tree => still.tree(&TreeView::default(), inner.size(), look),
+                Below::Cells => still.cells(false, inner.size(), look),
+                Below::Slabs => still.slabs(inner.size(), look),
             };
             set_in(&mut self.figure, part, inner.min);
         }
@@ -235,22 +230,21 @@ impl Page<'_> {
     }
 
     fn listing(&mut self, area: Area) {
-        let event = self.plate.moment.event;
         let look = Look { text: CODE, ..self.look };
-        let part = listing(self.plate.listing, event.as_ref(), area.size(), &look);
+        let part = self.plate.still.listing(self.plate.listing, area.size(), &look);
         set_in(&mut self.figure, part, area.min);
     }
 
     fn stack_and_work(&mut self, area: Area) {
         let mut rest = area;
         if self.plate.stack {
-            let rows = self.plate.moment.stack.len().max(1) as f32;
+            let rows = self.plate.still.stacked().max(1) as f32;
             let (top, below) = area.split_top((rows * 2.75 * TEXT + 3.2 * TEXT).min(area.size().y - 9.0 * TEXT));
-            let part = stack(&self.plate.walk, self.plate.moment, false, top.size(), &self.look);
+            let part = self.plate.still.stack(false, top.size(), &self.look);
             set_in(&mut self.figure, part, top.min);
             rest = below;
         }
-        let part = work(&self.plate.walk, self.plate.moment, None, rest.size(), &self.look);
+        let part = self.plate.still.work(None, rest.size(), &self.look);
         set_in(&mut self.figure, part, rest.min);
     }
 

@@ -1,11 +1,12 @@
-//! What an event says, in plain words.
+//! What an event of a walk says, in plain words.
 
 use raystep_accel::{Ending, Place, Side, Verdict, Visit};
 
+use super::count;
 use crate::number;
 
 /// One sentence about what just happened, with its numbers.
-pub fn sentence(event: &Visit) -> String {
+pub(crate) fn of_visit(event: &Visit) -> String {
     let range = |near: f32, far: f32| format!("[{}, {}]", number(near), number(far));
     match *event {
         Visit::Parallel { place, axis, o, low, high, inside } => {
@@ -141,10 +142,6 @@ pub fn sentence(event: &Visit) -> String {
     }
 }
 
-fn count(n: u32, what: &str) -> String {
-    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
-}
-
 #[cfg(test)]
 mod tests {
     use raystep_accel::{Axis, CellId, NodeId, PrimId};
@@ -191,7 +188,7 @@ mod tests {
             },
             Visit::End { why: Ending::Settled, hit: true, t: 4.2 },
         ];
-        let lines: Vec<String> = events.iter().map(sentence).collect();
+        let lines: Vec<String> = events.iter().map(of_visit).collect();
         insta::assert_snapshot!(lines.join("\n"));
     }
 }

@@ -1,0 +1,132 @@
+//! What a builder has done so far in numbers, and the cells that it puts a primitive into.
+
+use glam::Vec2;
+use raystep_accel::{Place, Primitives, Structure};
+
+use crate::build::{Build, Fate, GrowMoment};
+use crate::look::{block, write};
+use crate::work::{counted, wrapped};
+use crate::{Anchor, Face, Figure, Look, Role, text_width};
+
+/// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
+pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let top = look.heading(&mut figure, "Work so far", "");
+    let (left, u) = (look.margin(), look.text);
+    let all = build.prims.len() as u64;
+    let tally = &moment.tally;
+
+    // Before anything is stored: how many primitives the box holds.
+    let boxing = moment.resolution.is_none() && moment.nodes.is_empty();
+    let (count, says) = if boxing {
+        (tally.boxed, format!("of {} in the box", counted(all, "primitive", "primitives")))
+    } else {
+        (
+            tally.stored,
+            format!(
+                "{} to {}",
+                if tally.stored == 1 { "reference" } else { "references" },
+                counted(all, "primitive", "primitives")
+            ),
+        )
+    };
+    let loud = u * 2.6;
+    let mut y = top + loud * 0.5;
+    let digits = count.to_string();
+    let base = Vec2::new(left, y);
+    write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
+    let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
+    write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
+    y += loud * 0.5 + u * 0.6;
+
+    // Primitives as the upper bar, what refers to them as the lower.
+    let width = size.x - 2.0 * left;
+    let longest = count.max(all).max(1);
+    let part = |count: u64| width * count as f32 / longest as f32;
+    figure.add(Role::Panel, None, block(Vec2::new(left, y), Vec2::new(width, u * 0.75), u * 0.2));
+    if count > 0 {
+        figure.add(Role::Missed, None, block(Vec2::new(left, y), Vec2::new(part(count).max(3.0), u * 0.75), u * 0.2));
+    }
+    if count > all {
+        let at = Vec2::new(left + part(all), y - u * 0.2);
+        figure.add(Role::Text, None, crate::look::line(at, at + Vec2::new(0.0, u * 1.15)));
+    }
+    y += u * 1.55;
+
+    for says in wrapped(&words(moment), width, u) {
+        y += u * 0.4;
+        write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
+        y += u * 1.2;
+    }
+    figure
+}
+
+/// What else was done. Only what happened.
+fn words(moment: &GrowMoment) -> Vec<String> {
+    let tally = &moment.tally;
+    [
+        (tally.weighed, "split weighed", "splits weighed"),
+        (tally.taken, "split taken", "splits taken"),
+        (tally.leaves, "leaf", "leaves"),
+        (moment.waiting.len() as u64, "node waits", "nodes wait"),
+        (tally.rasterised, "cell met by a box", "cells met by boxes"),
+        (tally.pruned, "cell not reached", "cells not reached"),
+    ]
+    .into_iter()
+    .filter(|(count, ..)| *count > 0)
+    .map(|(count, one, many)| counted(count, one, many))
+    .collect()
+}
+
+/// The cells that the current primitive's box meets, and what becomes of it in each.
+pub fn cells_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let Structure::Grid(grid) = build.structure else {
+        look.nothing(&mut figure, "Cells", "This structure has no cells.");
+        return figure;
+    };
+    let Some([nx, ny, nz]) = moment.resolution else {
+        look.nothing(&mut figure, "Cells", "How many there will be is not decided yet.");
+        return figure;
+    };
+    let layers = if build.flat { format!("{nx} × {ny}") } else { format!("{nx} × {ny} × {nz}") };
+    let grid_says = format!("{layers} = {}", counted(grid.cell_count() as u64, "cell", "cells"));
+    let Some(prim) = moment.prim.filter(|_| !moment.rasterised.is_empty()) else {
+        let filled = moment.cells.len() as u64;
+        let says = format!("{} of them {} to something.", filled, if filled == 1 { "refers" } else { "refer" });
+        look.nothing(&mut figure, &grid_says, &says);
+        return figure;
+    };
+    let title = format!("Primitive {prim}");
+    let stored = moment.rasterised.iter().filter(|(_, fate)| *fate == Fate::Stored).count() as u64;
+    let remark = format!(
+        "its box meets {}, {} to it",
+        counted(moment.rasterised.len() as u64, "cell", "cells"),
+        if stored == 1 { "1 refers".to_owned() } else { format!("{stored} refer") },
+    );
+    let top = look.heading(&mut figure, &title, &remark);
+
+    // One after the other, the latest decision kept in view.
+    let u = look.text;
+    let chip = text_width("cell 0000 not reached", Face::Medium, u) + u * 1.2;
+    let columns = (((size.x - 2.0 * look.margin()) / chip) as usize).max(1);
+    let rows = (((size.y - top - look.margin()) / look.line()) as usize).max(1);
+    let decided = moment.rasterised.iter().rposition(|(_, fate)| *fate != Fate::Open).unwrap_or(0);
+    let first_row =
+        (decided / columns + 2).saturating_sub(rows).min((moment.rasterised.len() / columns + 1).saturating_sub(rows));
+    let shown = moment.rasterised.iter().skip(first_row * columns).take(rows * columns);
+    for (index, &(cell, fate)) in shown.enumerate() {
+        let (role, word) = match fate {
+            Fate::Open => (Role::Waiting, "?"),
+            Fate::Stored => (Role::Here, "refers to it"),
+            Fate::Pruned => (Role::Quiet, "not reached"),
+        };
+        let at = Vec2::new(
+            look.margin() + chip * (index % columns) as f32,
+            top + look.line() * ((index / columns) as f32 + 0.6),
+        );
+        let text = format!("cell {cell}: {word}");
+        write(&mut figure, role, Some(Place::Cell(cell)), at, &text, u, Face::Medium, Anchor::Start);
+    }
+    figure
+}

@@ -1,0 +1,153 @@
+//! What is played, event by event: a ray's walk, or the building of the structure.
+
+use std::sync::Arc;
+
+use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Visit};
+use raystep_scene::Scene;
+
+use crate::Plays;
+
+/// How many events a tape keeps.
+const MOST: usize = 200_000;
+
+/// How much arithmetic of a build a tape keeps.
+const FINE: usize = 60_000;
+
+/// What happens, in order.
+#[derive(Clone, Debug)]
+pub enum Tape {
+    /// A ray walks.
+    Walk(WalkTape),
+    /// A structure is built.
+    Build(Arc<BuildTape>),
+}
+
+/// The walk of a ray.
+#[derive(Clone, Debug)]
+pub struct WalkTape {
+    /// The ray.
+    pub ray: Ray,
+    /// What it does.
+    pub events: Vec<Visit>,
+    /// How many events more there were.
+    pub lost: u64,
+    /// The answer.
+    pub hit: Option<Hit>,
+}
+
+/// The building of a structure. Of a large build the tape keeps what comes to be, and of the arithmetic as
+/// much as the first nodes or cells need: folding it still gives the structure.
+#[derive(Clone, Debug, Default)]
+pub struct BuildTape {
+    /// What the builder does.
+    pub events: Vec<Grow>,
+    /// How many events more there were.
+    pub lost: u64,
+    fine: usize,
+    last: Option<Grain>,
+}
+
+impl Tape {
+    /// Lets a ray walk.
+    pub fn walk(scene: &Scene, structure: &Structure, ray: Ray) -> Tape {
+        let mut tape = Trace::new(MOST);
+        let hit = structure.intersect(&scene.prims, &ray, &mut tape);
+        Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit })
+    }
+
+    /// Which of the two it is.
+    pub fn plays(&self) -> Plays {
+        match self {
+            Tape::Walk(_) => Plays::Walk,
+            Tape::Build(_) => Plays::Build,
+        }
+    }
+
+    /// How many events it holds.
+    pub fn len(&self) -> usize {
+        match self {
+            Tape::Walk(walk) => walk.events.len(),
+            Tape::Build(build) => build.events.len(),
+        }
+    }
+
+    /// Whether nothing happens.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// How many events more there were.
+    pub fn lost(&self) -> u64 {
+        match self {
+            Tape::Walk(walk) => walk.lost,
+            Tape::Build(build) => build.lost,
+        }
+    }
+
+    /// The event with this place on the tape, from 0.
+    pub fn event(&self, index: usize) -> Option<Event> {
+        match self {
+            Tape::Walk(walk) => walk.events.get(index).copied().map(Event::Walk),
+            Tape::Build(build) => build.events.get(index).copied().map(Event::Build),
+        }
+    }
+
+    /// All events, in order.
+    pub fn events(&self) -> impl DoubleEndedIterator<Item = Event> + '_ {
+        (0..self.len()).filter_map(|index| self.event(index))
+    }
+
+    /// The build, if it is one.
+    pub fn growth(&self) -> Option<Arc<BuildTape>> {
+        match self {
+            Tape::Walk(_) => None,
+            Tape::Build(build) => Some(build.clone()),
+        }
+    }
+
+    /// The ray that walks, if one does.
+    pub fn ray(&self) -> Option<Ray> {
+        match self {
+            Tape::Walk(walk) => Some(walk.ray),
+            Tape::Build(_) => None,
+        }
+    }
+}
+
+impl BuildTape {
+    /// Builds what `rule` says over a scene and keeps what happens, if that is to be played.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub fn record(
+        plays: Plays,
+        scene: &Scene,
+        rule: &Rule,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<(Structure, Option<Arc<BuildTape>>), Cancelled> {
+        match plays {
+            Plays::Walk => Ok((Structure::build(&scene.prims, rule, watch)?, None)),
+            Plays::Build => {
+                let mut tape = BuildTape::default();
+                let structure = Structure::build(&scene.prims, rule, &mut (watch, &mut tape))?;
+                Ok((structure, Some(Arc::new(tape))))
+            }
+        }
+    }
+}
+
+impl Observer<Grow> for BuildTape {
+    fn on(&mut self, event: Grow) {
+        // What was begun is kept to its end: the splits of a node, the cells of a primitive.
+        let fine = event.grain() == Grain::Arithmetic;
+        let begun = self.last == Some(Grain::Arithmetic);
+        let room = self.events.len() < MOST && (!fine || begun || self.fine < FINE);
+        if room {
+            self.events.push(event);
+            self.fine += usize::from(fine);
+            self.last = Some(event.grain());
+        } else {
+            self.lost += 1;
+        }
+    }
+}
