@@ -50,7 +50,9 @@ fn trees_stay_what_they_were() {
         &[("traversal_cost", "0")],
     ] {
         let mut rule = Rule::default_for("kd").unwrap();
-        settings.iter().for_each(|(key, value)| rule.set(key, value).unwrap());
+        for (key, value) in settings {
+            rule.set(key, value).unwrap();
+        }
         for rule in [rule, rule.flat()] {
             let mut events = Vec::new();
             let tree = Structure::build(&mesh, &rule, &mut events).unwrap();

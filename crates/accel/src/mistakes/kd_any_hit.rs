@@ -1,18 +1,20 @@
 //! The kd walk that stops at the first leaf with a hit.
 
-use crate::kd::{Part, Stack, enter, split};
-use crate::{Best, Ending, Hit, Kd, NodeId, Observer, Primitives, Ray, Visit, Want, test};
+use crate::halving::{Plane, split};
+use crate::stack::Stack;
+use crate::{Best, Ending, Hit, Kd, Observer, Primitives, Ray, Visit, Want, test};
 
 pub(super) fn walk(tree: &Kd, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {
-    let (mut best, mut stack) = (Best::new(Want::Nearest), Stack::new());
+    let mut best = Best::new(Want::Nearest);
     let mut why = Ending::Outside;
-    let mut next = tree.enter(ray, watch).map(|live| Part { node: NodeId::ROOT, live });
-    while let Some(here) = next {
+    let mut next = tree.enter(ray, watch);
+    let mut stack = next.map(Stack::<(), { Kd::DEEPEST }>::below);
+    while let Some((here, stack)) = next.zip(stack.as_mut()) {
         let refs = tree.leaf_prims(here.node);
-        let inner = tree.split(here.node).zip(tree.children(here.node));
-        enter(here, refs.len() as u32, inner.is_none(), watch);
-        if let Some(((axis, plane), children)) = inner {
-            let (near, far) = split(here, axis, plane, children, ray, watch);
+        let inner = tree.plane(here.node).zip(tree.children(here.node));
+        here.enter(refs.len() as u32, inner.is_none(), watch);
+        if let Some((plane, children)) = inner {
+            let (near, far) = split(here, plane.across(ray), children, watch);
             if let Some(far) = far {
                 stack.push(far, watch);
             }

@@ -1,22 +1,20 @@
 //! A ray through an octree, slide 44: as through a kd-tree, with up to four of the eight children in ray order.
 
 use super::{Node, Octree};
-use crate::mailbox::Mailbox;
+use crate::mailbox::{Mailbox, test_each};
+use crate::stack::Stack;
 use crate::{
-    Aabb, Accel, Axis, Best, Ending, Hit, Interval, List, NodeId, Observer, Place, Primitives, Ray, Verdict, Visit,
-    Want, slab, test,
+    Aabb, Accel, Axis, Best, Ending, Hit, Interval, List, NodeId, Observer, OctreeRule, Primitives, Ray, Visit, Want,
 };
 
 /// A child that the ray meets: its number, and its part of the ray.
 type Child = (u32, Interval);
 
 /// A node, its cell and the part of the ray that may lie in it.
-#[derive(Clone, Copy)]
-struct Part {
-    node: NodeId,
-    cell: Aabb,
-    live: Interval,
-}
+type Part = crate::stack::Part<Aabb>;
+
+/// As many nodes can wait: three beside each that is walked.
+const WAITING: usize = 3 * OctreeRule::DEEPEST as usize;
 
 impl Accel for Octree {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
@@ -35,18 +33,15 @@ impl Octree {
     /// The walk itself: fills `best` and says why it ended.
     fn find(&self, prims: &impl Primitives, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) -> Ending {
         // The part of the ray in the tree's box.
-        let Some(live) = self.enter(ray, watch) else { return Ending::Outside };
-        let mut here = Part { node: NodeId::ROOT, cell: self.bounds, live };
-        let mut stack: Vec<Part> = Vec::new();
+        let Some(mut here) = Part::root(&self.bounds, self.bounds, ray, watch) else { return Ending::Outside };
+        let mut stack = Stack::<Aabb, WAITING>::below(here);
         let mut mailbox = Mailbox::new();
 
         loop {
-            let Interval { near: t_near, far: t_far } = here.live;
-            let place = Place::Node(here.node);
             match &self.nodes[here.node.index()] {
                 Node::Inner(first) => {
                     // Inner node: order the children along the ray; all but the first wait.
-                    watch.on(Visit::Enter { place, t_near, t_far, prims: 0, leaf: false });
+                    here.enter(0, false, watch);
                     let (children, count) = self.order(here, ray, watch);
                     let part = |(number, live): Child| Part {
                         node: NodeId(first.0 + number),
@@ -54,47 +49,26 @@ impl Octree {
                         live,
                     };
                     for &later in children[1..count].iter().rev() {
-                        let Part { node, live: Interval { near: t_near, far: t_far }, .. } = part(later);
-                        stack.push(part(later));
-                        watch.on(Visit::Push { node, t_near, t_far, depth: stack.len() as u32 });
+                        stack.push(part(later), watch);
                     }
                     here = part(children[0]);
                     continue;
                 }
                 Node::Leaf(held) => {
                     // Leaf: intersect.
-                    watch.on(Visit::Enter { place, t_near, t_far, prims: held.len() as u32, leaf: true });
-                    for &prim in held {
-                        if self.rule.mailbox && mailbox.holds(prim) {
-                            watch.on(Visit::Skip { prim });
-                            continue;
-                        }
-                        test(prims, prim, ray, best, watch);
-                        mailbox.put(prim);
-                        if best.answered() {
-                            return Ending::Found;
-                        }
+                    here.enter(held.len() as u32, true, watch);
+                    test_each(held, self.rule.mailbox.then_some(&mut mailbox), prims, ray, best, watch);
+                    if best.answered() {
+                        return Ending::Found;
                     }
                 }
             }
             // Next is what waits, unless the best hit lies before it.
-            here = match next(&mut stack, best, watch) {
+            here = match stack.next(best, watch) {
                 Ok(part) => part,
                 Err(why) => return why,
             };
         }
-    }
-
-    /// The part of the ray in the root's cell; none if it misses.
-    fn enter(&self, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Interval> {
-        if self.bounds.is_empty() {
-            return None;
-        }
-        let place = Place::Node(NodeId::ROOT);
-        let live = slab(&self.bounds, ray, ray.range(), place, watch);
-        let verdict = if live.is_empty() { Verdict::Miss } else { Verdict::Hit };
-        watch.on(Visit::Volume { place, t_near: live.near, t_far: live.far, best_t: f32::INFINITY, verdict });
-        (!live.is_empty()).then_some(live)
     }
 
     /// The children that the ray meets within `part`, in its order: the three middle planes can be crossed
@@ -143,20 +117,4 @@ impl Octree {
         children[count] = (number, Interval::new(near, t_far));
         (children, count + 1)
     }
-}
-
-/// The next part that waits, or why there is none. What begins behind the best hit is dropped.
-fn next(stack: &mut Vec<Part>, best: &Best, watch: &mut impl Observer<Visit>) -> Result<Part, Ending> {
-    let mut why = Ending::Exhausted;
-    while let Some(part) = stack.pop() {
-        let (node, depth) = (part.node, stack.len() as u32);
-        let Interval { near: t_near, far: t_far } = part.live;
-        if !best.rules_out(t_near) {
-            watch.on(Visit::Pop { node, t_near, t_far, depth });
-            return Ok(part);
-        }
-        watch.on(Visit::Drop { node, t_near, t_far, best_t: best.t(), depth });
-        why = Ending::Settled;
-    }
-    Err(why)
 }

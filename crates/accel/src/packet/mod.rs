@@ -5,7 +5,7 @@
 
 mod bvh;
 mod fill;
-mod kd;
+mod halving;
 mod lanes;
 mod visit;
 mod walk;

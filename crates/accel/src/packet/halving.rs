@@ -1,12 +1,13 @@
-//! A packet walks a kd-tree: every lane splits its own interval.
+//! A packet walks a kd-tree or a BSP tree: every lane splits its own interval.
 
 use super::walk::{Part, Walk};
 use super::{Found, Lanes, Packet, PacketVisit, WalkPackets};
-use crate::kd::{Part as LanePart, split};
+use crate::halving::{Halving, Node, Plane, split};
 use crate::mailbox::Mailbox;
-use crate::{Accel, Kd, List, NodeId, Observer, Primitives, Visit, Want};
+use crate::stack::Part as LanePart;
+use crate::{Accel, List, NodeId, Observer, Primitives, Visit, Want};
 
-impl WalkPackets for Kd {
+impl<N: Node> WalkPackets for Halving<N> {
     fn walk_packet(
         &self,
         prims: &impl Primitives,
@@ -20,27 +21,27 @@ impl WalkPackets for Kd {
         // The part of each ray in the tree's box.
         let mut root = Part::new(NodeId::ROOT);
         for (lane, ray) in walk.rays() {
-            if !self.margin.covers(ray.o) {
+            if !self.covers(ray) {
                 // Too far away to be told where it goes: brute force, for this lane alone.
                 let watch = &mut walk.lane(lane);
                 watch.on(Visit::Distant { reach: self.margin.reach });
                 walk.best[lane].hit = List.walk(prims, ray, want, watch);
-            } else if let Some(live) = self.enter(ray, &mut walk.lane(lane)) {
-                root.live[lane] = live;
+            } else if let Some(part) = self.enter(ray, &mut walk.lane(lane)) {
+                root.live[lane] = part.live;
             }
         }
 
         let mut next = walk.start(root);
         while let Some(here) = next {
-            next = match (self.split(here.node), self.children(here.node)) {
-                (Some((axis, plane)), Some(children)) => {
+            next = match (self.plane(here.node), self.children(here.node)) {
+                (Some(plane), Some(children)) => {
                     walk.enter(&here, 0, false);
                     let mut parts = children.map(Part::new);
                     let mut votes = [0, 0];
                     for (lane, ray, live) in walk.lanes(&here) {
                         // Each lane splits its interval as it would alone.
-                        let alone = LanePart { node: here.node, live };
-                        let (now, later) = split(alone, axis, plane, children, ray, &mut walk.lane(lane));
+                        let alone = LanePart { node: here.node, live, cell: () };
+                        let (now, later) = split(alone, plane.across(ray), children, &mut walk.lane(lane));
                         let side = |part: LanePart| usize::from(part.node == children[1]);
                         parts[side(now)].live[lane] = now.live;
                         if let Some(later) = later {

@@ -1,0 +1,150 @@
+//! Trees that cut space in two by a plane, again and again: what kd-trees and BSP trees have in common.
+//!
+//! They differ in how their planes stand, how a node is packed, and which plane a builder takes. The tree,
+//! its walk and the loop that builds it stand here once.
+
+mod build;
+mod walk;
+
+pub(crate) use build::{Cutter, Half, Stops};
+pub(crate) use walk::{Crossing, split};
+
+use std::fmt::Debug;
+
+use crate::{Aabb, Direction, Margin, NodeId, PrimId, Ray};
+
+/// The deepest a tree can be, and so the most nodes that can wait; the root has depth 0.
+const DEEPEST: usize = 64;
+
+/// A plane that cuts space.
+pub trait Plane: Copy + Debug + PartialEq {
+    /// The direction across which it stands, and its place along that direction.
+    fn stand(self) -> (Direction, f32);
+
+    /// The plane and the ray along the plane's direction.
+    fn across(self, ray: &Ray) -> Crossing;
+
+    /// Whether the ray is one whose way along any plane's direction can be told.
+    fn measures(ray: &Ray) -> bool;
+}
+
+/// A node, however it is packed.
+pub trait Node: Copy + Debug + PartialEq {
+    /// What it is cut by.
+    type Plane: Plane;
+
+    /// The most nodes and references that it can count.
+    const MOST: u32;
+
+    /// An inner node whose children are `below` and the node after it.
+    fn inner(plane: Self::Plane, below: NodeId) -> Self;
+
+    /// A leaf with `count` references from `first` on.
+    fn leaf(first: u32, count: u32) -> Self;
+
+    /// Unpacks it.
+    fn kind(self) -> Kind<Self::Plane>;
+}
+
+/// What a node says when it is unpacked.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind<P> {
+    /// An inner node: a plane and two children.
+    Inner {
+        /// What it is cut by.
+        plane: P,
+        /// The child below the plane.
+        below: NodeId,
+        /// The child above the plane.
+        above: NodeId,
+    },
+    /// A leaf: a run of references.
+    Leaf {
+        /// The first of them.
+        first: u32,
+        /// How many they are.
+        count: u32,
+    },
+}
+
+/// A tree of planes. Only leaves refer to primitives; a primitive that lies on both sides of a plane is
+/// referred to from both. Siblings are neighbours in the array of nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Halving<N> {
+    pub(crate) bounds: Aabb,
+    pub(crate) margin: Margin,
+    pub(crate) mailbox: bool,
+    pub(crate) nodes: Vec<N>,
+    /// The references of all leaves, one leaf after the other.
+    refs: Vec<PrimId>,
+}
+
+impl<N: Node> Halving<N> {
+    /// The deepest a tree can be; the root has depth 0.
+    pub const DEEPEST: usize = DEEPEST;
+
+    /// The box around all primitives, which is the root's; empty if there are none.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+
+    /// The number of nodes, leaves included; 1 if there are no primitives.
+    pub fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The number of references from leaves to primitives.
+    pub fn reference_count(&self) -> usize {
+        self.refs.len()
+    }
+
+    /// How many bytes a node takes.
+    pub const NODE_BYTES: usize = size_of::<N>();
+
+    /// A node's children, the one below its plane first, or nothing for a leaf.
+    pub fn children(&self, node: NodeId) -> Option<[NodeId; 2]> {
+        match self.nodes[node.index()].kind() {
+            Kind::Inner { below, above, .. } => Some([below, above]),
+            Kind::Leaf { .. } => None,
+        }
+    }
+
+    /// The plane across a node, or nothing for a leaf.
+    pub fn plane(&self, node: NodeId) -> Option<N::Plane> {
+        match self.nodes[node.index()].kind() {
+            Kind::Inner { plane, .. } => Some(plane),
+            Kind::Leaf { .. } => None,
+        }
+    }
+
+    /// The primitives that a leaf refers to; empty for inner nodes.
+    pub fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
+        match self.nodes[node.index()].kind() {
+            Kind::Inner { .. } => &[],
+            Kind::Leaf { first, count } => &self.refs[first as usize..(first + count) as usize],
+        }
+    }
+
+    /// Whether the ray starts near enough, and runs fast enough, to be told which side of a plane it is on.
+    #[inline]
+    pub(crate) fn covers(&self, ray: &Ray) -> bool {
+        self.margin.covers(ray.o) && N::Plane::measures(ray)
+    }
+
+    /// What of the whole each node covers, where `cut` says what of a node its two children cover.
+    pub(crate) fn spread<S: Clone>(&self, whole: S, cut: impl Fn(&S, N::Plane) -> [S; 2]) -> Vec<S> {
+        let mut spaces = vec![whole; self.nodes.len()];
+        // Parents come before their children.
+        for (i, node) in self.nodes.iter().enumerate() {
+            if let Kind::Inner { plane, below, above } = node.kind() {
+                [spaces[below.index()], spaces[above.index()]] = cut(&spaces[i], plane);
+            }
+        }
+        spaces
+    }
+
+    /// How much memory it takes.
+    pub fn bytes(&self) -> usize {
+        size_of::<Self>() + size_of_val(&*self.nodes) + size_of_val(&*self.refs)
+    }
+}
