@@ -54,13 +54,13 @@ impl Aabb {
     /// Whether the two share a point; touching counts.
     #[inline]
     pub fn touches(&self, other: &Aabb) -> bool {
-        Axis::ALL.iter().all(|&axis| self.min[axis] <= other.max[axis] && other.min[axis] <= self.max[axis])
+        self.overlaps(other, &mut ())
     }
 
     /// Whether `p` lies in it, faces included.
     #[inline]
     pub fn contains(&self, p: Vec3) -> bool {
-        Axis::ALL.iter().all(|&axis| self.min[axis] <= p[axis] && p[axis] <= self.max[axis])
+        self.holds(p, &mut ())
     }
 
     /// Whether all of `other` lies in it.

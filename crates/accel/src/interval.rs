@@ -31,6 +31,12 @@ impl Interval {
         self.near <= t && t <= self.far
     }
 
+    /// Both ends, unless it is empty.
+    #[inline]
+    pub fn ends(self) -> Option<[f32; 2]> {
+        (!self.is_empty()).then_some([self.near, self.far])
+    }
+
     /// The t of the interval closest to `t`. The interval must not be empty.
     #[inline]
     pub fn clamp(self, t: f32) -> f32 {

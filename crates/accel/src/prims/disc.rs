@@ -2,7 +2,8 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::{Aabb, Ray};
+use crate::objects::{Cover, Part, Probe, cut, plane_aabb};
+use crate::{Aabb, Observer, Ray};
 
 /// All points of the plane through `center` with normal `normal` no further than `radius` from `center`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,23 +33,22 @@ impl Disc {
         if part.is_empty() {
             return part;
         }
-        // The plane meets the box if its distance from the middle is no more than the box's reach along the normal.
-        let (min, max, normal) = (part.min.as_dvec3(), part.max.as_dvec3(), self.normal.as_dvec3());
-        let off = normal.dot((min + max) * 0.5 - self.center.as_dvec3());
-        let reach = normal.abs().dot((max - min) * 0.5);
-        if off.abs() > reach { Aabb::EMPTY } else { part }
+        match plane_aabb::side(self.normal.as_dvec3(), self.center.as_dvec3(), &part, Part::Plane, &mut ()) {
+            Cover::Across => part,
+            Cover::Inside | Cover::Outside => Aabb::EMPTY,
+        }
     }
 
     /// The t at which the ray's line meets it.
-    pub(super) fn meet(&self, ray: &Ray) -> Option<f32> {
-        let (o, d, n) = (ray.o.as_dvec3(), ray.d.as_dvec3(), self.normal.as_dvec3());
-        let f = self.center.as_dvec3() - o;
-        let slant = n.dot(d);
-        if slant == 0.0 {
-            return None;
-        }
-        let t = n.dot(f) / slant;
-        let r = f64::from(self.radius);
-        ((d * t - f).length_squared() <= r * r).then_some(t as f32)
+    pub(super) fn meet(&self, ray: &Ray, watch: &mut impl Observer<Probe>) -> Option<f32> {
+        let (d, n) = (ray.d.as_dvec3(), self.normal.as_dvec3());
+        let f = self.center.as_dvec3() - ray.o.as_dvec3();
+        let t = cut(n, f, d, 0.0, watch)?;
+        // Near enough to the centre.
+        let (out2, r) = ((d * t - f).length_squared(), f64::from(self.radius));
+        let inside = out2 <= r * r;
+        let (value, high) = (out2 as f32, (r * r) as f32);
+        watch.on(Probe::Compare { of: Part::Radius, value, low: 0.0, high, inside });
+        inside.then_some(t as f32)
     }
 }

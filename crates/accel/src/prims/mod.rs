@@ -1,22 +1,28 @@
 //! What rays meet.
 
 mod clip;
+mod cone;
+mod cylinder;
 mod disc;
 mod mesh;
-mod overlap;
+mod polygon;
 mod prism;
 mod sphere;
 mod triangle;
 mod wall;
 
+pub use cone::Cone;
+pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use mesh::Mesh;
+pub use polygon::Polygon;
 pub use prism::Prism;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 pub use wall::Wall;
 
-use crate::{Aabb, Interval, Place, PrimId, Ray, slab};
+use crate::objects::Watch;
+use crate::{Aabb, Interval, Obb, Place, PrimId, Ray, slab};
 
 /// The primitives that a structure is built over and a ray is tested against.
 ///
@@ -82,6 +88,16 @@ pub enum Shape<'a> {
     Wall(Wall),
     /// A polygon of the plane, standing upright in a thin z slab.
     Prism(Prism<'a>),
+    /// A cylinder with flat ends.
+    Cylinder(Cylinder),
+    /// A cone with a flat base.
+    Cone(Cone),
+    /// A flat polygon in space.
+    Polygon(Polygon<'a>),
+    /// An axis-aligned box.
+    Box(Aabb),
+    /// An oriented box.
+    Obb(Obb),
 }
 
 impl Shape<'_> {
@@ -93,6 +109,11 @@ impl Shape<'_> {
             Shape::Disc(shape) => shape.bounds(),
             Shape::Wall(shape) => shape.bounds(),
             Shape::Prism(shape) => shape.bounds(),
+            Shape::Cylinder(shape) => shape.bounds(),
+            Shape::Cone(shape) => shape.bounds(),
+            Shape::Polygon(shape) => shape.bounds(),
+            Shape::Box(bounds) => *bounds,
+            Shape::Obb(shape) => shape.bounds(),
         }
     }
 
@@ -104,13 +125,18 @@ impl Shape<'_> {
             Shape::Disc(shape) => shape.clip(bounds),
             Shape::Wall(shape) => shape.clip(bounds),
             Shape::Prism(shape) => shape.clip(bounds),
+            Shape::Cylinder(shape) => shape.clip(bounds),
+            Shape::Cone(shape) => shape.clip(bounds),
+            Shape::Polygon(shape) => shape.clip(bounds),
+            Shape::Box(own) => own.intersection(*bounds),
+            Shape::Obb(shape) => shape.clip(bounds),
         }
     }
 
     /// Whether it and the box share a point. May rarely say yes for a near miss.
     pub fn overlaps(&self, bounds: &Aabb) -> bool {
         match self {
-            Shape::Triangle(shape) => shape.overlaps(bounds),
+            Shape::Triangle(shape) => shape.overlaps(bounds, &mut ()),
             _ => !self.clip(bounds).is_empty(),
         }
     }
@@ -121,6 +147,11 @@ impl Shape<'_> {
     /// missed is missed. A box further out has the wider interval ([`slab`] is monotone), so no
     /// structure that culls by boxes can lose the meeting to rounding.
     pub fn intersect(&self, ray: &Ray) -> Option<f32> {
+        self.intersect_watched(ray, &mut ())
+    }
+
+    /// The same, with what the test computes on the way.
+    pub(crate) fn intersect_watched(&self, ray: &Ray, watch: &mut impl Watch) -> Option<f32> {
         let own = slab(&self.bounds(), ray, Interval::ALL, Place::World, &mut ());
         if own.is_empty() {
             return None;
@@ -132,11 +163,16 @@ impl Shape<'_> {
             (is_near && t.is_finite() && ray.range().contains(t)).then_some(t)
         };
         match self {
-            Shape::Triangle(shape) => shape.meet(ray).and_then(accept),
-            Shape::Sphere(shape) => shape.meet(ray).into_iter().flatten().find_map(accept),
-            Shape::Disc(shape) => shape.meet(ray).and_then(accept),
+            Shape::Triangle(shape) => shape.meet(ray, watch).and_then(accept),
+            Shape::Sphere(shape) => shape.meet(ray, watch).into_iter().flatten().find_map(accept),
+            Shape::Disc(shape) => shape.meet(ray, watch).and_then(accept),
             Shape::Wall(shape) => shape.meet(ray).and_then(accept),
             Shape::Prism(shape) => shape.walls().filter_map(|wall| wall.meet(ray).and_then(accept)).reduce(f32::min),
+            Shape::Cylinder(shape) => shape.meet(ray, watch).into_iter().flatten().find_map(accept),
+            Shape::Cone(shape) => shape.meet(ray, watch).into_iter().flatten().find_map(accept),
+            Shape::Polygon(shape) => shape.meet(ray, watch).and_then(accept),
+            Shape::Box(bounds) => bounds.meet(ray, watch).into_iter().flatten().find_map(accept),
+            Shape::Obb(shape) => shape.meet(ray, watch).into_iter().flatten().find_map(accept),
         }
     }
 }

@@ -1,40 +1,46 @@
-//! Whether a triangle and a box share a point (Akenine-Möller, "Fast 3D triangle-box overlap testing", 2001).
+//! A triangle and a box (Akenine-Möller, "Fast 3D triangle-box overlap testing", 2001).
 
 use glam::Vec3;
 
-use super::Triangle;
-use crate::{Aabb, Axis};
+use super::{Part, Probe};
+use crate::{Aabb, Axis, Observer, Triangle};
 
 impl Triangle {
     /// Whether it touches the box. Two convex bodies are apart exactly if some axis separates their
     /// shadows; here thirteen axes are enough.
-    pub fn overlaps(&self, bounds: &Aabb) -> bool {
+    pub fn overlaps(&self, bounds: &Aabb, watch: &mut impl Observer<Probe>) -> bool {
         // Seen from the middle of the box.
         let center = bounds.center();
         let half = bounds.extent() * 0.5;
         let corners = [self.a - center, self.b - center, self.c - center];
         let edges = [self.b - self.a, self.c - self.b, self.a - self.c];
-        let axes = [Vec3::X, Vec3::Y, Vec3::Z];
 
         // The three normals of the box.
         let box_axes_overlap = Axis::ALL.iter().all(|&axis| {
-            let [a, b, c] = corners.map(|corner| corner[axis]);
-            a.min(b).min(c) <= half[axis] && a.max(b).max(c) >= -half[axis]
+            let shadow = corners.map(|corner| corner[axis]);
+            shadows_overlap(Part::Second, Vec3::AXES[axis.index()], shadow, half[axis], watch)
         });
+        let mut overlap_along = |of: Part, along: Vec3| {
+            let shadow = corners.map(|corner| along.dot(corner));
+            shadows_overlap(of, along, shadow, along.abs().dot(half), watch)
+        };
         box_axes_overlap
             // The triangle's normal.
-            && shadows_overlap(edges[0].cross(edges[1]), &corners, half)
+            && overlap_along(Part::First, edges[0].cross(edges[1]))
             // The cross products of their edges.
-            && edges.iter().all(|edge| axes.iter().all(|axis| shadows_overlap(axis.cross(*edge), &corners, half)))
+            && edges.iter().all(|edge| Vec3::AXES.iter().all(|axis| overlap_along(Part::Edges, axis.cross(*edge))))
     }
 }
 
-/// Whether the shadows of corners and box on `along` overlap. On no axis at all, as of a triangle
-/// without area, they do.
-fn shadows_overlap(along: Vec3, corners: &[Vec3; 3], half: Vec3) -> bool {
-    let [a, b, c] = corners.map(|corner| along.dot(corner));
-    let reach = along.abs().dot(half);
-    a.min(b).min(c) <= reach && a.max(b).max(c) >= -reach
+/// Whether the shadows of the corners and of a box that reaches so far overlap on `along`. On no axis at
+/// all, as of a triangle without area, they do.
+#[inline]
+fn shadows_overlap(of: Part, along: Vec3, [a, b, c]: [f32; 3], reach: f32, watch: &mut impl Observer<Probe>) -> bool {
+    let (a_low, a_high) = (a.min(b).min(c), a.max(b).max(c));
+    let overlap = a_low <= reach && a_high >= -reach;
+    let Vec3 { x, y, z } = along;
+    watch.on(Probe::Shadow { of, x, y, z, a_low, a_high, b_low: -reach, b_high: reach, apart: !overlap });
+    overlap
 }
 
 #[cfg(test)]
@@ -48,15 +54,15 @@ mod tests {
         // Its box meets the unit box; the triangle itself passes a corner.
         let beside = Triangle { a: Vec3::new(2.5, 0.0, 0.0), b: Vec3::new(0.0, 2.5, 0.0), c: Vec3::new(2.5, 2.5, 0.0) };
         assert!(beside.bounds().touches(&unit));
-        assert!(!beside.overlaps(&unit));
+        assert!(!beside.overlaps(&unit, &mut ()));
         // It touches the corner (1, 1, 0) exactly.
         let touching =
             Triangle { a: Vec3::new(2.0, 0.0, 0.0), b: Vec3::new(0.0, 2.0, 0.0), c: Vec3::new(2.0, 2.0, 0.0) };
-        assert!(touching.overlaps(&unit));
+        assert!(touching.overlaps(&unit, &mut ()));
         // A needle and a point have no normal.
         let needle = Triangle { a: Vec3::splat(0.5), b: Vec3::splat(3.0), c: Vec3::splat(2.0) };
         let point = Triangle { a: Vec3::splat(0.5), b: Vec3::splat(0.5), c: Vec3::splat(0.5) };
-        assert!(needle.overlaps(&unit) && point.overlaps(&unit));
+        assert!(needle.overlaps(&unit, &mut ()) && point.overlaps(&unit, &mut ()));
     }
 
     #[test]
@@ -70,9 +76,10 @@ mod tests {
             let apart = triangle.clip(&bounds).is_empty();
             both[usize::from(apart)] += 1;
             // Only a touch within rounding may be judged differently.
-            let judged_apart = !triangle.overlaps(&bounds);
+            let judged_apart = !triangle.overlaps(&bounds, &mut ());
             if judged_apart != apart {
-                assert!(!triangle.overlaps(&bounds.padded(-1e-5)) && triangle.overlaps(&bounds.padded(1e-5)));
+                let (smaller, larger) = (bounds.padded(-1e-5), bounds.padded(1e-5));
+                assert!(!triangle.overlaps(&smaller, &mut ()) && triangle.overlaps(&larger, &mut ()));
             }
         }
         assert!(both[0] > 1000 && both[1] > 1000);
