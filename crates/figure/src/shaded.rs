@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Hit, KdRule, Primitives, Prims, Ray, Rule, Shape, Structure};
+use raystep_accel::{Accel, Hit, KdRule, Obb, Primitives, Prims, Ray, Rule, Shape, Structure};
 
 use crate::lens::Lens;
 use crate::{Camera, Color, Theme};
@@ -148,6 +148,39 @@ fn normal(shape: &Shape<'_>, ray: &Ray, hit: Hit) -> Vec3 {
             .walls()
             .find(|wall| Shape::Wall(*wall).intersect(ray) == Some(hit.t))
             .map_or(Vec3::Z, |wall| upright(wall.from, wall.to)),
+        Shape::Cylinder(cylinder) => {
+            let (axis, f) = (cylinder.to - cylinder.from, ray.at(hit.t) - cylinder.from);
+            let height = f.dot(axis) / axis.length_squared();
+            // On an end, unless it lies as far out as the mantle.
+            let out = f - axis * height;
+            let is_mantle = out.length() > cylinder.radius * MANTLE && (0.0..1.0).contains(&height);
+            if is_mantle { out } else { axis }
+        }
+        Shape::Cone(cone) => {
+            let (axis, f) = (cone.base - cone.apex, ray.at(hit.t) - cone.apex);
+            let height = f.dot(axis) / axis.length_squared();
+            // The mantle leans outward and towards the apex; the base is as wide as it gets.
+            let out = f - axis * height;
+            let is_mantle = out.length() > cone.radius * height * MANTLE;
+            if is_mantle {
+                out.normalize_or_zero() * axis.length() - axis.normalize_or_zero() * cone.radius
+            } else {
+                axis
+            }
+        }
+        Shape::Polygon(polygon) => polygon.normal().as_vec3(),
+        Shape::Box(bounds) => face_of(&Obb::from_aabb(bounds), ray.at(hit.t)),
+        Shape::Obb(solid) => face_of(solid, ray.at(hit.t)),
     };
     normal.normalize_or_zero()
+}
+
+/// So far out, as a part of the radius, a point of a round solid counts as one of its mantle.
+const MANTLE: f32 = 1.0 - 1e-4;
+
+/// The normal of the side of a box that a point of its surface lies on: the one it reaches furthest along.
+fn face_of(solid: &Obb, p: Vec3) -> Vec3 {
+    let f = p - solid.center;
+    let reach = |i: usize| f.dot(solid.axes[i]).abs() / solid.half[i].max(f32::MIN_POSITIVE);
+    solid.axes[(0..3).fold(0, |best, i| if reach(i) > reach(best) { i } else { best })]
 }

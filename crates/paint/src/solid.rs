@@ -3,7 +3,8 @@
 use std::f32::consts::{PI, TAU};
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Shape, Wall};
+use raystep_accel::{Polygon, Shape, Triangle, Wall};
+use raystep_figure::faces;
 
 /// Around a circle.
 const STEPS: u32 = 48;
@@ -23,6 +24,11 @@ pub(crate) fn triangles(shape: &Shape<'_>) -> Vec<[Vec3; 3]> {
         }
         Shape::Wall(wall) => upright(wall).to_vec(),
         Shape::Prism(prism) => prism.walls().flat_map(|wall| upright(&wall)).collect(),
+        Shape::Polygon(polygon) => cut_to_triangles(polygon),
+        Shape::Cylinder(_) | Shape::Cone(_) | Shape::Box(_) | Shape::Obb(_) => {
+            let fan = |face: Vec<Vec3>| (2..face.len()).map(|i| [face[0], face[i - 1], face[i]]).collect::<Vec<_>>();
+            faces(shape).into_iter().flat_map(fan).collect()
+        }
     }
 }
 
@@ -38,7 +44,40 @@ pub(crate) fn outline(shape: &Shape<'_>) -> Vec<[Vec3; 2]> {
         Shape::Wall(wall) => edges(wall).to_vec(),
         // Each wall gives its foot, its head and one of its two sides.
         Shape::Prism(prism) => prism.walls().flat_map(|wall| edges(&wall).into_iter().take(3)).collect(),
+        Shape::Polygon(polygon) => around(polygon.corners),
+        // The strips of a round side have no edges of their own.
+        Shape::Cylinder(_) => faces(shape).iter().take(2).flat_map(|rim| around(rim)).collect(),
+        Shape::Cone(_) => faces(shape).iter().take(1).flat_map(|rim| around(rim)).collect(),
+        Shape::Box(_) | Shape::Obb(_) => faces(shape).iter().flat_map(|side| around(side)).collect(),
     }
+}
+
+/// The closed line through some corners.
+fn around(corners: &[Vec3]) -> Vec<[Vec3; 2]> {
+    corners.iter().copied().zip(corners.iter().copied().cycle().skip(1)).map(|(a, b)| [a, b]).collect()
+}
+
+/// A polygon, convex or not, as triangles: one ear is cut off after the other (Meisters 1975).
+fn cut_to_triangles(polygon: &Polygon<'_>) -> Vec<[Vec3; 3]> {
+    let normal = polygon.normal();
+    let mut rest = polygon.corners.to_vec();
+    let mut triangles = Vec::new();
+    while rest.len() > 2 {
+        let n = rest.len();
+        let ear = |i: usize| [rest[(i + n - 1) % n], rest[i], rest[(i + 1) % n]];
+        // An ear turns the way of the polygon and holds no other corner.
+        let is_ear = |&i: &usize| {
+            let [a, b, c] = ear(i);
+            let turns = (b - a).cross(c - a).as_dvec3().dot(normal) > 0.0;
+            let holds = |p: &&Vec3| ![a, b, c].contains(p) && Triangle { a, b, c }.holds(**p, &mut ());
+            turns && rest.iter().find(holds).is_none()
+        };
+        // Rounding may leave no ear where corners lie in a line: any corner will do there.
+        let i = (0..n).find(is_ear).unwrap_or(0);
+        triangles.push(ear(i));
+        rest.remove(i);
+    }
+    triangles
 }
 
 /// Foot, head, and the two upright sides.

@@ -1,7 +1,7 @@
 //! Two oriented boxes: fifteen directions in which they may be apart (Gottschalk, Lin and Manocha,
 //! "OBBTree: a hierarchical structure for rapid interference detection", 1996).
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::{Part, Probe};
 use crate::{Obb, Observer};
@@ -12,7 +12,7 @@ const PARALLEL: f64 = 1e-12;
 impl Obb {
     /// Whether the two share a point.
     pub fn overlaps(&self, other: &Obb, watch: &mut impl Observer<Probe>) -> bool {
-        let [a, b] = [self, other].map(|solid| solid.axes.map(|axis| axis.as_dvec3()));
+        let [a, b] = [self, other].map(|solid| solid.axes.map(Vec3::as_dvec3));
         let (a_half, b_half) = (self.half.as_dvec3(), other.half.as_dvec3());
         let between = other.center.as_dvec3() - self.center.as_dvec3();
 

@@ -22,7 +22,7 @@ impl Obb {
     }
 
     /// The two t at which the ray's line enters and leaves it.
-    pub(crate) fn meet(&self, ray: &Ray, watch: &mut impl Watch) -> Option<[f32; 2]> {
+    pub(crate) fn crossing(&self, ray: &Ray, watch: &mut impl Watch) -> Option<[f32; 2]> {
         self.slab(ray, Interval::ALL, Place::World, watch).ends()
     }
 }

@@ -171,8 +171,8 @@ impl Shape<'_> {
             Shape::Cylinder(shape) => shape.meet(ray, watch).into_iter().flatten().find_map(accept),
             Shape::Cone(shape) => shape.meet(ray, watch).into_iter().flatten().find_map(accept),
             Shape::Polygon(shape) => shape.meet(ray, watch).and_then(accept),
-            Shape::Box(bounds) => bounds.meet(ray, watch).into_iter().flatten().find_map(accept),
-            Shape::Obb(shape) => shape.meet(ray, watch).into_iter().flatten().find_map(accept),
+            Shape::Box(bounds) => bounds.crossing(ray, watch).into_iter().flatten().find_map(accept),
+            Shape::Obb(shape) => shape.crossing(ray, watch).into_iter().flatten().find_map(accept),
         }
     }
 }

@@ -1,13 +1,11 @@
 //! Primitives as ink.
 
-use glam::{Vec2, Vec3};
-use raystep_accel::{Disc, Place, PrimId, Primitives, Prims, Shape, Sphere, Wall};
+use glam::Vec3;
+use raystep_accel::{Place, PrimId, Primitives, Prims, Shape, Sphere, Wall};
 
 use super::Stage;
+use crate::faces::{faces, ring};
 use crate::{Ink, Role};
-
-/// Corners of a circle seen from the side.
-const ROUND: usize = 48;
 
 impl Stage<'_> {
     pub(super) fn prim(&mut self, prims: &Prims, prim: PrimId, role: Role) {
@@ -15,7 +13,7 @@ impl Stage<'_> {
         match prims.shape(prim) {
             Shape::Triangle(triangle) => self.area(&[triangle.a, triangle.b, triangle.c], role, place),
             Shape::Sphere(sphere) => self.sphere(&sphere, role, place),
-            Shape::Disc(disc) => self.area(&rim(&disc), role, place),
+            Shape::Disc(disc) => self.area(&ring(disc.center, disc.normal, disc.radius), role, place),
             Shape::Wall(wall) if self.flat => {
                 let (from, to) = (wall.from.extend(0.0), wall.to.extend(0.0));
                 self.line(from, to, role, place);
@@ -26,6 +24,12 @@ impl Stage<'_> {
                 self.area(&outline, role, place);
             }
             Shape::Prism(prism) => prism.walls().for_each(|wall| self.area(&upright(&wall), role, place)),
+            Shape::Polygon(polygon) => self.area(polygon.corners, role, place),
+            solid @ (Shape::Cylinder(_) | Shape::Cone(_) | Shape::Box(_) | Shape::Obb(_)) => {
+                for face in faces(&solid) {
+                    self.area(&face, role, place);
+                }
+            }
         }
     }
 
@@ -57,18 +61,6 @@ impl Stage<'_> {
             self.figure.add(role, place, Ink::Circle { center, radius });
         }
     }
-}
-
-/// The rim of a round plate.
-fn rim(disc: &Disc) -> Vec<Vec3> {
-    let aside = disc.normal.any_orthogonal_vector().normalize_or_zero() * disc.radius;
-    let across = disc.normal.normalize_or_zero().cross(aside);
-    let at = |index: usize| {
-        let angle = index as f64 / ROUND as f64 * std::f64::consts::TAU;
-        let turn = Vec2::new(libm::cos(angle) as f32, libm::sin(angle) as f32);
-        disc.center + aside * turn.x + across * turn.y
-    };
-    (0..ROUND).map(at).collect()
 }
 
 fn upright(wall: &Wall) -> [Vec3; 4] {

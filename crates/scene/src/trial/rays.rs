@@ -1,7 +1,7 @@
 //! Rays to disagree about: most of them touch something exactly.
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Accel, Axis, List, PrimId, Primitives, Prims, Random, Ray, Shape, Structure};
+use raystep_accel::{Aabb, Accel, Axis, List, Obb, PrimId, Primitives, Prims, Random, Ray, Shape, Structure};
 
 /// What rays of a scene aim at.
 pub struct Targets {
@@ -188,6 +188,17 @@ fn points_on(shape: &Shape<'_>) -> Vec<Vec3> {
             let v = d.normal.cross(u);
             vec![d.center, d.center + u, d.center - u, d.center + v, d.center - v]
         }
+        Shape::Cylinder(c) => {
+            let rim = (c.to - c.from).normalize_or(Vec3::X).any_orthonormal_vector() * c.radius;
+            vec![c.from, c.to, c.from + rim, c.from - rim, c.to + rim, c.to - rim]
+        }
+        Shape::Cone(c) => {
+            let rim = (c.base - c.apex).normalize_or(Vec3::X).any_orthonormal_vector() * c.radius;
+            vec![c.apex, c.base, c.base + rim, c.base - rim]
+        }
+        Shape::Polygon(p) => polygon(p.corners),
+        Shape::Box(b) => Obb::from_aabb(b).corners().to_vec(),
+        Shape::Obb(o) => [&o.corners()[..], &[o.center]].concat(),
         Shape::Wall(w) => polygon(&[w.from.extend(0.0), w.to.extend(0.0), w.to.extend(w.z[1]), w.from.extend(w.z[0])]),
         Shape::Prism(p) => polygon(&p.outline.iter().map(|p| p.extend(0.0)).collect::<Vec<_>>()),
     }

@@ -1,7 +1,7 @@
 //! Scenes to disagree about: random ones, and ones that leave an algorithm nothing to stand on.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Disc, Prims, Prism, Random, Shape, Sphere, Triangle, Wall};
+use raystep_accel::{Aabb, Cone, Cylinder, Disc, Obb, Polygon, Prims, Prism, Random, Shape, Sphere, Triangle, Wall};
 
 /// A scene with a name to find it by.
 pub struct Case {
@@ -40,12 +40,14 @@ pub fn cases() -> Vec<Case> {
     add("without area", false, without_area(8));
     add("spheres", false, spheres(9, 40));
     add("discs", false, discs(10, 40));
+    add("solids", false, solids(20, 40));
     add("one of each", false, one_of_each());
     add("everything", false, [soup(11, 40, 0.4), spheres(12, 15), discs(13, 15), slivers(14, 10)].concat());
     for (name, scale, offset) in
         [("far away", 1.0, 1.5e5), ("tiny", 1e-9, 0.0), ("huge", 1e9, 0.0), ("tiny and off", 1e-3, 1.0)]
     {
-        let shapes = [lattice(15, 20), ball(6), soup(16, 20, 0.4), spheres(17, 8), discs(18, 8)].concat();
+        let shapes =
+            [lattice(15, 20), ball(6), soup(16, 20, 0.4), spheres(17, 8), discs(18, 8), solids(21, 10)].concat();
         add(name, false, shapes.iter().map(|shape| moved(shape, scale, Vec3::splat(offset) + half * scale)).collect());
     }
     add("flat mixture", true, flat(19, 24));
@@ -174,8 +176,53 @@ fn discs(seed: u64, n: usize) -> Shapes {
         .collect()
 }
 
+fn cylinder(from: Vec3, to: Vec3, radius: f32) -> Shape<'static> {
+    Shape::Cylinder(Cylinder { from, to, radius })
+}
+
+fn cone(apex: Vec3, base: Vec3, radius: f32) -> Shape<'static> {
+    Shape::Cone(Cone { apex, base, radius })
+}
+
+fn polygon(corners: &[Vec3]) -> Shape<'static> {
+    Shape::Polygon(Polygon { corners: corners.to_vec().leak() })
+}
+
+fn turned_box(center: Vec3, along: Vec3, half: Vec3) -> Shape<'static> {
+    let u = along.try_normalize().unwrap_or(Vec3::X);
+    let (v, w) = u.any_orthonormal_pair();
+    Shape::Obb(Obb { center, axes: [u, v, w], half })
+}
+
+/// Cylinders, cones, boxes and polygons; a third of them along an axis, some without thickness.
+fn solids(seed: u64, n: usize) -> Shapes {
+    let random = &mut Random::new(seed);
+    (0..n)
+        .map(|i| {
+            let at = point(random, 1.0);
+            let along = if i % 3 == 0 { Vec3::AXES[i / 3 % 3] } else { point(random, 1.0) } * 0.4;
+            let half = point(random, 0.3).abs() * if i % 4 == 0 { Vec3::new(1.0, 0.0, 1.0) } else { Vec3::ONE };
+            match i % 5 {
+                0 => cylinder(at, at + along, random.range(0.0, 0.3)),
+                1 => cone(at, at + along, random.range(0.0, 0.3)),
+                2 => Shape::Box(Aabb::new(at - half, at + half)),
+                3 => turned_box(at, along, half),
+                _ => {
+                    let (u, v) = (along, along.any_orthogonal_vector() * 1.3);
+                    polygon(&[at - u - v, at + u - v, at + u + v, at - v * 0.3, at - u + v])
+                }
+            }
+        })
+        .collect()
+}
+
 fn one_of_each() -> Shapes {
     vec![
+        cylinder(Vec3::new(0.0, 0.0, 2.0), Vec3::new(1.0, 0.0, 2.0), 0.5),
+        cone(Vec3::new(0.0, 2.0, 2.0), Vec3::new(0.0, 3.0, 2.0), 0.5),
+        polygon(&[Vec3::new(2.0, 0.0, 2.0), Vec3::new(3.0, 0.0, 2.0), Vec3::new(2.5, 1.0, 2.5)]),
+        Shape::Box(Aabb::new(Vec3::new(-2.0, 0.0, 0.0), Vec3::new(-1.0, 1.0, 1.0))),
+        turned_box(Vec3::new(-2.0, 2.0, 0.0), Vec3::new(1.0, 1.0, 0.0), Vec3::splat(0.5)),
         triangle(Vec3::ZERO, Vec3::X, Vec3::Y),
         sphere(Vec3::new(2.0, 0.0, 0.0), 0.5),
         disc(Vec3::new(0.0, 2.0, 0.0), Vec3::new(1.0, 1.0, 0.0), 0.5),
@@ -227,6 +274,11 @@ fn moved(shape: &Shape<'static>, scale: f32, by: Vec3) -> Shape<'static> {
         Shape::Triangle(Triangle { a, b, c }) => triangle(at(a), at(b), at(c)),
         Shape::Sphere(Sphere { center, radius }) => sphere(at(center), radius * scale),
         Shape::Disc(Disc { center, normal, radius }) => disc(at(center), normal, radius * scale),
+        Shape::Cylinder(Cylinder { from, to, radius }) => cylinder(at(from), at(to), radius * scale),
+        Shape::Cone(Cone { apex, base, radius }) => cone(at(apex), at(base), radius * scale),
+        Shape::Polygon(Polygon { corners }) => polygon(&corners.iter().map(|&p| at(p)).collect::<Vec<_>>()),
+        Shape::Box(Aabb { min, max }) => Shape::Box(Aabb::new(at(min), at(max))),
+        Shape::Obb(Obb { center, axes, half }) => Shape::Obb(Obb { center: at(center), axes, half: half * scale }),
         Shape::Wall(_) | Shape::Prism(_) => *shape,
     }
 }
