@@ -19,12 +19,23 @@ pub struct ListingLine<'a> {
     pub values: Option<&'a str>,
 }
 
-/// The lines, with the one marked that shows `event`. Of a long listing, the part around it.
-pub fn listing<E: Fact>(title: &str, lines: &[ListingLine<'_>], event: Option<&E>, size: Vec2, look: &Look) -> Figure {
+/// The lines, with the one marked that shows `event`. Of a long listing, the part around it. In a flat scene
+/// nothing is said of z.
+pub fn listing<E: Fact>(
+    title: &str,
+    lines: &[ListingLine<'_>],
+    event: Option<&E>,
+    flat: bool,
+    size: Vec2,
+    look: &Look,
+) -> Figure {
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, title, "");
     let current = lines.iter().position(|line| line.current);
-    let values = current.and_then(|line| Some(fill(lines[line].values?, event?)));
+    let values = current.and_then(|line| {
+        let template = lines[line].values?;
+        Some(if flat { fill(&without_z(template), event?) } else { fill(template, event?) })
+    });
 
     // As many rows as fit, the current line a third from the top of them; one row more for its numbers.
     let row = look.line();
@@ -70,6 +81,12 @@ pub fn listing<E: Fact>(title: &str, lines: &[ListingLine<'_>], event: Option<&E
         y += row;
     }
     figure
+}
+
+/// A template without what it says of the z axis: `x {{next_x}}  y {{next_y}}  z {{next_z}}`.
+fn without_z(template: &str) -> String {
+    let named = template.find("  z {{").and_then(|from| Some((from, from + template[from..].find("}}")? + 2)));
+    named.map_or_else(|| template.to_owned(), |(from, to)| [&template[..from], &template[to..]].concat())
 }
 
 /// The ground of the current line, with a bar at its left.

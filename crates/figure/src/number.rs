@@ -3,6 +3,7 @@
 use raystep_accel::Value;
 
 use crate::Fact;
+use crate::work::counted;
 
 /// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros.
 pub fn number(x: f32) -> String {
@@ -41,6 +42,7 @@ pub fn value(value: &Value) -> String {
 }
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
+/// `{{prims reference}}` counts: 1 reference, 2 references.
 pub fn fill(template: &str, event: &impl Fact) -> String {
     let mut filled = String::with_capacity(template.len());
     let mut rest = template;
@@ -51,7 +53,12 @@ pub fn fill(template: &str, event: &impl Fact) -> String {
             rest = opened;
             break;
         };
-        match event.field(opened[2..end].trim()) {
+        let inside = opened[2..end].trim();
+        let (field, noun) = inside.split_once(' ').unwrap_or((inside, ""));
+        match event.field(field) {
+            Some(Value::Count(n)) if !noun.is_empty() => {
+                filled.push_str(&counted(u64::from(n), noun, &format!("{noun}s")))
+            }
             // Nobody reads "3.5 − −1".
             Some(Value::Number(x)) if x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']) => {
                 filled.push_str(&format!("({})", number(x)));
@@ -132,6 +139,10 @@ mod tests {
             "y = 2.02 cuts node 1 at 3.66; {{other}} {t}"
         );
         assert_eq!(fill("{{t", &event), "{{t");
+        let place = raystep_accel::Place::Node(NodeId(3));
+        let leaf = |prims| Visit::Enter { place, t_near: 0.0, t_far: 1.0, prims, leaf: true };
+        assert_eq!(fill("{{prims reference}}, {{prims}}", &leaf(1)), "1 reference, 1");
+        assert_eq!(fill("{{prims reference}}", &leaf(0)), "0 references");
         let event = Visit::Test { prim: raystep_accel::PrimId(0), t: -1.0, hit: true };
         assert_eq!(fill("3 − {{t}}, {{t}} − 3", &event), "3 − (−1), −1 − 3");
     }

@@ -173,11 +173,11 @@ impl Still<'_> {
 
     /// The algorithm with the line of this step.
     pub fn listing(&self, lines: &[ListingLine<'_>], size: Vec2, look: &Look) -> Figure {
-        let title = match self {
-            Still::Walk(..) => "Walk",
-            Still::Build(..) => "Build",
+        let (title, flat) = match self {
+            Still::Walk(walk, _) => ("Walk", walk.flat),
+            Still::Build(build, _) => ("Build", build.flat),
         };
-        listing(title, lines, self.event().as_ref(), size, look)
+        listing(title, lines, self.event().as_ref(), flat, size, look)
     }
 
     /// The track of all steps.

@@ -122,7 +122,7 @@ fn the_line_of_the_event_is_marked_with_its_numbers() {
         })
         .collect();
     let event = played.events[played.step("plane", 0) - 1];
-    check("listing", &listing("Walk", &lines, Some(&event), Vec2::new(300.0, 170.0), &LOOK));
+    check("listing", &listing("Walk", &lines, Some(&event), true, Vec2::new(300.0, 170.0), &LOOK));
 }
 
 #[test]

@@ -13,7 +13,8 @@ pub(crate) fn check(text: &str, at: usize, event: &str, reading: &mut Reading<'_
             reading.problem(at + open, "`{{` is not closed by `}}` on its line");
             return;
         };
-        let field = text[inside..close].trim();
+        // A noun may follow: it is counted.
+        let field = text[inside..close].trim().split(' ').next().unwrap_or_default();
         let found_at = at + inside + (text[inside..close].len() - text[inside..close].trim_start().len());
         // What belongs to one answer: a plane to cut at, as it was weighed.
         match field.strip_prefix("own.").filter(|_| reading.plays == Plays::Build) {
