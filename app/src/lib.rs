@@ -1,5 +1,6 @@
 //! Raystep: one ray walks through an acceleration structure, one decision at a time.
 
 pub mod cli;
+mod export;
 mod reel;
 pub mod window;

@@ -138,6 +138,7 @@ fn a_mistake_is_played_on_a_ray_that_shows_it() {
         assert!(mistakes > 0, "{slide}");
         harness.state_mut().state.beside = Beside::Mistake(mistakes - 1);
         settle(&mut harness);
+        harness.run_steps(2);
         assert!(harness.query_by_label("Space, beside").is_some(), "{slide}");
     }
 }

@@ -1,21 +1,16 @@
 //! `raystep export`: steps as pictures, without display or graphics card.
 
-use std::collections::BTreeMap;
 use std::io::IsTerminal;
 use std::ops::RangeInclusive;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
-use glam::Vec2;
+use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use rayon::prelude::*;
 use raystep_figure::Theme;
 use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
-use raystep_print::{PrintError, apng, gif, png, svg};
 
 use super::fault::{Fault, about};
-use super::session::{Session, View};
-use super::{Size, files};
+use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
 
 /// What to draw, how, and where to.
 #[derive(Args, Debug)]
@@ -58,24 +53,6 @@ pub struct ExportArguments {
     out: PathBuf,
 }
 
-/// A kind of file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Format {
-    /// Pixels.
-    Png,
-    /// Outlines that stay sharp at any size.
-    Svg,
-    /// A moving picture with all colours.
-    Apng,
-    /// A moving picture that opens everywhere.
-    Gif,
-    /// The whole walk as data.
-    Json,
-}
-
-/// How long a moving picture shows a step.
-const STEP_MILLIS: u16 = 900;
-
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
     let library = match &arguments.lessons {
@@ -85,43 +62,48 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
     if let Some(problem) = library.problems.first() {
         return Err(Fault::new(format!("{problem} (raystep check lists all)")));
     }
-    let sessions = sessions(&library, arguments)?;
-    let jobs = jobs(&sessions, arguments)?;
-    if jobs.is_empty() {
-        return Err(Fault::new("there is nothing to draw: none of the chosen rays reaches a beat"));
+    let grounds = grounds(&library, arguments)?;
+    let sessions: Vec<Session<'_>> = grounds.iter().flat_map(|(ground, rays)| ground.sessions(rays)).collect();
+    if sessions.is_empty() {
+        return Err(Fault::new(nothing(&library, arguments)));
     }
-    files::folder(&arguments.out)?;
-    let count = jobs.len();
-    let bar = bar(count);
-    jobs.par_iter().try_for_each(|job| {
+    let which = match &arguments.steps {
+        Some(range) => Which::Steps(range.clone()),
+        None if arguments.ray.is_some() => Which::ReachedBeats,
+        None => Which::Beats,
+    };
+    let theme = Theme::named(&arguments.theme).unwrap_or(&Theme::LIGHT);
+    let order = Order { view: arguments.view, format: arguments.format, size: arguments.size, theme };
+    let jobs = jobs(&sessions, &which, &order)?;
+    let bar = bar(pictures(&jobs));
+    let drawn = write(&jobs, &order, &arguments.out, &|| {
         bar.inc(1);
-        job.write(arguments)
+        true
     })?;
     bar.finish_and_clear();
+    let count = drawn.len();
     eprintln!("raystep: {count} {} in {}", if count == 1 { "file" } else { "files" }, arguments.out.display());
     Ok(())
 }
 
-/// The walks and builds to draw.
-fn sessions<'a>(library: &'a Library, arguments: &ExportArguments) -> Result<Vec<(&'a Slide, Session<'a>)>, Fault> {
-    let mut sessions = Vec::new();
+/// A stage, built, with the rays that walk on it.
+type Stood<'a> = (Ground<'a>, Vec<&'a NamedRay>);
+
+/// The stages to draw.
+fn grounds<'a>(library: &'a Library, arguments: &ExportArguments) -> Result<Vec<Stood<'a>>, Fault> {
+    let mut grounds = Vec::new();
     for slide in chosen(library, arguments)? {
         for stage in StageKind::ALL.into_iter().filter_map(|kind| slide.stage(kind)) {
-            if arguments.stage.as_deref().is_some_and(|name| name != stage.kind.name()) {
-                continue;
-            }
-            // A build has no ray to be named.
-            if slide.plays == Plays::Build && arguments.ray.is_some() {
-                continue;
-            }
             let rays = rays(slide, stage, arguments);
-            sessions.extend(Session::open(library, slide, stage, &rays)?.into_iter().map(|session| (slide, session)));
+            let left_out = arguments.stage.as_deref().is_some_and(|name| name != stage.kind.name());
+            // A build has no ray to be named.
+            let nothing = if slide.plays == Plays::Build { arguments.ray.is_some() } else { rays.is_empty() };
+            if !left_out && !nothing {
+                grounds.push((Ground::of_stage(library, slide, stage)?, rays));
+            }
         }
     }
-    if sessions.is_empty() {
-        return Err(Fault::new(nothing(library, arguments)));
-    }
-    Ok(sessions)
+    Ok(grounds)
 }
 
 fn chosen<'a>(library: &'a Library, arguments: &ExportArguments) -> Result<Vec<&'a Slide>, Fault> {
@@ -146,13 +128,7 @@ fn rays<'a>(slide: &'a Slide, stage: &'a Stage, arguments: &ExportArguments) -> 
     if arguments.steps.is_some() || arguments.format == Format::Json {
         return stage.rays.first().into_iter().collect();
     }
-    let mut rays: Vec<&NamedRay> = Vec::new();
-    for ray in (0..slide.beats.len()).filter_map(|beat| slide.ray_of(stage, beat)) {
-        if !rays.iter().any(|known| known.name == ray.name) {
-            rays.push(ray);
-        }
-    }
-    rays
+    rays_of_beats(slide, stage)
 }
 
 /// Why nothing was chosen.
@@ -170,93 +146,6 @@ fn nothing(library: &Library, arguments: &ExportArguments) -> String {
         }
         ([slide], None, Some(stage)) => format!("slide {} has no {stage} stage, only {}", slide.id(), stages(slide)),
         _ => "there is no such slide, ray and stage".to_owned(),
-    }
-}
-
-/// One file.
-struct Job<'a> {
-    session: &'a Session<'a>,
-    file: String,
-    /// Steps with the beat that wanted them.
-    steps: Vec<(usize, Option<usize>)>,
-}
-
-fn jobs<'a>(sessions: &'a [(&Slide, Session<'a>)], arguments: &ExportArguments) -> Result<Vec<Job<'a>>, Fault> {
-    let mut jobs = BTreeMap::new();
-    for (slide, session) in sessions {
-        let stem = session.file_stem();
-        let view = if arguments.view == View::Plate { "" } else { view_name(arguments.view) };
-        let last = session.steps();
-        let steps: Vec<(usize, Option<usize>)> = match &arguments.steps {
-            Some(range) if *range.start() > last => {
-                return Err(Fault::new(format!("{stem}: the last step is {last}, before {}", range.start())));
-            }
-            Some(range) => (*range.start()..=last.min(*range.end())).map(|step| (step, None)).collect(),
-            None => beats(slide, session, arguments),
-        };
-        let mut add = |file: String, steps| jobs.insert(file.clone(), Job { session, file, steps });
-        match arguments.format {
-            Format::Json => {
-                add(format!("{stem}.json"), Vec::new());
-            }
-            Format::Apng | Format::Gif if !steps.is_empty() => {
-                let ending = if arguments.format == Format::Gif { "gif" } else { "apng" };
-                add(format!("{stem}{view}.{ending}"), steps);
-            }
-            Format::Apng | Format::Gif => {}
-            Format::Png | Format::Svg => {
-                let ending = if arguments.format == Format::Png { "png" } else { "svg" };
-                for (step, beat) in steps {
-                    let beat_name = beat.map_or_else(String::new, |beat| format!("-beat{:02}", beat + 1));
-                    let file = format!("{stem}{view}{beat_name}-step{step:04}of{last:04}.{ending}");
-                    add(file, vec![(step, beat)]);
-                }
-            }
-        }
-    }
-    Ok(jobs.into_values().collect())
-}
-
-/// The beats that are told on this ray.
-fn beats(slide: &Slide, session: &Session<'_>, arguments: &ExportArguments) -> Vec<(usize, Option<usize>)> {
-    let own = |beat: &usize| arguments.ray.is_some() || session.is_told_here(*beat);
-    (0..slide.beats.len()).filter(own).filter_map(|beat| Some((session.step_of(beat)?, Some(beat)))).collect()
-}
-
-fn view_name(view: View) -> &'static str {
-    match view {
-        View::Plate => "-plate",
-        View::Space => "-space",
-        View::Tree => "-tree",
-    }
-}
-
-impl Job<'_> {
-    fn write(&self, arguments: &ExportArguments) -> Result<(), Fault> {
-        let path = arguments.out.join(&self.file);
-        files::write(&path, &self.bytes(arguments, &path)?)
-    }
-
-    fn bytes(&self, arguments: &ExportArguments, path: &Path) -> Result<Vec<u8>, Fault> {
-        let wrong = |error: PrintError| Fault::new(format!("{}: {error}", path.display()));
-        if arguments.format == Format::Json {
-            return self.session.json().map(String::into_bytes);
-        }
-        let theme = Theme::named(&arguments.theme).unwrap_or(&Theme::LIGHT);
-        let pixels: Vec2 = arguments.size.into();
-        let mut scale = 1.0;
-        let mut drawings = Vec::new();
-        for (step, beat) in &self.steps {
-            let (figure, to_pixels) = self.session.figure(arguments.view, *step, *beat, pixels, theme);
-            scale = to_pixels;
-            drawings.push(svg(&figure, theme));
-        }
-        match (arguments.format, drawings.first()) {
-            (Format::Apng, _) => apng(&drawings, scale, STEP_MILLIS).map_err(wrong),
-            (Format::Gif, _) => gif(&drawings, scale, STEP_MILLIS).map_err(wrong),
-            (Format::Png, Some(drawing)) => png(drawing, scale).map_err(wrong),
-            (_, drawing) => Ok(drawing.cloned().unwrap_or_default().into_bytes()),
-        }
     }
 }
 

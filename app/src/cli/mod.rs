@@ -1,15 +1,12 @@
 //! The command line: what Raystep does without a window.
 
-mod camera;
 mod check;
 mod doctor;
 mod export;
 mod fault;
-mod files;
+pub(crate) mod files;
 pub mod page;
 mod rays;
-mod session;
-mod size;
 mod start;
 mod trace;
 
@@ -17,11 +14,10 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
+pub use crate::export::{Size, View};
 pub use check::CheckArguments;
 pub use export::ExportArguments;
 pub use fault::Fault;
-pub use session::View;
-pub use size::Size;
 pub use start::StartArguments;
 pub use trace::TraceArguments;
 

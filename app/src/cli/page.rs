@@ -7,13 +7,13 @@ use std::path::Path;
 use glam::Vec2;
 use rayon::prelude::*;
 use raystep_figure::Theme;
-use raystep_lesson::{Library, NamedRay, Slide, StageKind};
+use raystep_lesson::{Library, Slide, StageKind};
 use raystep_print::svg;
 
 use super::export::bar;
 use super::fault::Fault;
 use super::files;
-use super::session::{Session, View};
+use crate::export::{Ground, Session, View, rays_of_beats};
 
 /// Where the lecture is written when no window can open.
 pub const FOLDER: &str = "raystep-lecture";
@@ -32,17 +32,14 @@ struct Picture<'a> {
 /// # Errors
 /// A sentence that says what cannot be drawn or written.
 pub fn write(library: &Library, folder: &Path) -> Result<(), Fault> {
-    let mut sessions = Vec::new();
+    let mut grounds = Vec::new();
     for slide in &library.slides {
         for stage in StageKind::ALL.into_iter().filter_map(|kind| slide.stage(kind)) {
-            let mut rays: Vec<&NamedRay> =
-                (0..slide.beats.len()).filter_map(|beat| slide.ray_of(stage, beat)).collect();
-            rays.sort_by(|a, b| a.name.cmp(&b.name));
-            rays.dedup_by(|a, b| a.name == b.name);
-            let opened = Session::open(library, slide, stage, &rays)?;
-            sessions.push((slide, opened));
+            grounds.push((slide, stage, Ground::of_stage(library, slide, stage)?));
         }
     }
+    let sessions: Vec<(&Slide, Vec<Session<'_>>)> =
+        grounds.iter().map(|(slide, stage, ground)| (*slide, ground.sessions(&rays_of_beats(slide, stage)))).collect();
     let pictures = pictures(&sessions);
     files::folder(folder)?;
     let bar = bar(pictures.len());

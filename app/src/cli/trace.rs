@@ -12,7 +12,8 @@ use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
 use super::fault::Fault;
-use super::{Size, camera, files, rays};
+use super::{files, rays};
+use crate::export::{Size, camera};
 
 /// What to trace, and how.
 #[derive(Args, Debug)]

@@ -7,6 +7,7 @@ use raystep_accel::Place;
 use raystep_figure::{Theme, TreeView};
 use raystep_lesson::Library;
 
+use super::beside::Second;
 use super::command::Command;
 use super::errand::Errands;
 use super::formulas::Formulas;
@@ -20,8 +21,8 @@ use super::state::{Beside, State};
 use super::toast::Toasts;
 use super::view::RayChoice;
 use super::visuals::{self, fill};
-use super::workshop::{Came, Workshop};
-use super::{bottom, columns, export_dialog, help, lesson_pane, present, top};
+use super::workshop::{Failure, Workshop};
+use super::{bottom, columns, export_dialog, help, lesson_pane, open_dialog, present, top};
 
 /// The window.
 pub struct App {
@@ -31,16 +32,19 @@ pub struct App {
     pub(super) workshop: Workshop,
     pub(super) formulas: Formulas,
     pub(super) pictures: Option<Pictures>,
-    pub(super) beside: Option<Arc<super::playback::Playback>>,
+    pub(super) second: Second,
     pub(super) solid: Solid,
     pub(super) hovered: Option<Place>,
     pub(super) picked: Option<Place>,
     pub(super) tree: TreeView,
     pub(super) hold: Option<Hold>,
+    /// The size of the picture of space.
+    pub(super) space_size: glam::Vec2,
     pub(super) toasts: Toasts,
     pub(super) errands: Errands,
     pub(super) remembered: Remembered,
     pub(super) export: Option<export_dialog::Form>,
+    pub(super) opening: Option<open_dialog::Form>,
     palette: Option<Palette>,
     help: bool,
     styled: Option<&'static str>,
@@ -60,16 +64,18 @@ impl App {
             workshop: Workshop::new(context.clone()),
             formulas: Formulas::default(),
             pictures: None,
-            beside: None,
+            second: Second::new(context),
             solid: Solid::default(),
             hovered: None,
             picked: None,
             tree: TreeView::default(),
             hold: None,
+            space_size: glam::Vec2::new(1000.0, 625.0),
             toasts: Toasts::default(),
             errands: Errands::new(context.clone()),
             remembered,
             export: None,
+            opening: None,
             palette: None,
             help: false,
             styled: None,
@@ -97,17 +103,9 @@ impl App {
             Command::Palette => self.palette = Some(Palette::default()),
             Command::Help => self.help = !self.help,
             Command::Export => self.export = Some(export_dialog::Form::of(&self.state, self.theme)),
-            Command::Open => self.errands.ask_for_mesh(),
-            Command::Copy => match self.copy(context) {
-                Ok(()) => self.toasts.say(ui, "The picture is on the clipboard."),
-                Err(sentence) => self.toasts.say(ui, sentence),
-            },
-            Command::Cancel => {
-                self.errands.cancel();
-                if self.workshop.cancel() {
-                    self.state.refuse();
-                }
-            }
+            Command::Open => self.opening = Some(open_dialog::Form::default()),
+            Command::Copy => self.copy(),
+            Command::Cancel => self.cancel(),
             Command::Theme => {
                 let themes = [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR];
                 let now = themes.iter().position(|theme| theme.name == self.theme.name).unwrap_or(0);
@@ -127,25 +125,37 @@ impl App {
 
     /// Makes the walk that the state asks for, as far as it is not there.
     fn catch_up(&mut self, ui: &Ui) {
-        let came = self.workshop.collect();
-        self.came(ui, came);
+        self.collect(ui);
         if !self.state.is_current() {
-            let came = self.workshop.ask(&self.state.view, &self.state.library);
-            self.came(ui, came);
+            self.workshop.ask(&self.state.view, &self.state.library);
+            self.collect(ui);
         }
         self.errands_done(ui);
         self.catch_up_beside(ui);
     }
 
-    fn came(&mut self, ui: &Ui, came: Option<Came>) {
-        match came {
-            Some(Came::Walk(playback)) => self.state.arrive(Arc::new(*playback)),
-            Some(Came::Cancelled) => self.state.refuse(),
-            Some(Came::Wrong(sentence)) => {
+    fn collect(&mut self, ui: &Ui) {
+        match self.workshop.collect() {
+            Some(Ok(playback)) => self.state.arrive(Arc::new(playback)),
+            Some(Err(Failure::Cancelled)) => self.state.refuse(),
+            Some(Err(Failure::Wrong(sentence))) => {
                 self.toasts.say(ui, sentence);
                 self.state.refuse();
             }
             None => {}
+        }
+    }
+
+    /// Gives up everything that is under way: what is shown stays.
+    pub(super) fn cancel(&mut self) {
+        for task in self.errands.tasks() {
+            task.stop();
+        }
+        if self.workshop.cancel() {
+            self.state.refuse();
+        }
+        if self.second.cancel() {
+            self.state.beside = Beside::Nothing;
         }
     }
 
@@ -206,6 +216,8 @@ impl App {
             self.help = false;
         }
         self.export_dialog(ui);
+        self.open_dialog(ui);
+        self.underway(ui);
         self.toasts.show(ui, self.theme);
     }
 
@@ -219,9 +231,7 @@ impl App {
             Some(top::Asked::Slide(slide)) => self.state.show_slide(slide),
             Some(top::Asked::Ray(ray)) => self.state.show_ray(RayChoice::Named(ray), false),
             Some(top::Asked::Set(key, value)) => self.state.set(&key, &value),
-            Some(top::Asked::Mistake(mistake)) => {
-                self.break_it(ui, mistake);
-            }
+            Some(top::Asked::Mistake(mistake)) => self.break_it(ui, mistake),
             Some(top::Asked::Theme(theme)) => self.set_theme(theme),
             None => {}
         }
@@ -272,7 +282,7 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
-        let busy = self.palette.is_some() || self.help || self.export.is_some();
+        let busy = self.palette.is_some() || self.help || self.export.is_some() || self.opening.is_some();
         if !busy {
             for command in keys::pressed(ui) {
                 self.run(ui, command);

@@ -149,8 +149,8 @@ pub(super) fn figure(app: &mut App, ui: &mut Ui, pane: Pane, rect: Rect, look: &
     let mut pictures = app.pictures.take()?;
     let library = app.state.library.clone();
     let code = app.state.slide().and_then(|slide| library.listing(&slide.listing));
-    let tests = app.beside.as_ref().filter(|_| app.state.beside == Beside::BruteForce);
-    let tests = tests.map(|beside| ("brute force", beside.tests(app.state.view.step)));
+    let tests = app.second.shown().filter(|_| app.state.beside == Beside::Structure("list"));
+    let tests = tests.map(|beside| ("brute force", beside.tests(app.beside_step(beside))));
     let drawn = pictures.pane(pane, glam_size(rect), look, code, &app.tree, tests);
     paint_figure(&ui.painter_at(rect), rect.min, drawn, app.theme, app.lit());
     let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);

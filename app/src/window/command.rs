@@ -143,7 +143,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Export, "Export", &[(CTRL, Key::E)]),
     entry(Command::Copy, "Copy the picture", &[(CTRL, Key::C)]),
     entry(Command::Open, "Open a mesh", &[(CTRL, Key::O)]),
-    entry(Command::Cancel, "Cancel", &[]),
+    entry(Command::Cancel, "Cancel what is under way", &[(NONE, Key::Escape)]),
     entry(Command::Palette, "Find a command or slide", &[(CTRL, Key::K)]),
     entry(Command::Theme, "Next theme", &[]),
     entry(Command::ZoomIn, "Zoom in", &[(CTRL, Key::Plus), (CTRL, Key::Equals)]),

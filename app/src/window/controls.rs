@@ -71,3 +71,9 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<String> {
         }
     }
 }
+
+/// A dialog over the window.
+pub(super) fn modal(ui: &Ui, name: &'static str) -> egui::Modal {
+    let frame = egui::Frame::popup(ui.style()).inner_margin(22);
+    egui::Modal::new(egui::Id::unique(name)).frame(frame)
+}

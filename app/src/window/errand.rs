@@ -1,13 +1,15 @@
-//! What happens outside the window and beside its thread: dialogs, meshes being read, lessons being saved.
+//! What happens outside the window and beside its thread: dialogs, meshes being read, pictures being
+//! written, lessons being saved.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use notify::{RecursiveMode, Watcher};
 use raystep_lesson::Library;
 use raystep_scene::Scene;
+
+use super::task::Task;
 
 /// What came back.
 pub(super) enum News {
@@ -19,6 +21,8 @@ pub(super) enum News {
     Written(String),
     /// A folder was chosen to write to.
     Folder(PathBuf),
+    /// A picture for the clipboard.
+    Copied(egui::ColorImage),
     /// The lessons have changed.
     Lessons(Box<Library>),
     /// Something went wrong: a sentence.
@@ -30,22 +34,15 @@ pub(super) struct Errands {
     context: egui::Context,
     sender: Sender<News>,
     news: Receiver<News>,
-    reading: Option<Arc<Reading>>,
+    tasks: Vec<Arc<Task>>,
+    reading: Option<Arc<Task>>,
     watcher: Option<notify::RecommendedWatcher>,
-}
-
-/// A mesh that is being read.
-struct Reading {
-    name: String,
-    stop: AtomicBool,
-    percent: AtomicU32,
-    over: AtomicBool,
 }
 
 impl Errands {
     pub(super) fn new(context: egui::Context) -> Errands {
         let (sender, news) = channel();
-        Errands { context, sender, news, reading: None, watcher: None }
+        Errands { context, sender, news, tasks: Vec::new(), reading: None, watcher: None }
     }
 
     /// What has come back since the last call.
@@ -53,28 +50,31 @@ impl Errands {
         self.news.try_recv().ok()
     }
 
-    /// What is under way, in words.
-    pub(super) fn underway(&self) -> Option<String> {
-        let reading = self.reading.as_ref().filter(|reading| !reading.over.load(Ordering::Relaxed))?;
-        Some(format!("Reading {}: {} %", reading.name, reading.percent.load(Ordering::Relaxed)))
+    /// What is under way.
+    pub(super) fn tasks(&mut self) -> &[Arc<Task>] {
+        self.tasks.retain(|task| task.is_underway());
+        &self.tasks
     }
 
-    /// Gives up what is under way.
-    pub(super) fn cancel(&mut self) {
-        if let Some(reading) = self.reading.take() {
-            reading.stop.store(true, Ordering::Relaxed);
-        }
+    /// Runs something in a thread of its own; what it returns comes back as news, unless it was stopped.
+    pub(super) fn run(&mut self, task: Arc<Task>, work: impl FnOnce(&Task) -> News + Send + 'static) {
+        self.tasks.push(task.clone());
+        self.beside(move || {
+            let news = work(&task);
+            let wanted = task.is_underway();
+            task.finish();
+            wanted.then_some(news)
+        });
     }
 
-    /// Runs something in a thread of its own; what it returns comes back as news.
-    pub(super) fn beside(&self, work: impl FnOnce() -> Option<News> + Send + 'static) {
+    fn beside(&self, work: impl FnOnce() -> Option<News> + Send + 'static) {
         let (sender, context) = (self.sender.clone(), self.context.clone());
         std::thread::spawn(move || {
             if let Some(news) = work() {
                 // The window may be gone; nobody waits then.
                 let _ = sender.send(news);
-                context.request_repaint();
             }
+            context.request_repaint();
         });
     }
 
@@ -91,22 +91,15 @@ impl Errands {
         self.beside(|| rfd::FileDialog::new().set_title("Export to").pick_folder().map(News::Folder));
     }
 
-    /// Reads a mesh.
+    /// Reads a mesh, in the place of any other that is being read.
     pub(super) fn load(&mut self, path: PathBuf) {
-        self.cancel();
+        if let Some(other) = self.reading.take() {
+            other.stop();
+        }
         let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        let reading = Arc::new(Reading {
-            name,
-            stop: AtomicBool::new(false),
-            percent: AtomicU32::new(0),
-            over: AtomicBool::new(false),
-        });
-        self.reading = Some(reading.clone());
-        self.beside(move || {
-            let news = read(&path, &reading);
-            reading.over.store(true, Ordering::Relaxed);
-            (!reading.stop.load(Ordering::Relaxed)).then_some(news)
-        });
+        let task = Task::new(format!("Reading {name}"), "%");
+        self.reading = Some(task.clone());
+        self.run(task, move |task| read(&path, &name, task));
     }
 
     /// Reads the lessons in a folder again whenever one is saved.
@@ -137,16 +130,16 @@ impl Errands {
     }
 }
 
-fn read(path: &Path, reading: &Reading) -> News {
+fn read(path: &Path, name: &str, task: &Task) -> News {
     let bytes = match std::fs::read(path) {
         Ok(bytes) => bytes,
-        Err(error) => return News::Failed(format!("{} cannot be read: {error}.", reading.name)),
+        Err(error) => return News::Failed(format!("{name} cannot be read: {error}.")),
     };
     let mut progress = |part: f32| {
-        reading.percent.store((part * 100.0) as u32, Ordering::Relaxed);
-        !reading.stop.load(Ordering::Relaxed)
+        task.reach((part * 100.0) as usize);
+        !task.is_stopped()
     };
-    match Scene::from_obj(&bytes, &reading.name, &mut progress) {
+    match Scene::from_obj(&bytes, name, &mut progress) {
         Ok(scene) => News::Mesh(Arc::new(scene)),
         Err(error) => News::Failed(error.to_string()),
     }

@@ -1,9 +1,10 @@
 //! The page of keys and of what the mouse does.
 
-use egui::{Grid, Id, Modal, RichText, ScrollArea, Ui};
+use egui::{Grid, RichText, ScrollArea, Ui};
 use raystep_figure::{Face, Role, Theme};
 
 use super::command::{Command, ENTRIES};
+use super::controls;
 use super::fonts::font;
 use super::visuals::ink;
 
@@ -20,7 +21,7 @@ const MOUSE: &[(&str, &str)] = &[
 
 /// Shows the page; says whether it shall close.
 pub(super) fn page(ui: &Ui, theme: &Theme) -> bool {
-    let modal = Modal::new(Id::unique("help")).show(ui.ctx(), |ui| {
+    let modal = controls::modal(ui, "help").show(ui.ctx(), |ui| {
         ui.set_width(620.0);
         ui.label(RichText::new(Command::Help.name()).font(font(Face::Bold, 20.0)));
         let height = (ui.ctx().content_rect().height() - 170.0).clamp(200.0, 640.0);

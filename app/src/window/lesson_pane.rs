@@ -36,6 +36,16 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
         let quiet = Prose { role: Role::Quiet, size: 13.0, ..prose };
         quiet.show(ui, formulas, &mesh.note);
     }
+    if let Some(mistake) = state.view.example {
+        prose.show(
+            ui,
+            formulas,
+            &format!("No ray of this slide shows the mistake. Here is one that does: **{}**", mistake.title()),
+        );
+        let quiet = Prose { role: Role::Quiet, size: 13.0, ..prose };
+        quiet.show(ui, formulas, mistake.consequence());
+        quiet.show(ui, formulas, "Backspace goes back to the slide.");
+    }
 
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
     match state.beat() {

@@ -24,12 +24,19 @@ impl App {
         }
         while let Some(news) = self.errands.next() {
             match news {
-                News::Chosen(path) => self.open_mesh(path),
+                News::Chosen(path) => match &mut self.opening {
+                    Some(form) => form.choose(&path),
+                    None => self.open_mesh(path),
+                },
                 News::Mesh(scene) => self.show_mesh(ui, scene),
                 News::Folder(folder) => {
                     if let Some(form) = &mut self.export {
                         form.set_folder(&folder);
                     }
+                }
+                News::Copied(image) => {
+                    ui.ctx().copy_image(image);
+                    self.toasts.say(ui, "The picture is on the clipboard.");
                 }
                 News::Lessons(library) => self.renew(ui, *library),
                 News::Written(sentence) | News::Failed(sentence) => self.toasts.say(ui, sentence),

@@ -64,7 +64,10 @@ impl App {
             let slide = library.slide(id)?;
             library.slides.iter().position(|other| std::ptr::eq(other, slide))
         };
-        let slide = wishes.slide.as_ref().and_then(index).unwrap_or(0);
+        // A mesh is met first where a tree walks through it.
+        let tree = || library.slides.iter().position(|slide| slide.stages.iter().any(|stage| stage.plan.kind == "kd"));
+        let first = if wishes.mesh.is_some() { tree().unwrap_or(0) } else { 0 };
+        let slide = wishes.slide.as_ref().and_then(index).unwrap_or(first);
         let mut app = App::new(context, library, slide, remembered);
         let named = |name: &String| app.state.stage()?.rays.iter().position(|ray| ray.name == *name);
         if let Some(ray) = wishes.ray.as_ref().and_then(named) {

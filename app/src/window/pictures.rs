@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use raystep_accel::{Event, Grow, Primitives};
-use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, Theme, TreeView, shaded, stage};
-use raystep_lesson::{Choice, Listing, Play, Show};
+use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, TreeView, stage};
+use raystep_lesson::{Choice, Listing, Show};
 
 use super::playback::Playback;
 use super::state::State;
@@ -156,16 +156,6 @@ pub(super) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: V
     let prims = &playback.play.scene.prims;
     let scenery = if painted || prims.len() > OUTLINED { Scenery::Left } else { Scenery::Drawn };
     stage(space, prims, camera, size, scenery)
-}
-
-/// The picture of a step as it is exported: solid scenes shaded by our own structures.
-pub(super) fn exported(space: &Space, playback: &Playback, camera: &Camera, size: Vec2, theme: &Theme) -> Figure {
-    let Play { scene, structure, .. } = &playback.play;
-    if scene.flat {
-        return stage(space, &scene.prims, camera, size, Scenery::Drawn);
-    }
-    let image = shaded(structure, &scene.prims, camera, size.x as u32, size.y as u32, theme);
-    stage(space, &scene.prims, camera, size, Scenery::Shaded(&image))
 }
 
 /// Shows the answers of an open question where they lie: places of a walk, planes of a build.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Aabb, Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace};
+use raystep_accel::{Aabb, Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Reel};
 use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
 use raystep_scene::Scene;
@@ -33,7 +33,10 @@ pub struct Playback {
     pub mistakes: Vec<Mistake>,
     /// What it is shown as: the walk itself, or one beside it.
     pub kind: Beside,
+    /// How many seconds the structure took to build.
+    pub seconds: f32,
     film: Film,
+    reached: Vec<f32>,
 }
 
 /// A question and where it stands.
@@ -62,13 +65,17 @@ pub struct Built {
     pub node_bounds: Arc<Vec<Aabb>>,
     /// How it was built, if that is to be played.
     pub growth: Option<Arc<BuildTape>>,
+    /// How many seconds it took to build.
+    pub seconds: f32,
 }
 
 impl Playback {
     /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
     pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
-        let Built { scene, rule, structure, node_bounds, growth } = built;
-        let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, &slide.beats)?;
+        let Built { scene, rule, structure, node_bounds, growth, seconds } = built;
+        // A mistake's own scene is no scene of the slide: nothing is told there.
+        let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
+        let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, beats)?;
         // Beats that speak of another of the slide's rays are silent on this one.
         if let RayChoice::Named(index) = view.ray
             && let Some(this) = stage.rays.get(index)
@@ -80,10 +87,11 @@ impl Playback {
             }
         }
         let film = Film::new(&reel(&play, &node_bounds));
+        let reached = reached(&play.tape);
         // Only walks go wrong.
         let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.ray().is_some()).collect();
-        let kind = Beside::Nothing;
-        let mut playback = Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, film };
+        let (kind, posed) = (Beside::Nothing, Vec::new());
+        let mut playback = Playback { view, play, rule, node_bounds, posed, mistakes, kind, seconds, film, reached };
         playback.posed = playback.questions(slide);
         Some(playback)
     }
@@ -95,7 +103,7 @@ impl Playback {
         let hit = mistake.walk(&self.play.structure, &self.play.scene.prims, &ray, &mut tape);
         let tape = Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit });
         let play = Play::new(self.play.scene.clone(), self.play.structure.clone(), tape, &[]);
-        self.aside(play, self.rule, self.node_bounds.clone(), Beside::Mistake(index))
+        Some(self.aside(play, self.rule, self.node_bounds.clone(), Beside::Mistake(index)))
     }
 
     /// Whether a mistake shows on a ray: in the answer, or in the work.
@@ -107,18 +115,42 @@ impl Playback {
         mistake.walk(structure, prims, ray, &mut wrong) != answer || right != wrong
     }
 
-    /// The same ray through brute force.
-    pub fn brute_force(&self) -> Option<Playback> {
-        let structure = Arc::new(Structure::List(raystep_accel::List));
-        let tape = Tape::walk(&self.play.scene, &structure, self.play.tape.ray()?);
-        let play = Play::new(self.play.scene.clone(), structure, tape, &[]);
-        self.aside(play, Rule::List, Arc::default(), Beside::BruteForce)
+    /// The same ray through another structure over the same scene; a build has none.
+    pub fn through(&self, built: Built) -> Option<Playback> {
+        let Built { scene, rule, structure, node_bounds, seconds, .. } = built;
+        let kind = Beside::Structure(rule.kind());
+        let tape = Tape::walk(&scene, &structure, self.play.tape.ray()?);
+        let play = Play::new(scene, structure, tape, &[]);
+        Some(Playback { seconds, ..self.aside(play, rule, node_bounds, kind) })
     }
 
-    fn aside(&self, play: Play, rule: Rule, node_bounds: Arc<Vec<Aabb>>, kind: Beside) -> Option<Playback> {
+    fn aside(&self, play: Play, rule: Rule, node_bounds: Arc<Vec<Aabb>>, kind: Beside) -> Playback {
         let film = Film::new(&reel(&play, &node_bounds));
-        let (view, mistakes) = (self.view.clone(), self.mistakes.clone());
-        Some(Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, film })
+        let reached = reached(&play.tape);
+        let (view, mistakes, seconds) = (self.view.clone(), self.mistakes.clone(), self.seconds);
+        Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, seconds, film, reached }
+    }
+
+    /// What is played, to be played again.
+    pub fn built(&self) -> Built {
+        Built {
+            scene: self.play.scene.clone(),
+            rule: self.rule,
+            structure: self.play.structure.clone(),
+            node_bounds: self.node_bounds.clone(),
+            growth: self.play.tape.growth(),
+            seconds: self.seconds,
+        }
+    }
+
+    /// How far along the ray the walk has come at a step.
+    pub fn reached(&self, step: usize) -> f32 {
+        self.reached[step.min(self.reached.len() - 1)]
+    }
+
+    /// The last step at which the walk has come no farther along the ray than this.
+    pub fn step_at(&self, t: f32) -> usize {
+        self.reached.partition_point(|reached| *reached <= t).saturating_sub(1)
     }
 
     /// What the figures are drawn of.
@@ -131,12 +163,17 @@ impl Playback {
         self.film.at(&self.reel(), step)
     }
 
+    /// What a walk has cost after so many events.
+    pub fn cost(&self, step: usize) -> Option<Cost> {
+        match self.instant(step) {
+            Instant::Walk(moment) => Some(moment.cost),
+            Instant::Build(_) => None,
+        }
+    }
+
     /// How many primitives a walk has tested after so many events.
     pub fn tests(&self, step: usize) -> u64 {
-        match self.instant(step) {
-            Instant::Walk(moment) => moment.cost.prim_tests,
-            Instant::Build(_) => 0,
-        }
+        self.cost(step).map_or(0, |cost| cost.prim_tests)
     }
 
     /// The steps.
@@ -184,4 +221,22 @@ impl Playback {
         posed.dedup_by_key(|posed| posed.step);
         posed
     }
+}
+
+/// How far along the ray a walk has come, at every step: the largest t at which it entered something. A ray
+/// that tests everything first stays at its beginning until the end; a build does not go along a ray.
+fn reached(tape: &Tape) -> Vec<f32> {
+    let Tape::Walk(walk) = tape else { return vec![0.0] };
+    let mut far = walk.ray.t_min;
+    let mut reached = vec![far];
+    for event in &walk.events {
+        far = match *event {
+            Visit::Enter { t_near, .. } | Visit::Pop { t_near, .. } => far.max(t_near),
+            Visit::End { hit: true, t, .. } => far.max(t),
+            Visit::End { hit: false, .. } => f32::INFINITY,
+            _ => far,
+        };
+        reached.push(far);
+    }
+    reached
 }

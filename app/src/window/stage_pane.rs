@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Align2, Rect, RichText, Ui, pos2, vec2};
+use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::Place;
 use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 
@@ -13,6 +13,7 @@ use super::outline::scaled;
 use super::painter::{caption, paint_figure};
 use super::pictures::Pane;
 use super::playback::Playback;
+use super::rival;
 use super::space_pane::{Happened, Picture, glam_size};
 use super::state::Beside;
 use super::view::RayChoice;
@@ -20,25 +21,31 @@ use super::view::RayChoice;
 /// Shows the stage in all the room there is; says which place the pointer is on.
 pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
-    let Some(beside) = app.beside.clone().filter(|_| app.state.beside != Beside::Nothing) else {
+    if app.state.beside == Beside::Nothing {
         return stage(app, ui, rect, true, 1.0);
-    };
+    }
     let half = (rect.width() * 0.5).floor();
     let left = Rect::from_min_size(rect.min, vec2(half, rect.height()));
     let right = Rect::from_min_max(rect.min + vec2(half, 0.0), rect.max);
-    let (name, picture) = strip(left, 30.0);
-    label(app, ui, name, super::top::kind_name(app.state.playback()?.rule.kind()));
-    let mut under = stage(app, ui, picture, false, 1.0);
-    let (name, picture) = strip(right, 30.0);
-    let title = match app.state.beside {
-        Beside::Mistake(index) => beside.mistakes.get(index).map_or("", |mistake| mistake.title()),
-        _ => "Brute force",
-    };
-    label(app, ui, name, title);
-    under = second(app, ui, picture, &beside).or(under);
+    let (name, picture) = strip(left, STRIP);
+    let mut under = None;
+    if let Some(playback) = app.state.playback().cloned() {
+        label(app, ui, name, super::top::kind_name(playback.rule.kind()));
+        under = stage(app, ui, picture, false, 1.0);
+        bill(app, ui, picture, &playback, app.state.view.step);
+    }
+    let (name, picture) = strip(right, STRIP);
+    rival::choice(app, ui, name);
+    match app.second.shown().cloned() {
+        Some(beside) => under = second(app, ui, picture, &beside).or(under),
+        None => waiting(app, ui, picture),
+    }
     ui.painter().vline(right.left(), rect.y_range(), super::visuals::line(app.theme, Role::Panel));
     under
 }
+
+/// The height of the names over two pictures.
+const STRIP: f32 = 38.0;
 
 fn label(app: &App, ui: &Ui, rect: Rect, text: &str) {
     let at = pos2(rect.left() + 14.0, rect.center().y);
@@ -82,13 +89,13 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
         paint_figure(&ui.painter_at(at), at.min, drawn, app.theme, None);
     }
     app.pictures = Some(pictures);
-    progress(app, ui, rect);
+    app.space_size = glam_size(picture);
     take(app, &happened)
 }
 
 /// Another walk of the same ray, at the same step.
 fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
-    let step = app.state.view.step.min(beside.steps().last());
+    let step = app.beside_step(beside);
     let shown: Space = beside.reel().still(&beside.instant(step)).space();
     let camera = camera(app, &shown, rect);
     let figure: Figure = super::pictures::drawn(&shown, beside, &camera, glam_size(rect), false);
@@ -106,23 +113,25 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     };
     let mut none = None;
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
-    let tested = format!(
-        "{} of {} tested · step {step} of {}",
-        beside.tests(step),
-        raystep_accel::Primitives::len(&beside.play.scene.prims),
-        beside.steps().last()
-    );
-    caption(
-        ui.painter(),
-        rect.right_bottom() + vec2(-14.0, -16.0),
-        Align2::RIGHT_CENTER,
-        &tested,
-        Face::Regular,
-        12.5,
-        Role::Quiet,
-        app.theme,
-    );
+    bill(app, ui, rect, beside, step);
     happened.hovered
+}
+
+/// What a walk has cost so far, at the foot of its picture.
+fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, step: usize) {
+    let Some(cost) = playback.cost(step) else { return };
+    let all = raystep_accel::Primitives::len(&playback.play.scene.prims);
+    let mut says = format!("{} of {all} tested", cost.prim_tests);
+    match (cost.node_visits, cost.cell_steps) {
+        (0, 0) => {}
+        (0, cells) => says.push_str(&format!(" · {cells} cells")),
+        (nodes, _) => says.push_str(&format!(" · {nodes} nodes")),
+    }
+    if playback.play.structure.bytes() > 0 {
+        says.push_str(&format!(" · built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
+    }
+    let at = rect.left_bottom() + vec2(14.0, -16.0);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, app.theme);
 }
 
 /// Where the stage is seen from now.
@@ -130,7 +139,7 @@ pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
     if let Some(camera) = app.state.view.camera {
         return camera;
     }
-    let look = app.state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| app.state.view.mesh.is_none());
+    let look = app.state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| !app.state.view.is_elsewhere());
     let scene = app.state.playback().map(|playback| &playback.play.scene);
     match scene {
         Some(scene) => eye::home(look, scene, &space.bounds, glam_size(rect)),
@@ -158,36 +167,9 @@ fn take(app: &mut App, happened: &Happened) -> Option<Place> {
 }
 
 /// Nothing to show yet.
-fn waiting(app: &mut App, ui: &mut Ui, rect: Rect) {
-    let says = if app.workshop.progress().is_some() { "Building …" } else { "Nothing to show" };
+fn waiting(app: &App, ui: &Ui, rect: Rect) {
+    let says = if app.workshop.task().is_some() { "Building …" } else { "Nothing to show" };
     caption(ui.painter(), rect.center(), Align2::CENTER_CENTER, says, Face::Regular, 15.0, Role::Quiet, app.theme);
-    progress(app, ui, rect);
-}
-
-/// What is being made beside the UI thread, and a button that gives it up.
-fn progress(app: &mut App, ui: &mut Ui, rect: Rect) {
-    let making = app.workshop.progress().map(|settled| match settled {
-        0 => "Building the structure".to_owned(),
-        settled => format!("Building the structure: {settled} references"),
-    });
-    let Some(says) = app.errands.underway().or(making) else { return };
-    ui.ctx().request_repaint_after_secs(0.05);
-    let at = Rect::from_min_size(rect.left_top() + vec2(14.0, 14.0), vec2(rect.width() - 28.0, 34.0));
-    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(at));
-    let frame = egui::Frame::popup(ui.style());
-    let cancelled = frame.show(&mut child, |ui| {
-        ui.horizontal(|ui| {
-            ui.spinner();
-            ui.label(RichText::new(says));
-            ui.button("Cancel").clicked()
-        })
-    });
-    if cancelled.inner.inner {
-        app.errands.cancel();
-        if app.workshop.cancel() {
-            app.state.refuse();
-        }
-    }
 }
 
 impl App {
@@ -203,47 +185,5 @@ impl App {
         let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
         let camera = eye::framed(&camera(self, &pictures.space, rect), &bounds, glam_size(rect));
         self.state.look(Some(camera));
-    }
-
-    /// Shows a mistake beside the walk, on a ray where it shows; or none.
-    pub(super) fn break_it(&mut self, ui: &Ui, mistake: Option<usize>) {
-        self.state.beside = Beside::Nothing;
-        let (Some(index), Some(playback)) = (mistake, self.state.playback().cloned()) else { return };
-        let Some(mistake) = playback.mistakes.get(index) else {
-            self.toasts.say(ui, "There is nothing to break in this structure.");
-            return;
-        };
-        self.toasts.say(ui, mistake.consequence());
-        self.state.beside = Beside::Mistake(index);
-        if playback.play.tape.ray().is_some_and(|ray| playback.shows(index, &ray)) {
-            return;
-        }
-        let rays = self.state.stage().map_or(&[][..], |stage| stage.rays.as_slice());
-        match rays.iter().position(|named| playback.shows(index, &named.ray)) {
-            Some(ray) => self.state.show_ray(RayChoice::Named(ray), false),
-            None => self.toasts.say(ui, "No ray of this slide shows it: drag the ray until one does."),
-        }
-    }
-
-    /// Makes the walk that is shown beside the other, if one is wanted.
-    pub(super) fn catch_up_beside(&mut self, _ui: &Ui) {
-        let Some(playback) = self.state.playback() else { return };
-        if self.state.beside == Beside::Nothing {
-            self.beside = None;
-            return;
-        }
-        if self
-            .beside
-            .as_ref()
-            .is_some_and(|beside| beside.view.same_walk(&playback.view) && beside.kind == self.state.beside)
-        {
-            return;
-        }
-        let made = match self.state.beside {
-            Beside::Nothing => None,
-            Beside::BruteForce => playback.brute_force(),
-            Beside::Mistake(index) => playback.mistaken(index),
-        };
-        self.beside = made.map(Arc::new);
     }
 }

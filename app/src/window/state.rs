@@ -4,7 +4,7 @@ mod answering;
 
 use std::sync::Arc;
 
-use raystep_accel::Grain;
+use raystep_accel::{Grain, Mistake};
 use raystep_figure::Camera;
 use raystep_lesson::{Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
@@ -34,6 +34,10 @@ pub struct State {
     pub locked: bool,
     /// What is shown beside the walk.
     pub beside: Beside,
+    /// The structure that is compared with when nothing else is said.
+    pub rival: &'static str,
+    /// How the walk beside keeps in step.
+    pub pace: Pace,
     /// Whether the presenter's page is shown.
     pub present: bool,
     /// The answer given to the question that is open, or was just answered.
@@ -49,10 +53,19 @@ pub struct State {
 pub enum Beside {
     /// There is none.
     Nothing,
-    /// The same ray through brute force.
-    BruteForce,
+    /// The same ray through another structure: its kind.
+    Structure(&'static str),
     /// The mistake with this place in the list of those that fit the structure.
     Mistake(usize),
+}
+
+/// How two walks keep in step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// Both have taken so many steps.
+    Event,
+    /// Both have come so far along the ray.
+    T,
 }
 
 /// An answer.
@@ -89,6 +102,8 @@ impl State {
             predict: true,
             locked: false,
             beside: Beside::Nothing,
+            rival: "list",
+            pace: Pace::Event,
             present: false,
             answered: None,
             playback: None,
@@ -121,7 +136,7 @@ impl State {
 
     /// A walk was made: it is shown from now on, unless something else is wanted by now.
     pub fn arrive(&mut self, playback: Arc<Playback>) {
-        if !playback.view.same_walk(&self.view) {
+        if !playback.view.same_walk(&self.view) && !playback.view.same_but_own_ray(&self.view) {
             return;
         }
         let last = playback.steps().last();
@@ -195,8 +210,8 @@ impl State {
             Command::Flat => self.show_stage(StageKind::Flat),
             Command::Solid => self.show_stage(StageKind::Solid),
             Command::Compare => {
-                let beside = self.beside;
-                self.beside = if beside == Beside::BruteForce { Beside::Nothing } else { Beside::BruteForce };
+                let on = matches!(self.beside, Beside::Structure(_));
+                self.beside = if on { Beside::Nothing } else { Beside::Structure(self.rival) };
             }
             Command::Present => self.present = !self.present,
             Command::ResetCamera => self.look(None),
@@ -252,10 +267,25 @@ impl State {
     pub fn show_mesh(&mut self, mesh: Arc<Scene>, ray: raystep_accel::Ray) {
         self.keep();
         self.view.mesh = Some(mesh);
+        self.view.example = None;
         self.view.stage = StageKind::Solid;
         self.view.ray = RayChoice::Own(ray);
         self.view.camera = None;
         self.open();
+    }
+
+    /// The small scene and the ray on which a mistake shows.
+    pub fn show_example(&mut self, mistake: Mistake) {
+        self.keep();
+        let view = View::of_slide(self.view.slide, self.view.stage);
+        self.view = View { ray: RayChoice::Own(mistake.example().ray), example: Some(mistake), ..view };
+        self.open();
+    }
+
+    /// Another structure beside the walk.
+    pub fn compare(&mut self, kind: &'static str) {
+        self.rival = kind;
+        self.beside = Beside::Structure(kind);
     }
 
     /// Another place to look from, as part of a change that is under way.

@@ -52,7 +52,7 @@ pub(super) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 (Command::Export, false),
                 (Command::Present, false),
                 (Command::Predict, state.predict),
-                (Command::Compare, state.beside == Beside::BruteForce),
+                (Command::Compare, matches!(state.beside, Beside::Structure(_))),
             ];
             // Brute force has no structure that could be built.
             let builds = state.slide().is_some_and(|slide| slide.plays == Plays::Build);

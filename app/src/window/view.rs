@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raystep_accel::Ray;
+use raystep_accel::{Mistake, Ray};
 use raystep_figure::Camera;
 use raystep_lesson::StageKind;
 use raystep_scene::Scene;
@@ -22,6 +22,8 @@ pub struct View {
     pub camera: Option<Camera>,
     /// A mesh opened instead of the slide's scene.
     pub mesh: Option<Arc<Scene>>,
+    /// The mistake whose own scene and ray are shown instead of the slide's.
+    pub example: Option<Mistake>,
     /// How many events have happened.
     pub step: usize,
 }
@@ -38,16 +40,33 @@ pub enum RayChoice {
 impl View {
     /// The beginning of a slide.
     pub fn of_slide(slide: usize, stage: StageKind) -> View {
-        View { slide, stage, ray: RayChoice::Named(0), settings: Vec::new(), camera: None, mesh: None, step: 0 }
+        let (ray, settings) = (RayChoice::Named(0), Vec::new());
+        View { slide, stage, ray, settings, camera: None, mesh: None, example: None, step: 0 }
     }
 
     /// Whether both show the same walk of the same ray, wherever they stand in it.
     pub fn same_walk(&self, other: &View) -> bool {
+        self.ray == other.ray && self.same_structure(other)
+    }
+
+    /// Whether both show walks through the same structure, of rays that the user has drawn.
+    pub fn same_but_own_ray(&self, other: &View) -> bool {
+        let own = |view: &View| matches!(view.ray, RayChoice::Own(_));
+        own(self) && own(other) && self.same_structure(other)
+    }
+
+    /// Whether the rays of both walk through the same structure.
+    pub fn same_structure(&self, other: &View) -> bool {
         self.slide == other.slide
             && self.stage == other.stage
-            && self.ray == other.ray
             && self.settings == other.settings
+            && self.example == other.example
             && same_mesh(self.mesh.as_ref(), other.mesh.as_ref())
+    }
+
+    /// Whether the scene is not the slide's own.
+    pub fn is_elsewhere(&self) -> bool {
+        self.mesh.is_some() || self.example.is_some()
     }
 }
 

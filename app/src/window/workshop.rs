@@ -1,141 +1,97 @@
 //! Where structures are built and rays walk: small ones at once, large ones beside the UI thread.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Instant;
 
-use raystep_accel::{Cancelled, Grow, Observer, Primitives, Ray, Rule};
+use glam::Vec3;
+use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
 use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
 use raystep_scene::Scene;
 
+use super::bench::Bench;
 use super::playback::{Built, Playback};
+use super::task::Task;
 use super::view::{RayChoice, View};
 
 /// Scenes with at most so many primitives are built at once.
 const SMALL: usize = 512;
-/// Structures over at most so many primitives are walked at once.
-const SHORT: usize = 50_000;
+/// Brute force over at most so many primitives is walked at once.
+const FEW: usize = 4000;
+/// A structure over at most so many primitives is walked at once.
+const SHORT: usize = 100_000;
 
 /// A view to be made into a walk.
 struct Order {
     view: View,
     library: Arc<Library>,
     built: Option<Built>,
-    stop: Arc<Progress>,
-}
-
-/// How far a builder is, and whether it should give up.
-#[derive(Debug, Default)]
-pub(super) struct Progress {
-    cancelled: AtomicBool,
-    done: AtomicU32,
-}
-
-/// What a worker sends back.
-struct Answer {
-    view: View,
-    made: Result<Playback, Failure>,
 }
 
 /// Why there is no walk.
 #[derive(Clone, Debug, PartialEq)]
-enum Failure {
-    Cancelled,
-    Wrong(String),
-}
-
-/// Makes walks of views.
-pub(super) struct Workshop {
-    context: egui::Context,
-    sender: Sender<Answer>,
-    answers: Receiver<Answer>,
-    underway: Option<(View, Arc<Progress>)>,
-    kept: Vec<Built>,
-}
-
-/// What came of the view that was asked for.
-pub(super) enum Came {
-    /// A walk.
-    Walk(Box<Playback>),
+pub(super) enum Failure {
     /// It was given up.
     Cancelled,
     /// It cannot be made: a sentence.
     Wrong(String),
 }
 
+/// Makes walks of views.
+pub(super) struct Workshop {
+    bench: Bench<Wanted, Result<Playback, Failure>>,
+    kept: Vec<Built>,
+}
+
+/// What is being made.
+struct Wanted {
+    view: View,
+    /// Whether its structure stands already, so that only a ray walks.
+    stands: bool,
+}
+
 impl Workshop {
     pub(super) fn new(context: egui::Context) -> Workshop {
-        let (sender, answers) = channel();
-        Workshop { context, sender, answers, underway: None, kept: Vec::new() }
+        Workshop { bench: Bench::new(context), kept: Vec::new() }
     }
 
     /// Asks for the walk of a view. It may be there at once; else it arrives some frames later.
-    pub(super) fn ask(&mut self, view: &View, library: &Arc<Library>) -> Option<Came> {
-        if self.underway.as_ref().is_some_and(|(wanted, _)| wanted.same_walk(view)) {
-            return None;
+    pub(super) fn ask(&mut self, view: &View, library: &Arc<Library>) {
+        // A ray that is being dragged waits for the one before it to arrive: so it is seen to move.
+        let busy = |wanted: &Wanted| wanted.view.same_walk(view) || wanted.stands && wanted.view.same_but_own_ray(view);
+        if self.bench.wanted().is_some_and(busy) {
+            return;
         }
-        self.cancel();
         let built = self.kept.iter().find(|built| fits(built, view, library)).cloned();
-        let progress = Arc::new(Progress::default());
-        let order = Order { view: view.clone(), library: library.clone(), built, stop: progress.clone() };
-        if is_quick(&order) {
-            let made = make(order);
-            return Some(self.came(made));
-        }
-        self.underway = Some((view.clone(), progress));
-        let (sender, context) = (self.sender.clone(), self.context.clone());
-        std::thread::spawn(move || {
-            let view = order.view.clone();
-            let made = make(order);
-            // The window may be gone; nobody waits then.
-            let _ = sender.send(Answer { view, made });
-            context.request_repaint();
-        });
-        None
+        let wanted = Wanted { view: view.clone(), stands: built.is_some() };
+        let task = match wanted.stands {
+            true => Task::new("Walking the ray", ""),
+            false => Task::new("Building the structure", "references"),
+        };
+        let order = Order { view: view.clone(), library: library.clone(), built };
+        let quick = is_quick(&order);
+        self.bench.begin(wanted, task, quick, move |task| make(order, task));
     }
 
     /// What has arrived since the last call.
-    pub(super) fn collect(&mut self) -> Option<Came> {
-        let answer = self.answers.try_recv().ok()?;
-        let wanted = self.underway.take_if(|(view, _)| view.same_walk(&answer.view));
-        if wanted.is_none() && answer.made.is_err() {
-            return None;
+    pub(super) fn collect(&mut self) -> Option<Result<Playback, Failure>> {
+        let (_, made) = self.bench.collect()?;
+        if let Ok(playback) = &made {
+            let built = playback.built();
+            self.kept.retain(|kept| !same(kept, &built));
+            self.kept.insert(0, built);
+            self.kept.truncate(8);
         }
-        Some(self.came(answer.made))
+        Some(made)
     }
 
-    /// What is being made, as the part of it that is done.
-    pub(super) fn progress(&self) -> Option<u32> {
-        self.underway.as_ref().map(|(_, progress)| progress.done.load(Ordering::Relaxed))
+    /// What is being made.
+    pub(super) fn task(&self) -> Option<&Arc<Task>> {
+        self.bench.task()
     }
 
     /// Gives up what is being made. Returns whether there was anything.
     pub(super) fn cancel(&mut self) -> bool {
-        let underway = self.underway.take();
-        if let Some((_, progress)) = &underway {
-            progress.cancelled.store(true, Ordering::Relaxed);
-        }
-        underway.is_some()
-    }
-
-    fn came(&mut self, made: Result<Playback, Failure>) -> Came {
-        match made {
-            Ok(playback) => {
-                let built = Built {
-                    scene: playback.play.scene.clone(),
-                    rule: playback.rule,
-                    structure: playback.play.structure.clone(),
-                    node_bounds: playback.node_bounds.clone(),
-                    growth: playback.play.tape.growth(),
-                };
-                self.kept.retain(|kept| !same(kept, &built));
-                self.kept.insert(0, built);
-                self.kept.truncate(8);
-                Came::Walk(Box::new(playback))
-            }
-            Err(Failure::Cancelled) => Came::Cancelled,
-            Err(Failure::Wrong(sentence)) => Came::Wrong(sentence),
-        }
+        self.bench.cancel()
     }
 }
 
@@ -153,7 +109,10 @@ pub(super) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option
 
 /// The rule that a view asks for, over a scene that is flat or not.
 pub(super) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, String> {
-    let mut rule = stage.plan.rule(flat).map_err(|error| error.to_string())?;
+    let mut rule = match view.example {
+        Some(mistake) => mistake.example().rule,
+        None => stage.plan.rule(flat).map_err(|error| error.to_string())?,
+    };
     for (key, value) in &view.settings {
         rule.set(key, value).map_err(|error| error.to_string())?;
     }
@@ -164,10 +123,21 @@ pub(super) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, St
 fn is_quick(order: &Order) -> bool {
     let flat = |stage: &Stage| stage.scene.starts_with("flat");
     match (&order.built, &order.view.mesh) {
-        (Some(built), _) => built.scene.prims.len() <= SHORT,
+        (Some(built), _) => walks_quickly(&built.structure, built.scene.prims.len()),
         (None, Some(mesh)) => mesh.prims.len() <= SMALL,
-        (None, None) => order.stage().is_none_or(flat),
+        (None, None) => order.view.example.is_some() || order.stage().is_none_or(flat),
     }
+}
+
+/// Whether a ray walks through so many primitives in less time than a frame takes.
+pub(super) fn walks_quickly(structure: &Structure, prims: usize) -> bool {
+    let all = matches!(structure, Structure::List(_));
+    prims <= if all { FEW } else { SHORT }
+}
+
+/// Whether such a structure is built and walked in less time than a frame takes.
+pub(super) fn builds_quickly(prims: usize) -> bool {
+    prims <= SMALL
 }
 
 impl Order {
@@ -177,7 +147,7 @@ impl Order {
     }
 }
 
-fn make(order: Order) -> Result<Playback, Failure> {
+fn make(order: Order, task: &Task) -> Result<Playback, Failure> {
     let wrong = |sentence: String| Failure::Wrong(sentence);
     let library = order.library.clone();
     let slide = library.slides.get(order.view.slide).ok_or_else(|| wrong("There is no such slide.".to_owned()))?;
@@ -186,36 +156,52 @@ fn make(order: Order) -> Result<Playback, Failure> {
     let built = match &order.built {
         Some(built) => built.clone(),
         None => {
-            let scene = match &order.view.mesh {
-                Some(mesh) => mesh.clone(),
-                None => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
+            let scene = match (&order.view.mesh, order.view.example) {
+                (_, Some(mistake)) => Arc::new(scene_of(mistake)),
+                (Some(mesh), None) => mesh.clone(),
+                (None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
-            let mut watch = Watch(&order.stop);
-            let (structure, growth) =
-                BuildTape::record(slide.plays, &scene, &rule, &mut watch).map_err(|Cancelled| Failure::Cancelled)?;
-            let node_bounds = Arc::new(structure.node_bounds());
-            Built { scene, rule, structure: Arc::new(structure), node_bounds, growth }
+            build(scene, rule, slide.plays, task)?
         }
     };
-    if order.stop.cancelled.load(Ordering::Relaxed) {
+    if task.is_stopped() {
         return Err(Failure::Cancelled);
     }
     Playback::new(order.view, built, ray, slide, &stage).ok_or_else(|| wrong("The slide has no ray.".to_owned()))
 }
 
+/// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played.
+pub(super) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) -> Result<Built, Failure> {
+    let start = Instant::now();
+    let built = BuildTape::record(plays, &scene, &rule, &mut Watch(task));
+    let (structure, growth) = built.map_err(|Cancelled| Failure::Cancelled)?;
+    let seconds = start.elapsed().as_secs_f32();
+    let node_bounds = Arc::new(structure.node_bounds());
+    Ok(Built { scene, rule, structure: Arc::new(structure), node_bounds, growth, seconds })
+}
+
+/// The small scene in which a mistake shows.
+fn scene_of(mistake: Mistake) -> Scene {
+    let prims = Prims::Few(mistake.example().shapes);
+    let bounds = (0..prims.len() as u32).fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(PrimId(prim))));
+    let view = raystep_scene::View::fitting(&bounds, Vec3::Z, Vec3::Y);
+    let (name, title) = (mistake.name().to_owned(), mistake.title().to_owned());
+    Scene { name, title, prims, flat: true, view, note: String::new() }
+}
+
 /// Counts what a builder has settled and asks it to give up.
-struct Watch<'a>(&'a Progress);
+struct Watch<'a>(&'a Task);
 
 impl Observer<Grow> for Watch<'_> {
     fn on(&mut self, event: Grow) {
         if let Grow::Settle { .. } = event {
-            self.0.done.fetch_add(1, Ordering::Relaxed);
+            self.0.count();
         }
     }
 
     fn cancelled(&self) -> bool {
-        self.0.cancelled.load(Ordering::Relaxed)
+        self.0.is_stopped()
     }
 }
 
@@ -227,9 +213,10 @@ fn fits(built: &Built, view: &View, library: &Library) -> bool {
     if built.growth.is_some() != (slide.plays == Plays::Build) {
         return false;
     }
-    let same_scene = match &view.mesh {
-        Some(mesh) => Arc::ptr_eq(mesh, &built.scene),
-        None => built.scene.name == stage.scene,
+    let same_scene = match (&view.mesh, view.example) {
+        (_, Some(mistake)) => built.scene.name == mistake.name(),
+        (Some(mesh), None) => Arc::ptr_eq(mesh, &built.scene),
+        (None, None) => built.scene.name == stage.scene,
     };
     same_scene && rule_of(view, stage, built.scene.flat).is_ok_and(|rule| rule == built.rule)
 }

@@ -1,0 +1,159 @@
+//! What walks are drawn on: a slide's stage, or the window as it stands, with the structure already built.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+
+use glam::Vec2;
+use raystep_accel::{Aabb, Ray, Rule};
+use raystep_figure::{Camera, Shaded, Space, Theme, shaded};
+use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
+
+use super::camera::{self, Seen};
+use super::session::Session;
+use crate::cli::Fault;
+
+/// A scene, the structure over it, and the slide that speaks of it.
+pub(crate) struct Ground<'a> {
+    pub(crate) library: &'a Library,
+    pub(crate) slide: &'a Slide,
+    pub(crate) stage: &'a Stage,
+    /// What is told on it.
+    pub(super) beats: &'a [Beat],
+    pub(super) built: Built,
+    pub(super) rule: Rule,
+    pub(super) node_bounds: Arc<Vec<Aabb>>,
+    /// The beginning of files' names.
+    pub(super) stem: String,
+    /// What a plate says about it.
+    pub(super) about: String,
+    look: Option<Look>,
+    seen: Option<Seen>,
+    /// The solid scene as it is seen in pictures of these sizes: the same at every step.
+    scenery: Mutex<BTreeMap<[u32; 2], Arc<Shaded>>>,
+}
+
+/// What differs from the slide's own stage.
+pub(crate) struct Changes {
+    /// A scene that is not the stage's: its name.
+    pub(crate) scene: Option<String>,
+    /// Parameters of the structure.
+    pub(crate) settings: Vec<(String, String)>,
+    /// The camera, once it was moved.
+    pub(crate) seen: Option<Seen>,
+    /// Whether the slide's beats are told.
+    pub(crate) told: bool,
+}
+
+impl<'a> Ground<'a> {
+    /// A stage as its slide has it.
+    pub(crate) fn of_stage(library: &'a Library, slide: &'a Slide, stage: &'a Stage) -> Result<Ground<'a>, Fault> {
+        let wrong = |error: &dyn std::fmt::Display| Fault::new(format!("{}: {error}", slide.file));
+        let built = stage.build(slide.plays).map_err(|error| wrong(&error))?;
+        let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
+        let node_bounds = Arc::new(built.structure.node_bounds());
+        let own = Changes { scene: None, settings: Vec::new(), seen: None, told: true };
+        Ok(Ground::new(library, slide, stage, built, rule, node_bounds, own))
+    }
+
+    /// What is built, with what differs from the stage.
+    pub(crate) fn new(
+        library: &'a Library,
+        slide: &'a Slide,
+        stage: &'a Stage,
+        built: Built,
+        rule: Rule,
+        node_bounds: Arc<Vec<Aabb>>,
+        changes: Changes,
+    ) -> Ground<'a> {
+        let Changes { scene: other, settings, seen, told } = changes;
+        let look = stage.camera.filter(|_| other.is_none());
+        let (mut stem, mut about) = match other {
+            Some(name) => (format!("{}-{}", slug(&name), rule.kind()), name),
+            None => {
+                let kind = stage.kind.name();
+                let about = format!("{} · {} · {kind}", slide.section_title(), slide.numbers_text());
+                (format!("slide{}-{kind}", slide.name), about)
+            }
+        };
+        for (key, value) in settings {
+            stem.push_str(&format!("-{}-{}", slug(&key), slug(&value)));
+            about.push_str(&format!(" · {}: {value}", key.replace('_', " ")));
+        }
+        let beats = if told { slide.beats.as_slice() } else { &[] };
+        Ground {
+            library,
+            slide,
+            stage,
+            beats,
+            built,
+            rule,
+            node_bounds,
+            stem,
+            about,
+            look,
+            seen,
+            scenery: Mutex::default(),
+        }
+    }
+
+    /// The walks of these rays of the stage; where a build is played, that alone.
+    pub(crate) fn sessions(&self, rays: &[&NamedRay]) -> Vec<Session<'_>> {
+        if self.built.growth.is_some() {
+            return Session::new(self, None, None, self.stem.clone()).into_iter().collect();
+        }
+        rays.iter().filter_map(|ray| self.named(ray)).collect()
+    }
+
+    fn named(&self, ray: &NamedRay) -> Option<Session<'_>> {
+        let first = self.stage.rays.first().is_some_and(|first| first.name == ray.name);
+        let stem = if first { self.stem.clone() } else { format!("{}-{}", self.stem, slug(&ray.name)) };
+        Session::new(self, Some(ray.ray), Some(&ray.name), stem)
+    }
+
+    /// The walk of another ray.
+    pub(crate) fn with_ray(&self, ray: Ray) -> Vec<Session<'_>> {
+        let stem = format!("{}-own-ray", self.stem);
+        Session::new(self, Some(ray), Some("your own"), stem).into_iter().collect()
+    }
+
+    /// Where it is seen from in a picture of this size.
+    pub(super) fn camera(&self, shown: &Space, size: Vec2) -> Camera {
+        match &self.seen {
+            Some(seen) => seen.all_in(size),
+            None => camera::of_stage(self.look, &self.built.scene, shown, size),
+        }
+    }
+
+    /// The solid scene in a picture of so many pixels.
+    pub(super) fn scenery(&self, camera: &Camera, size: Vec2, theme: &Theme) -> Arc<Shaded> {
+        let pixels = size.to_array().map(|side| (side.round() as u32).clamp(1, MOST_PIXELS));
+        let made =
+            || Arc::new(shaded(&self.built.structure, &self.built.scene.prims, camera, pixels[0], pixels[1], theme));
+        match self.scenery.lock() {
+            // Whoever comes second waits for the first, and finds the image ready.
+            Ok(mut known) => Arc::clone(known.entry(pixels).or_insert_with(made)),
+            Err(_) => made(),
+        }
+    }
+}
+
+/// The rays that a stage's beats are told on, each once.
+pub(crate) fn rays_of_beats<'a>(slide: &'a Slide, stage: &'a Stage) -> Vec<&'a NamedRay> {
+    let mut rays: Vec<&NamedRay> = Vec::new();
+    for ray in (0..slide.beats.len()).filter_map(|beat| slide.ray_of(stage, beat)) {
+        if !rays.iter().any(|known| known.name == ray.name) {
+            rays.push(ray);
+        }
+    }
+    rays
+}
+
+/// Most pixels on a side of a solid scene: a larger picture shows it a little softer.
+const MOST_PIXELS: u32 = 2400;
+
+/// A name as a part of a file's name.
+fn slug(name: &str) -> String {
+    let plain = |letter: char| if letter.is_alphanumeric() { letter.to_ascii_lowercase() } else { '-' };
+    let dashed: String = name.chars().map(plain).collect();
+    dashed.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
+}

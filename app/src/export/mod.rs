@@ -1,0 +1,13 @@
+//! Steps of walks as files: the one way that the command line and the window's dialog both go.
+
+pub(crate) mod camera;
+mod ground;
+mod job;
+mod session;
+mod size;
+
+pub(crate) use ground::{Changes, Ground, rays_of_beats};
+pub(crate) use job::{Format, Order, Which, jobs, pictures, write};
+pub(crate) use session::Session;
+pub use session::View;
+pub use size::Size;

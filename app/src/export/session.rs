@@ -1,0 +1,205 @@
+//! One ray's walk on its ground, or the build of the ground's structure, ready to be drawn.
+
+use glam::Vec2;
+use raystep_accel::{Event, Ray};
+use raystep_figure::{Figure, Look, Reel, Scenery, Still, Theme, TreeView, fill, sentence, short, stage as picture_of};
+use raystep_lesson::{Play, Show, Tape};
+use raystep_print::{Below, Plate, Record, Told, json, plate};
+
+use super::ground::Ground;
+use crate::reel::{beginning, lines, reel};
+
+/// A walk or a build and what it is drawn on.
+pub(crate) struct Session<'a> {
+    ground: &'a Ground<'a>,
+    play: Play,
+    /// The name of the ray that walks; none where a build is played.
+    ray: Option<String>,
+    stem: String,
+}
+
+/// What a picture shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+pub enum View {
+    /// The scene with the walk in it.
+    Space,
+    /// The tree of nodes.
+    Tree,
+    /// A page with all of it.
+    Plate,
+}
+
+impl<'a> Session<'a> {
+    /// Plays the build if the ground kept it, else the ray; nothing where there is neither. The ray's name
+    /// stands on plates, the stem at the beginning of files' names.
+    pub(super) fn new(
+        ground: &'a Ground<'a>,
+        ray: Option<Ray>,
+        name: Option<&str>,
+        stem: String,
+    ) -> Option<Session<'a>> {
+        let play = ground.built.play(ray, ground.beats)?;
+        Some(Session { ground, play, ray: name.map(str::to_owned), stem })
+    }
+
+    /// How many steps it has.
+    pub(crate) fn steps(&self) -> usize {
+        self.play.tape.len()
+    }
+
+    /// The beats of its slide.
+    pub(crate) fn beats(&self) -> std::ops::Range<usize> {
+        0..self.ground.beats.len()
+    }
+
+    /// The step at which a beat stands, if it is reached.
+    pub(crate) fn step_of(&self, beat: usize) -> Option<usize> {
+        self.play.beats.get(beat).copied().flatten()
+    }
+
+    /// Whether this is the ray that a beat is told on; a build has only itself.
+    pub(crate) fn is_told_here(&self, beat: usize) -> bool {
+        let ray = self.ground.slide.ray_of(self.ground.stage, beat);
+        self.ray.as_ref().is_none_or(|own| ray.is_some_and(|ray| ray.name == *own))
+    }
+
+    /// `"flat"` or `"solid"`.
+    pub(crate) fn stage_name(&self) -> &'static str {
+        self.ground.stage.kind.name()
+    }
+
+    /// The beginning of a file's name: slide, stage, what was changed, and the ray if it is not the stage's own.
+    pub(crate) fn file_stem(&self) -> &str {
+        &self.stem
+    }
+
+    /// A step as a figure of this many pixels, and how many pixels a point has.
+    pub(crate) fn figure(
+        &self,
+        view: View,
+        step: usize,
+        beat: Option<usize>,
+        pixels: Vec2,
+        theme: &Theme,
+    ) -> (Figure, f32) {
+        // Everything is laid out on a page of one size, so that a larger picture is the same picture.
+        let page = match view {
+            View::Plate => PLATE,
+            View::Space | View::Tree => BARE,
+        };
+        let larger = if *theme == Theme::PROJECTOR { PROJECTED } else { 1.0 };
+        let scale = (pixels.x * pixels.y / (page.x * page.y)).sqrt() * larger;
+        let size = pixels / scale;
+        let reel = reel(&self.play, &self.ground.node_bounds);
+        let instant = reel.at(step);
+        let still = reel.still(&instant);
+        let figure = match view {
+            View::Space => self.picture(&reel, &still, size, scale, theme),
+            View::Tree => still.tree(&TreeView::default(), size, &Look { titles: false, ..Look::WINDOW }),
+            View::Plate => {
+                let picture = |size| self.picture(&reel, &still, size, scale, theme);
+                self.plate(&still, step, beat, size, &picture)
+            }
+        };
+        (figure, scale)
+    }
+
+    /// The walk or the build as JSON.
+    pub(crate) fn json(&self) -> String {
+        let told = match &self.play.tape {
+            Tape::Walk(walk) => {
+                Told::Walk { name: self.ray.as_deref(), ray: &walk.ray, events: &walk.events, hit: walk.hit }
+            }
+            Tape::Build(build) => Told::Build(&build.events),
+        };
+        let rule = &self.ground.rule;
+        json(&Record {
+            scene: &self.play.scene.name,
+            kind: rule.kind(),
+            parameters: &rule.parameters().into_iter().map(|p| (p.key.to_owned(), p.value)).collect::<Vec<_>>(),
+            nodes: self.play.structure.node_count(),
+            bytes: self.play.structure.bytes(),
+            told,
+            lost: self.play.tape.lost(),
+        })
+    }
+
+    fn picture(&self, reel: &Reel<'_>, still: &Still<'_>, size: Vec2, scale: f32, theme: &Theme) -> Figure {
+        let shown = still.space();
+        let prims = reel.prims();
+        let camera = self.ground.camera(&shown, size);
+        if self.play.scene.flat {
+            return picture_of(&shown, prims, &camera, size, Scenery::Drawn);
+        }
+        let scenery = self.ground.scenery(&camera, size * scale, theme);
+        picture_of(&shown, prims, &camera, size, Scenery::Shaded(&scenery))
+    }
+
+    fn plate(
+        &self,
+        still: &Still<'_>,
+        step: usize,
+        beat: Option<usize>,
+        size: Vec2,
+        picture: &dyn Fn(Vec2) -> Figure,
+    ) -> Figure {
+        let slide = self.ground.slide;
+        let event = still.event();
+        let (heading, caption) = self.said(event.as_ref(), step, beat);
+        let played = self.ray.as_ref().map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {ray}"));
+        let about = format!("{} · {played}", self.ground.about);
+        let listing = lines(self.ground.library.listing(&slide.listing), event);
+        let mut below: Vec<Below> = slide.show.iter().filter_map(below).collect();
+        below.dedup();
+        let sheet = Plate {
+            title: &slide.title,
+            about: &about,
+            heading: &heading,
+            caption: &caption,
+            still: *still,
+            listing: &listing,
+            below: &below,
+            stack: self.play.structure.node_count() > 0,
+        };
+        plate(&sheet, size, picture)
+    }
+
+    /// The heading and the text of a step: a beat's if one stands here, else what the event says.
+    fn said(&self, event: Option<&Event>, step: usize, beat: Option<usize>) -> (String, String) {
+        let Some(event) = event else {
+            let says = self.ray.as_ref().map(|ray| format!("The ray **{ray}** is about to start."));
+            let plays = self.play.tape.plays();
+            return ("The beginning".to_owned(), says.unwrap_or_else(|| beginning(plays).to_owned()));
+        };
+        let here = |beat: &usize| self.step_of(*beat) == Some(step);
+        let beat = beat.or_else(|| self.beats().find(here));
+        match beat.and_then(|beat| self.ground.beats.get(beat)) {
+            Some(beat) => (fill(&beat.title, event), fill(&beat.text(event), event)),
+            None => (capitalised(short(event)), sentence(event)),
+        }
+    }
+}
+
+/// A page is laid out on this many points, whatever its size in pixels.
+const PLATE: Vec2 = Vec2::new(1600.0, 1000.0);
+/// A bare view is: its letters are larger.
+const BARE: Vec2 = Vec2::new(1000.0, 625.0);
+
+/// How much larger everything is on a projector.
+const PROJECTED: f32 = 1.2;
+
+/// The pane of a page for a pane of a slide.
+fn below(show: &Show) -> Option<Below> {
+    match show {
+        Show::Ruler => Some(Below::Ruler),
+        Show::Tree => Some(Below::Tree),
+        Show::Cells => Some(Below::Cells),
+        Show::Slabs => Some(Below::Slabs),
+        Show::Space | Show::Stack | Show::Listing | Show::Work => None,
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().collect::<String>() + letters.as_str())
+}

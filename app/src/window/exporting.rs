@@ -1,0 +1,129 @@
+//! What the window shows, written to files or put on the clipboard by the code of the command line.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use raystep_figure::Theme;
+use raystep_lesson::Library;
+
+use super::app::App;
+use super::errand::News;
+use super::export_dialog::Form;
+use super::formulas::decoded;
+use super::playback::{Built, Playback};
+use super::task::Task;
+use super::view::RayChoice;
+use crate::cli::Fault;
+use crate::export::camera::Seen;
+use crate::export::{Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats, write};
+
+/// What the window shows, for another thread.
+struct Window {
+    library: Arc<Library>,
+    playback: Arc<Playback>,
+    seen: Option<Seen>,
+}
+
+impl Window {
+    /// The ground that its ray walks on.
+    fn ground(&self) -> Result<Ground<'_>, Fault> {
+        let gone = || Fault::new("The slide is not there any more.");
+        let view = &self.playback.view;
+        let slide = self.library.slides.get(view.slide).ok_or_else(gone)?;
+        let stage = slide.stage(view.stage).or(slide.stages.first()).ok_or_else(gone)?;
+        let Built { scene, rule, structure, node_bounds, growth, .. } = self.playback.built();
+        let title = scene.title.clone();
+        let built = raystep_lesson::Built { scene, structure, growth };
+        let changes = Changes {
+            scene: view.is_elsewhere().then_some(title),
+            settings: view.settings.clone(),
+            seen: self.seen,
+            told: view.example.is_none(),
+        };
+        Ok(Ground::new(&self.library, slide, stage, built, rule, node_bounds, changes))
+    }
+
+    /// The walks to draw: that of its ray, or of all rays that the slide's beats are told on.
+    fn sessions<'a>(&self, ground: &'a Ground<'a>, all: bool) -> Vec<Session<'a>> {
+        match self.playback.view.ray {
+            RayChoice::Own(ray) if self.playback.play.tape.ray().is_some() => ground.with_ray(ray),
+            RayChoice::Named(index) if !all => {
+                ground.sessions(&ground.stage.rays.get(index).into_iter().collect::<Vec<_>>())
+            }
+            _ => ground.sessions(&rays_of_beats(ground.slide, ground.stage)),
+        }
+    }
+
+    /// Writes files; says which.
+    fn write(&self, order: &Order, which: &Which, all: bool, folder: &Path, task: &Task) -> Result<String, Fault> {
+        let ground = self.ground()?;
+        let sessions = self.sessions(&ground, all);
+        // A beat that is told on another ray is drawn where an own ray reaches it.
+        let own = matches!(self.playback.view.ray, RayChoice::Own(_));
+        let which = if own && matches!(which, Which::Beats) { &Which::ReachedBeats } else { which };
+        let jobs = jobs(&sessions, which, order)?;
+        task.expect(pictures(&jobs));
+        let files = write(&jobs, order, folder, &|| {
+            task.count();
+            !task.is_stopped()
+        })?;
+        Ok(written(&files, folder))
+    }
+}
+
+impl App {
+    /// What the window shows, as far as there is a walk.
+    fn window(&self) -> Result<Window, Fault> {
+        let none = || Fault::new("There is no walk yet.");
+        let playback = self.state.playback().cloned().ok_or_else(none)?;
+        let size = self.space_size;
+        let seen = self.state.view.camera.map(|camera| Seen { camera, aspect: size.x / size.y.max(1.0) });
+        Ok(Window { library: self.state.library.clone(), playback, seen })
+    }
+
+    /// Writes what the form says beside the UI thread.
+    pub(super) fn write(&mut self, form: &Form) -> Result<(), Fault> {
+        let (order, window) = (form.order()?, self.window()?);
+        let (which, all, folder) = (form.which(self.state.view.step), form.all_rays(), form.folder());
+        let task = Task::new(format!("Writing to {}", folder.display()), "pictures");
+        self.errands.run(task, move |task| match window.write(&order, &which, all, &folder, task) {
+            Ok(sentence) => News::Written(sentence),
+            Err(fault) => News::Failed(format!("Nothing was written: {fault}.")),
+        });
+        Ok(())
+    }
+
+    /// Puts the picture of space on the clipboard, as it would be exported.
+    pub(super) fn copy(&mut self) {
+        let (theme, step, size) = (self.theme, self.state.view.step, self.space_size * 2.0);
+        let window = self.window();
+        self.errands.run(Task::new("Drawing the picture", ""), move |_| {
+            match window.and_then(|window| picture(&window, step, size, theme)) {
+                Ok(image) => News::Copied(image),
+                Err(fault) => News::Failed(fault.to_string()),
+            }
+        });
+    }
+}
+
+fn picture(window: &Window, step: usize, size: glam::Vec2, theme: &'static Theme) -> Result<egui::ColorImage, Fault> {
+    let ground = window.ground()?;
+    let sessions = window.sessions(&ground, false);
+    let session = sessions.first().ok_or_else(|| Fault::new("There is no picture yet."))?;
+    let size = size.clamp(glam::Vec2::splat(64.0), glam::Vec2::splat(4096.0));
+    let (figure, scale) = session.figure(View::Space, step, None, size, theme);
+    let png = raystep_print::png(&raystep_print::svg(&figure, theme), scale);
+    let png = png.map_err(|error| Fault::new(error.to_string()))?;
+    decoded(&png).ok_or_else(|| Fault::new("The picture cannot be made."))
+}
+
+/// Which files are there now.
+fn written(files: &[String], folder: &Path) -> String {
+    let folder = folder.display();
+    match files {
+        [] => format!("There was nothing to write to {folder}."),
+        [only] => format!("{only} is in {folder}."),
+        [first, second] => format!("{first} and {second} are in {folder}."),
+        [first, .., last] => format!("{} files are in {folder}: {first} to {last}.", files.len()),
+    }
+}

@@ -1,0 +1,53 @@
+//! The strip over the second picture: what it shows, and how it keeps in step.
+
+use egui::{Align, ComboBox, Layout, Rect, RichText, Ui, vec2};
+use raystep_accel::Rule;
+use raystep_figure::Face;
+
+use super::app::App;
+use super::controls;
+use super::fonts::font;
+use super::state::{Beside, Pace};
+use super::top::kind_name;
+
+/// Shows the strip and does what is chosen.
+pub(super) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {
+    let inner = rect.shrink2(vec2(12.0, 3.0));
+    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center)));
+    pace(app, &mut child);
+    child.with_layout(Layout::left_to_right(Align::Center), |ui| match app.state.beside {
+        Beside::Structure(kind) => structures(app, ui, kind),
+        Beside::Mistake(index) => {
+            let mistakes = app.state.playback().map_or(&[][..], |playback| &playback.mistakes);
+            let title = mistakes.get(index).map_or("", |mistake| mistake.title());
+            ui.add(egui::Label::new(RichText::new(title).font(font(Face::Bold, 13.5))).truncate());
+        }
+        Beside::Nothing => {}
+    });
+}
+
+/// The structures that this one can be compared with.
+fn structures(app: &mut App, ui: &mut Ui, now: &'static str) {
+    let own = app.state.playback().map_or("", |playback| playback.rule.kind());
+    let text = RichText::new(kind_name(now)).font(font(Face::Bold, 13.5));
+    let combo = ComboBox::from_id_salt("rival").width(112.0).selected_text(text).show_ui(ui, |ui| {
+        for kind in Rule::KINDS.into_iter().filter(|kind| *kind != own && *kind != "slab") {
+            if ui.selectable_label(kind == now, kind_name(kind)).clicked() {
+                app.state.compare(kind);
+            }
+        }
+    });
+    controls::name(&combo.response, "Compare with");
+}
+
+/// In step by event, or by t.
+fn pace(app: &mut App, ui: &mut Ui) {
+    let names = [(Pace::Event, "step by step"), (Pace::T, "at the same t")];
+    let shown = names.iter().find(|(pace, _)| *pace == app.state.pace).map_or("", |(_, name)| name);
+    let combo = ComboBox::from_id_salt("pace").width(112.0).selected_text(shown).show_ui(ui, |ui| {
+        for (pace, name) in names {
+            ui.selectable_value(&mut app.state.pace, pace, name);
+        }
+    });
+    controls::name(&combo.response, "Keep in step");
+}

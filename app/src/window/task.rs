@@ -1,0 +1,88 @@
+//! Something that takes a while: how far it is, and whether it should give up.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+
+/// Work under way beside the UI thread.
+#[derive(Debug)]
+pub(super) struct Task {
+    name: String,
+    /// What is counted; `"%"` stands alone.
+    unit: &'static str,
+    /// How many there are in all; 0 when nobody knows.
+    of: AtomicU32,
+    done: AtomicU32,
+    stopped: AtomicBool,
+    over: AtomicBool,
+}
+
+impl Task {
+    /// Work that counts what it has done in this unit.
+    pub(super) fn new(name: impl Into<String>, unit: &'static str) -> Arc<Task> {
+        let (of, done, stopped, over) = Default::default();
+        Arc::new(Task { name: name.into(), unit, of, done, stopped, over })
+    }
+
+    /// So many there are in all.
+    pub(super) fn expect(&self, of: usize) {
+        self.of.store(of as u32, Ordering::Relaxed);
+    }
+
+    /// One more is done.
+    pub(super) fn count(&self) {
+        self.done.fetch_add(1, Ordering::Relaxed);
+    }
+
+    /// So many are done.
+    pub(super) fn reach(&self, done: usize) {
+        self.done.store(done as u32, Ordering::Relaxed);
+    }
+
+    /// Asks the work to give up.
+    pub(super) fn stop(&self) {
+        self.stopped.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether it should give up.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// There is nothing left to do.
+    pub(super) fn finish(&self) {
+        self.over.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether somebody still waits for it.
+    pub(super) fn is_underway(&self) -> bool {
+        !self.is_stopped() && !self.over.load(Ordering::Relaxed)
+    }
+
+    /// What it does and how far it is.
+    pub(super) fn says(&self) -> String {
+        let (name, unit) = (&self.name, self.unit);
+        match (self.done.load(Ordering::Relaxed), self.of.load(Ordering::Relaxed)) {
+            (0, 0) => name.clone(),
+            (done, 0) => format!("{name}: {done} {unit}"),
+            (done, of) => format!("{name}: {} of {of} {unit}", done.min(of)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_task_says_how_far_it_is() {
+        let task = Task::new("Writing", "pictures");
+        assert_eq!(task.says(), "Writing");
+        task.reach(3);
+        assert_eq!(task.says(), "Writing: 3 pictures");
+        task.expect(7);
+        assert_eq!(task.says(), "Writing: 3 of 7 pictures");
+        assert!(task.is_underway());
+        task.stop();
+        assert!(!task.is_underway());
+    }
+}

@@ -1,0 +1,48 @@
+//! What is under way beside the UI thread, on a strip over the picture, each with a button that gives it up.
+
+use std::sync::Arc;
+
+use egui::{Area, Frame, Id, Order, RichText, Ui, vec2};
+
+use super::app::App;
+use super::state::Beside;
+use super::task::Task;
+
+impl App {
+    /// Shows what is under way.
+    pub(super) fn underway(&mut self, ui: &Ui) {
+        let mut tasks: Vec<Arc<Task>> = self.errands.tasks().to_vec();
+        let (making, beside) = (self.workshop.task().cloned(), self.second.task().cloned());
+        tasks.extend(making.iter().chain(&beside).cloned());
+        if tasks.is_empty() {
+            return;
+        }
+        ui.ctx().request_repaint_after_secs(0.05);
+        let area = Area::new(Id::unique("underway")).order(Order::Foreground);
+        let area = area.fade_in(false).anchor(egui::Align2::CENTER_TOP, vec2(0.0, 58.0));
+        let stopped = area.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, |ui| rows(ui, &tasks)).inner).inner;
+        let Some(stopped) = stopped else { return };
+        if making.is_some_and(|making| Arc::ptr_eq(&making, &stopped)) && self.workshop.cancel() {
+            self.state.refuse();
+        }
+        if beside.is_some_and(|beside| Arc::ptr_eq(&beside, &stopped)) && self.second.cancel() {
+            self.state.beside = Beside::Nothing;
+        }
+        stopped.stop();
+    }
+}
+
+/// A row for each task; says which shall be given up.
+fn rows(ui: &mut Ui, tasks: &[Arc<Task>]) -> Option<Arc<Task>> {
+    let mut stopped = None;
+    for task in tasks {
+        ui.horizontal(|ui| {
+            ui.spinner();
+            ui.label(RichText::new(task.says()));
+            if ui.button("Cancel").clicked() {
+                stopped = Some(task.clone());
+            }
+        });
+    }
+    stopped
+}

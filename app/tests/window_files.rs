@@ -1,0 +1,159 @@
+//! What the window writes, opens and gives up.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Arc;
+
+use egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use raystep::window::{App, Remembered, Wishes};
+use raystep_lesson::Library;
+
+fn window(slide: &str) -> Harness<'static, App> {
+    let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
+    let mut harness = Harness::builder()
+        .with_size([1600.0, 1000.0])
+        .with_max_steps(60)
+        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
+    until(&mut harness, |app| app.state.is_current());
+    harness
+}
+
+/// Runs frames until something holds.
+fn until(harness: &mut Harness<'static, App>, holds: impl Fn(&App) -> bool) {
+    for _ in 0..3000 {
+        harness.run_steps(2);
+        if holds(harness.state()) {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    panic!("it does not come to hold");
+}
+
+/// A folder of this test's own, empty.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// A bumpy field of `n` by `n` squares.
+fn field(n: usize) -> String {
+    let mut text = String::new();
+    for (x, y) in (0..=n).flat_map(|y| (0..=n).map(move |x| (x, y))) {
+        text.push_str(&format!("v {x} {} {y}\n", (x * 7 + y * 13) % 5));
+    }
+    for corner in (0..n).flat_map(|y| (0..n).map(move |x| y * (n + 1) + x + 1)) {
+        text.push_str(&format!("f {corner} {} {} {}\n", corner + 1, corner + n + 2, corner + n + 1));
+    }
+    text
+}
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+/// A window with a mesh dropped on it.
+fn dropped(name: &str, squares: usize) -> Harness<'static, App> {
+    let path = folder(name).join("field.obj");
+    std::fs::write(&path, field(squares)).unwrap();
+    let mut harness = window("5/33");
+    harness.input_mut().dropped_files.push(Arc::new(Dropped(path)));
+    until(&mut harness, |app| app.state.view.mesh.is_some() && app.state.is_current());
+    harness
+}
+
+#[test]
+fn the_dialog_writes_the_same_bytes_as_the_command_line() {
+    let (by_window, by_command) = (folder("by-window"), folder("by-command"));
+    let mut harness = window("5/33");
+    let step = harness.state().state.view.step;
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(3);
+    harness.get_by_label("1280×800").click();
+    let field = harness.get_by_role_and_label(egui::accesskit::Role::TextInput, "Folder");
+    field.focus();
+    harness.run_steps(2);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(egui::Event::Text(by_window.to_string_lossy().into_owned()));
+    harness.run_steps(2);
+    harness.get_by_label("Write").click();
+    let name = harness.state().state.playback().map(|playback| playback.steps().last()).unwrap();
+    let name = format!("slide33-which-child-first-flat-step{step:04}of{name:04}.png");
+    until(&mut harness, |_| by_window.join(&name).is_file());
+    let step = format!("{step}..{step}");
+    let arguments = ["export", "--slide", "5/33", "--stage", "flat", "--size", "1280x800", "--steps", &step, "--out"];
+    let output = Command::new(env!("CARGO_BIN_EXE_raystep")).args(arguments).arg(&by_command).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let read = |folder: &Path| std::fs::read(folder.join(&name)).unwrap();
+    assert!(read(&by_window) == read(&by_command), "{name} differs");
+}
+
+#[test]
+fn what_cannot_be_exported_is_said_in_the_dialog() {
+    let mut harness = window("5/33");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    harness.run_steps(3);
+    harness.get_by_role_and_label(egui::accesskit::Role::TextInput, "Size").focus();
+    harness.run_steps(2);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(egui::Event::Text("huge".to_owned()));
+    harness.run_steps(2);
+    harness.get_by_label("Write").click();
+    harness.run_steps(3);
+    assert!(harness.query_by_label_contains("write two numbers").is_some());
+}
+
+#[test]
+fn a_mesh_that_is_dropped_is_opened_and_walked() {
+    let harness = dropped("drop", 12);
+    let playback = harness.state().state.playback().unwrap();
+    assert_eq!(raystep_accel::Primitives::len(&playback.play.scene.prims), 288);
+    let raystep_lesson::Tape::Walk(walk) = &playback.play.tape else { panic!("a ray walks") };
+    assert!(walk.hit.is_some(), "the first ray goes through the middle");
+    assert!(harness.query_by_label_contains("field.obj").is_some());
+}
+
+#[test]
+fn cancel_keeps_the_old_structure() {
+    let mut harness = dropped("cancel", 160);
+    let old = harness.state().state.playback().unwrap().clone();
+    harness.state_mut().state.set("max_depth", "30");
+    harness.run_steps(1);
+    assert!(!harness.state().state.is_current(), "a large structure is built beside the window");
+    harness.key_press(Key::Escape);
+    harness.run_steps(1);
+    assert!(harness.state().state.is_current());
+    assert!(Arc::ptr_eq(&old, harness.state().state.playback().unwrap()));
+    harness.run_steps(20);
+    assert!(Arc::ptr_eq(&old, harness.state().state.playback().unwrap()), "what was cancelled does not arrive later");
+}
+
+#[test]
+fn both_walks_stand_at_the_same_t() {
+    use raystep::window::state::{Beside, Pace};
+    let mut harness = window("5/40");
+    harness.state_mut().state.pace = Pace::T;
+    harness.state_mut().state.compare("grid");
+    until(&mut harness, |app| app.beside().is_some());
+    let app = harness.state();
+    assert_eq!(app.state.beside, Beside::Structure("grid"));
+    let (tree, grid) = (app.state.playback().unwrap(), app.beside().unwrap());
+    for step in 0..tree.steps().last() {
+        let at = grid.step_at(tree.reached(step));
+        assert!(grid.reached(at) <= tree.reached(step));
+        assert!(at == grid.steps().last() || grid.reached(at + 1) > tree.reached(step));
+    }
+}
