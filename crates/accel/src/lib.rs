@@ -61,7 +61,7 @@ pub use objects::{Body, Cover, Frustum, Kind, PAIRS, Pair, Part, Plane, Probe, S
 pub use octree::{Octree, Outside};
 pub use one_box::OneBox;
 pub use packet::{Abreast, Fill, Found, Lanes, Packet, PacketStep, PacketVisit, WalkPackets, Width};
-pub use prims::{Cone, Cylinder, Disc, Mesh, Polygon, Primitives, Prims, Prism, Shape, Sphere, Triangle, Wall};
+pub use prims::{Cone, Corner, Cylinder, Disc, Mesh, Polygon, Primitives, Prims, Prism, Shape, Sphere, Triangle, Wall};
 pub use random::Random;
 pub use ray::{Hit, Ray, RayError};
 pub use rule::{
@@ -71,7 +71,7 @@ pub use rule::{
 pub use slab::slab;
 pub use structure::Structure;
 pub use visit::{Ending, Grain, Side, Verdict, Visit};
-pub use volume::Volume;
+pub use volume::{Hull, KDop, Outline, Volume};
 pub use watch::{Cancelled, Cost, Each, Observer, Trace};
 
 /// What every structure of this crate can do with a ray: slides 7 and 21, whatever lies between.

@@ -76,12 +76,12 @@ impl Slab {
 
 /// `t` moved towards −∞ by the rounding it may carry. Monotone, and infinities stay.
 #[inline]
-fn earlier(t: f32) -> f32 {
+pub(crate) fn earlier(t: f32) -> f32 {
     if t > 0.0 { t * (1.0 - ROUNDING) } else { t * (1.0 + ROUNDING) }
 }
 
 /// `t` moved towards +∞ by the rounding it may carry.
 #[inline]
-fn later(t: f32) -> f32 {
+pub(crate) fn later(t: f32) -> f32 {
     -earlier(-t)
 }

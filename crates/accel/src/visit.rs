@@ -58,6 +58,10 @@ vocabulary! {
         Order ["slab.order"] { place: Place, axis: Direction, t1: f32, t2: f32, swapped: bool }
         /// The interval was narrowed to what the slab leaves of it.
         Narrow ["slab.narrow"] { place: Place, axis: Direction, t1: f32, t2: f32, t_near: f32, t_far: f32, empty: bool }
+        /// The ray was put into the equation of a sphere, `a·t² + 2·b·t + c = 0`; its two solutions are entry and exit.
+        Roots ["roots"] { place: Place, a: f32, b: f32, c: f32, discriminant: f32, t1: f32, t2: f32, t_near: f32, t_far: f32, empty: bool }
+        /// The interval was cut at the plane of a face: where the ray comes in there, or goes out.
+        Clip ["clip"] { place: Place, face: u32, o: f32, d: f32, plane: f32, t: f32, entering: bool, t_near: f32, t_far: f32, empty: bool }
         /// A volume was tested.
         Volume ["volume.hit", "volume.miss", "volume.cut"] { place: Place, t_near: f32, t_far: f32, best_t: f32, verdict: Verdict }
         /// An inner node, a leaf or a cell was entered, holding `prims` references (0 in inner nodes).
@@ -99,6 +103,8 @@ impl Visit {
             Visit::Divide { .. } => "slab.divide",
             Visit::Order { .. } => "slab.order",
             Visit::Narrow { .. } => "slab.narrow",
+            Visit::Roots { .. } => "roots",
+            Visit::Clip { .. } => "clip",
             Visit::Volume { verdict: Verdict::Hit, .. } => "volume.hit",
             Visit::Volume { verdict: Verdict::Miss, .. } => "volume.miss",
             Visit::Volume { verdict: Verdict::Cut, .. } => "volume.cut",
@@ -128,9 +134,12 @@ impl Visit {
     /// How coarse the event is: stepping by decisions shows decisions and visits, and so on.
     pub fn grain(&self) -> Grain {
         match self {
-            Visit::Parallel { .. } | Visit::Divide { .. } | Visit::Order { .. } | Visit::Narrow { .. } => {
-                Grain::Arithmetic
-            }
+            Visit::Parallel { .. }
+            | Visit::Divide { .. }
+            | Visit::Order { .. }
+            | Visit::Narrow { .. }
+            | Visit::Roots { .. }
+            | Visit::Clip { .. } => Grain::Arithmetic,
             Visit::Enter { .. } | Visit::End { .. } => Grain::Visit,
             _ => Grain::Decision,
         }
@@ -143,6 +152,8 @@ impl Visit {
             | Visit::Divide { place, .. }
             | Visit::Order { place, .. }
             | Visit::Narrow { place, .. }
+            | Visit::Roots { place, .. }
+            | Visit::Clip { place, .. }
             | Visit::Volume { place, .. }
             | Visit::Enter { place, .. } => place,
             Visit::Plane { node, .. }

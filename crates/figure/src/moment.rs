@@ -212,6 +212,9 @@ impl Moment {
                 self.slab(place, axis).interval = Interval::new(t_near, t_far);
                 self.live = Interval::new(t_near, t_far);
             }
+            Visit::Roots { t_near, t_far, .. } | Visit::Clip { t_near, t_far, .. } => {
+                self.live = Interval::new(t_near, t_far);
+            }
             Visit::Volume { place, t_near, t_far, verdict, .. } => {
                 let interval = Interval::new(t_near, t_far);
                 self.volumes.push(Tested { place, interval, verdict });

@@ -2,22 +2,43 @@
 
 use super::Bvh;
 use crate::{
-    Aabb, Accel, BvhRule, BvhVolume, Cancelled, Found, Grow, Hit, NodeId, Observer, Packet, PacketVisit, PrimId,
-    Primitives, Ray, Visit, WalkPackets, Want,
+    Aabb, Accel, BvhRule, BvhVolume, Cancelled, Found, Grow, Hit, Hull, KDop, NodeId, Obb, Observer, Outline, Packet,
+    PacketVisit, PrimId, Primitives, Ray, Sphere, Visit, Volume, WalkPackets, Want,
 };
 
 /// A hierarchy of bounding volumes of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub enum AnyBvh {
+    /// Of spheres.
+    Sphere(Bvh<Sphere>),
     /// Of axis-aligned boxes.
     Aabb(Bvh<Aabb>),
+    /// Of oriented boxes.
+    Obb(Bvh<Obb>),
+    /// Of boxes, as k-DOPs.
+    KDop6(Bvh<KDop<0, 0>>),
+    /// Of k-DOPs across a cube's faces and corners.
+    KDop14(Bvh<KDop<0, 4>>),
+    /// Of k-DOPs across a cube's faces and edges.
+    KDop18(Bvh<KDop<4, 6>>),
+    /// Of k-DOPs across a cube's faces, corners and edges.
+    KDop26(Bvh<KDop<0, 10>>),
+    /// Of convex hulls.
+    Hull(Bvh<Hull>),
 }
 
 /// Does the same with the tree of any kind.
 macro_rules! each {
     ($any:expr, $tree:ident => $do:expr) => {
         match $any {
+            $crate::AnyBvh::Sphere($tree) => $do,
             $crate::AnyBvh::Aabb($tree) => $do,
+            $crate::AnyBvh::Obb($tree) => $do,
+            $crate::AnyBvh::KDop6($tree) => $do,
+            $crate::AnyBvh::KDop14($tree) => $do,
+            $crate::AnyBvh::KDop18($tree) => $do,
+            $crate::AnyBvh::KDop26($tree) => $do,
+            $crate::AnyBvh::Hull($tree) => $do,
         }
     };
 }
@@ -34,11 +55,18 @@ impl AnyBvh {
         watch: &mut impl Observer<Grow>,
     ) -> Result<AnyBvh, Cancelled> {
         Ok(match rule.volume {
+            BvhVolume::Sphere => AnyBvh::Sphere(Bvh::over(prims, rule, watch)?),
             BvhVolume::Aabb => AnyBvh::Aabb(Bvh::over(prims, rule, watch)?),
+            BvhVolume::Obb => AnyBvh::Obb(Bvh::over(prims, rule, watch)?),
+            BvhVolume::KDop6 => AnyBvh::KDop6(Bvh::over(prims, rule, watch)?),
+            BvhVolume::KDop14 => AnyBvh::KDop14(Bvh::over(prims, rule, watch)?),
+            BvhVolume::KDop18 => AnyBvh::KDop18(Bvh::over(prims, rule, watch)?),
+            BvhVolume::KDop26 => AnyBvh::KDop26(Bvh::over(prims, rule, watch)?),
+            BvhVolume::Hull => AnyBvh::Hull(Bvh::over(prims, rule, watch)?),
         })
     }
 
-    /// The box around the root's volume; empty if there are no primitives.
+    /// The box around all primitives; empty if there are none.
     pub fn bounds(&self) -> Aabb {
         each!(self, tree => tree.bounds())
     }
@@ -61,6 +89,11 @@ impl AnyBvh {
     /// The boxes around the volumes of all nodes.
     pub fn node_bounds(&self) -> Vec<Aabb> {
         each!(self, tree => tree.node_bounds())
+    }
+
+    /// The surface of a node's volume.
+    pub fn outline(&self, node: NodeId) -> Outline {
+        each!(self, tree => tree.volume(node).outline())
     }
 
     /// How much memory it takes.

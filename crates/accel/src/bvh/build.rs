@@ -30,7 +30,7 @@ impl<V: Volume> Bvh<V> {
             all = before.union(boxes[prim.index()]);
             watch.on(Grow::Widen { prim, bounds: all, grown: all != before });
         }
-        let mut bvh = Bvh { nodes: Vec::new(), refs: Vec::with_capacity(prims.len()), order: rule.order };
+        let mut bvh = Bvh { bounds: all, nodes: Vec::new(), refs: Vec::with_capacity(prims.len()), order: rule.order };
         if prims.is_empty() {
             return Ok(bvh);
         }

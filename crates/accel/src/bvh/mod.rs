@@ -17,6 +17,8 @@ use crate::{Aabb, BvhOrder, BvhRule, Cancelled, Grow, NodeId, Observer, PrimId, 
 /// place of the first only.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bvh<V: Volume = Aabb> {
+    /// The box around all primitives.
+    bounds: Aabb,
     nodes: Vec<BvhNode<V>>,
     /// The primitives of all leaves, one leaf after the other; each primitive once.
     refs: Vec<PrimId>,
@@ -49,9 +51,9 @@ impl Bvh {
 }
 
 impl<V: Volume> Bvh<V> {
-    /// The box around the root's volume; empty if there are no primitives.
+    /// The box around all primitives; empty if there are none.
     pub fn bounds(&self) -> Aabb {
-        self.nodes.first().map_or(Aabb::EMPTY, |root| root.volume.bounds())
+        self.bounds
     }
 
     /// A node's volume.

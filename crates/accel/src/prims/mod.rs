@@ -2,6 +2,7 @@
 
 mod clip;
 mod cone;
+mod corner;
 mod cylinder;
 mod disc;
 mod mesh;
@@ -12,6 +13,7 @@ mod triangle;
 mod wall;
 
 pub use cone::Cone;
+pub use corner::Corner;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use mesh::Mesh;

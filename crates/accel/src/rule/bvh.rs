@@ -7,8 +7,22 @@ use crate::{Axes, Measure};
 words! {
     /// What bounds a node's primitives.
     pub enum BvhVolume {
-        /// An axis-aligned box.
+        /// A sphere (slide 49).
+        Sphere = "sphere",
+        /// An axis-aligned box (slide 50).
         Aabb = "aabb",
+        /// An oriented box (slide 51).
+        Obb = "obb",
+        /// A k-DOP of the six axis-aligned planes: a box again.
+        KDop6 = "kdop6",
+        /// A k-DOP with the four pairs of planes across the corners of a cube (slide 52).
+        KDop14 = "kdop14",
+        /// A k-DOP with the six pairs of planes across the edges of a cube.
+        KDop18 = "kdop18",
+        /// A k-DOP with both.
+        KDop26 = "kdop26",
+        /// A convex hull (slide 52).
+        Hull = "hull",
     }
 
     /// From which end a hierarchy is put together.

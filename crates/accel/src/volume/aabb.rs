@@ -1,6 +1,6 @@
 //! The axis-aligned box, slide 50: the most common volume.
 
-use super::Volume;
+use super::{Outline, Volume};
 use crate::{Aabb, Axes, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 
 impl Volume for Aabb {
@@ -18,11 +18,11 @@ impl Volume for Aabb {
         *self
     }
 
-    fn measure(&self, measure: Measure) -> f32 {
-        Aabb::measure(self, measure)
+    fn outline(&self) -> Outline {
+        Outline::Box(*self)
     }
 
-    fn content(&self) -> f32 {
-        self.extent().max(glam::Vec3::ZERO).element_product()
+    fn measure(&self, measure: Measure) -> f32 {
+        Aabb::measure(self, measure)
     }
 }

@@ -42,6 +42,27 @@ pub(crate) fn of_visit(event: &Visit) -> String {
             number(t_far)
         ),
         Visit::Narrow { axis, t_near, t_far, .. } => format!("The {axis} slab leaves {}.", range(t_near, t_far)),
+        Visit::Roots { place, discriminant, .. } if discriminant < 0.0 => {
+            format!(
+                "The equation of {place} and the ray has no solution: under the root stands {}.",
+                number(discriminant)
+            )
+        }
+        Visit::Roots { place, t1, t2, t_near, t_far, empty, .. } => format!(
+            "The ray enters the sphere of {place} at t = {} and leaves it at t = {}: {} is left.",
+            number(t1),
+            number(t2),
+            if empty { "nothing".to_owned() } else { range(t_near, t_far) }
+        ),
+        Visit::Clip { face, d: 0.0, empty, .. } => {
+            format!("The ray runs along face {face} of the hull, {} it.", if empty { "before" } else { "behind" })
+        }
+        Visit::Clip { face, t, entering, t_near, t_far, empty, .. } => format!(
+            "The ray {} through the plane of face {face} at t = {}: {} is left.",
+            if entering { "comes in" } else { "goes out" },
+            number(t),
+            if empty { "nothing".to_owned() } else { range(t_near, t_far) }
+        ),
         Visit::Volume { place, t_near, t_far, verdict: Verdict::Hit, .. } => {
             format!("The ray lies in {place} for {}.", range(t_near, t_far))
         }

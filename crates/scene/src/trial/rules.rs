@@ -21,6 +21,14 @@ const RULES: &[&str] = &[
     "bvh split=middle leaf_size=1",
     "bvh split=median leaf_size=4",
     "bvh split=sweep leaf_size=1",
+    "bvh volume=sphere leaf_size=1",
+    "bvh volume=obb leaf_size=1",
+    "bvh volume=kdop14 leaf_size=1",
+    "bvh volume=kdop18 leaf_size=1",
+    "bvh volume=kdop26 leaf_size=1",
+    "bvh volume=hull leaf_size=1",
+    "bvh volume=kdop6 split=median",
+    "bvh volume=sphere order=printed",
 ];
 
 /// All of them, with the line that spells each.
