@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 use raystep_accel::{Event, Ray};
-use raystep_figure::{Figure, Look, Reel, Scenery, Still, Theme, TreeView, fill, sentence, short, stage as picture_of};
+use raystep_figure::{Figure, Look, Reel, Scenery, Still, Theme, TreeView, sentence, short, stage as picture_of, told};
 use raystep_lesson::{Play, Show, Tape};
 use raystep_print::{Below, Plate, Record, Told, json, plate};
 
@@ -174,7 +174,7 @@ impl<'a> Session<'a> {
         let here = |beat: &usize| self.step_of(*beat) == Some(step);
         let beat = beat.or_else(|| self.beats().find(here));
         match beat.and_then(|beat| self.ground.beats.get(beat)) {
-            Some(beat) => (fill(&beat.title, event), fill(&beat.text(event), event)),
+            Some(beat) => (told(&beat.title, event), told(&beat.text(event), event)),
             None => (capitalised(short(event)), sentence(event)),
         }
     }

@@ -1,7 +1,7 @@
 //! The column at the left: what the slide says at this step, and its question.
 
 use egui::{Frame, Margin, RichText, ScrollArea, Ui};
-use raystep_figure::{Face, Role, Theme, fill, sentence};
+use raystep_figure::{Face, Role, Theme, sentence, told};
 
 use super::command::Command;
 use super::fonts::font;
@@ -56,7 +56,7 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
                 ui.label(RichText::new(&beat.title).font(font(Face::Medium, 15.5)).color(ink(theme, Role::Here)));
             }
             if let Some(at) = at {
-                prose.show(ui, formulas, &fill(&beat.text(&at), &at));
+                prose.show(ui, formulas, &told(&beat.text(&at), &at));
             }
             // Later events say what they do themselves.
             if state.view.step > step

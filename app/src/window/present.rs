@@ -2,7 +2,7 @@
 
 use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
-use raystep_figure::{Face, Look, Role, fill as filled, sentence};
+use raystep_figure::{Face, Look, Role, sentence, told};
 use raystep_lesson::Plays;
 
 use super::app::App;
@@ -147,7 +147,7 @@ fn said(app: &mut App, ui: &mut Ui, body: f32) -> Option<Command> {
         Some((beat, _)) => {
             ui.label(RichText::new(&beat.title).font(font(Face::Medium, body * 1.1)).color(ink(app.theme, Role::Text)));
             if let Some(event) = event {
-                prose.show(ui, &mut app.formulas, &filled(&beat.text(&event), &event));
+                prose.show(ui, &mut app.formulas, &told(&beat.text(&event), &event));
             }
         }
         None => {

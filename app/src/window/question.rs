@@ -2,7 +2,7 @@
 
 use egui::{Button, Frame, Margin, RichText, Stroke, Ui, vec2};
 use raystep_accel::{Event, Grow};
-use raystep_figure::{Answer, Face, Role, Theme, fill as filled, value};
+use raystep_figure::{Answer, Face, Role, Theme, told, value};
 use raystep_lesson::Choice;
 
 use super::command::Command;
@@ -51,7 +51,7 @@ pub(super) fn question_text(state: &State, posed: &Posed) -> String {
     let ask = state.slide().and_then(|slide| slide.beats.get(posed.beat)?.ask.as_ref());
     let event = state.playback().and_then(|playback| playback.event(posed.step));
     match (ask, event) {
-        (Some(ask), Some(event)) => filled(&ask.question, &event),
+        (Some(ask), Some(event)) => told(&ask.question, &event),
         _ => String::new(),
     }
 }
@@ -60,7 +60,7 @@ pub(super) fn question_text(state: &State, posed: &Posed) -> String {
 pub(super) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
     let event = state.playback().and_then(|playback| playback.event(posed.step));
     match (&choice.reason, event) {
-        (Some(reason), Some(event)) => filled(reason, &Answer { coming: event, own: choice.own }),
+        (Some(reason), Some(event)) => told(reason, &Answer { coming: event, own: choice.own }),
         _ => "Look at the numbers of this step and try again.".to_owned(),
     }
 }

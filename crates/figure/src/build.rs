@@ -93,6 +93,8 @@ pub struct GrowNode {
     pub bounds: Aabb,
     /// How many references it holds.
     pub prims: u32,
+    /// How deep it lies: the root at 0.
+    pub depth: u32,
     /// How it was split in two, if it was.
     pub split: Option<Taken>,
     /// The nodes that it was split or divided into.
@@ -197,11 +199,18 @@ impl GrowMoment {
                 self.decide(cell, Fate::Pruned);
                 self.tally.pruned += 1;
             }
-            Grow::Open { node, bounds, prims, .. } => {
+            Grow::Open { node, bounds, prims, depth } => {
                 self.prim = None;
                 self.bounds = self.bounds.union(bounds);
-                let fresh =
-                    GrowNode { bounds, prims, split: None, children: Vec::new(), leaf: None, settled: Vec::new() };
+                let fresh = GrowNode {
+                    bounds,
+                    prims,
+                    depth,
+                    split: None,
+                    children: Vec::new(),
+                    leaf: None,
+                    settled: Vec::new(),
+                };
                 self.nodes.insert(node, fresh);
                 self.consider(node);
                 self.waiting.retain(|waiting| *waiting != node);

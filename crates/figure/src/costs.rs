@@ -21,7 +21,13 @@ pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure
     let weighed: Vec<Weighed> = moment.weighed.iter().copied().filter(|w| w.cost.is_finite()).collect();
     let axes: BTreeSet<Direction> = weighed.iter().map(|weighed| weighed.axis).collect();
     if axes.is_empty() {
-        look.nothing(&mut figure, &title, "No split has been weighed here yet.");
+        let node = moment.node.and_then(|node| moment.nodes.get(&node));
+        let says = match node {
+            Some(node) if node.leaf.is_some() => "This node is not split.",
+            Some(_) => "No split has been weighed here yet.",
+            None => "There is nothing to weigh now.",
+        };
+        look.nothing(&mut figure, &title, says);
         return figure;
     }
     let remark = remark(moment, hide);
@@ -38,6 +44,12 @@ pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure
         let here: Vec<Weighed> = weighed.iter().copied().filter(|w| w.axis == *axis).collect();
         let (low, high) =
             here.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), w| (a.min(w.plane), b.max(w.plane)));
+        // As wide as the node, so that the curve stands as the planes do.
+        let node = moment.node.and_then(|node| moment.nodes.get(&node));
+        let (low, high) = match (node, axis.axis()) {
+            (Some(node), Some(axis)) => (low.min(node.bounds.min[axis]), high.max(node.bounds.max[axis])),
+            _ => (low, high),
+        };
         let pad = ((high - low) * 0.05).max(1e-3 * high.abs()).max(1e-6);
         let across = Ticks { low: low - pad, high: high + pad, left, right: left + width };
         let up = Ticks {

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
 use crate::branches::{Tree, TreeView};
-use crate::build::{Build, Fate, GrowMoment};
+use crate::build::{Build, Fate, GrowMoment, GrowNode};
 use crate::tree::draw_tree;
 use crate::work::counted;
 use crate::{Figure, Form, Look, Role, Space, SpaceMark, number};
@@ -66,7 +66,8 @@ impl Drawing<'_> {
         if moment.bounds.is_empty() {
             return;
         }
-        let grows = moment.nodes.is_empty() && moment.cells.is_empty() && moment.rasterised.is_empty();
+        // Until the first cell is filled or the first plane weighed.
+        let grows = moment.tally.rasterised == 0 && moment.tally.weighed == 0 && moment.tally.taken == 0;
         self.add(if grows { Role::Here } else { Role::Edge }, Some(Place::World), Form::Box(moment.bounds));
         if !grows {
             return;
@@ -78,6 +79,9 @@ impl Drawing<'_> {
         setters.dedup();
         for prim in setters {
             self.add(Role::Best, Some(Place::Prim(prim)), Form::Prim(prim));
+        }
+        if !moment.nodes.is_empty() {
+            return;
         }
         let sides = moment.bounds.extent().to_array();
         let text = sides[..axes].iter().map(|side| number(*side)).collect::<Vec<_>>().join(" × ");
@@ -138,7 +142,19 @@ impl Drawing<'_> {
 
     /// The boxes of the nodes, those being split or waiting for it above all others.
     fn nodes(&mut self) {
-        let shown = self.moment.nodes.iter().take(BOXES);
+        // Of very many, the uppermost.
+        let mut depths = vec![0; 1 + self.moment.nodes.values().map(|node| node.depth as usize).max().unwrap_or(0)];
+        for node in self.moment.nodes.values() {
+            depths[node.depth as usize] += 1;
+        }
+        let mut room = BOXES;
+        let deepest = depths.iter().position(|&count| {
+            let full = count > room;
+            room = room.saturating_sub(count);
+            full
+        });
+        let high = |node: &GrowNode| deepest.is_none_or(|deepest| (node.depth as usize) < deepest);
+        let shown = self.moment.nodes.iter().filter(|(_, node)| high(node));
         let rest = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id));
         for (&id, node) in shown.chain(rest) {
             let role = node_role(self.moment, id);
@@ -152,7 +168,8 @@ impl Drawing<'_> {
     fn splits(&mut self) {
         let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
         let place = Some(Place::Node(*id));
-        for weighed in self.moment.weighed.iter().rev().take(TICKS) {
+        let every = self.moment.weighed.len().div_ceil(TICKS).max(1);
+        for weighed in self.moment.weighed.iter().step_by(every) {
             let Some(axis) = weighed.axis.axis() else { continue };
             for (from, to) in ticks(&node.bounds, axis, weighed.plane) {
                 self.add(Role::Candidate, place, Form::Segment(from, to));

@@ -59,7 +59,7 @@ pub use ledger::{cells_of_build, work_of_build};
 pub use listing::{ListingLine, listing};
 pub use look::Look;
 pub use moment::{Cut, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
-pub use number::{fill, number, value};
+pub use number::{fill, number, told, value};
 pub use reel::{Instant, Reel};
 pub use role::Role;
 pub use ruler::{ruler, ruler_height, ruler_line};

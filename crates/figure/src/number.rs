@@ -71,6 +71,24 @@ pub fn fill(template: &str, event: &impl Fact) -> String {
     filled + rest
 }
 
+/// The template filled as prose: a place that begins a sentence begins with a capital letter.
+pub fn told(template: &str, event: &impl Fact) -> String {
+    let filled = fill(template, event);
+    let mut told = String::with_capacity(filled.len());
+    let mut begins = true;
+    for (at, letter) in filled.char_indices() {
+        let rest = &filled[at..];
+        let place = ["primitive ", "node ", "cell ", "the box"].iter().any(|word| rest.starts_with(word));
+        if begins && place {
+            told.extend(letter.to_uppercase());
+        } else {
+            told.push(letter);
+        }
+        begins = letter == '\n' || letter == ' ' && told.trim_end().ends_with(['.', '?', '!']);
+    }
+    told
+}
+
 /// Mantissa with three digits and exponent, rounded as they are printed.
 fn parts(size: f64) -> (String, i32) {
     let printed = format!("{size:.2e}");
@@ -138,6 +156,7 @@ mod tests {
             fill("{{axis}} = {{plane}} cuts {{ node }} at {{t}}; {{other}} {t}", &event),
             "y = 2.02 cuts node 1 at 3.66; {{other}} {t}"
         );
+        assert_eq!(told("{{node}} is cut. {{node}} waits", &event), "Node 1 is cut. Node 1 waits");
         assert_eq!(fill("{{t", &event), "{{t");
         let place = raystep_accel::Place::Node(NodeId(3));
         let leaf = |prims| Visit::Enter { place, t_near: 0.0, t_far: 1.0, prims, leaf: true };

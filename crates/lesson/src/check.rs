@@ -184,6 +184,7 @@ impl Checker<'_> {
                 Value::Count(_) if answer.parse::<u32>().is_ok() => continue,
                 Value::Count(_) => {
                     allowed.push("all");
+                    allowed.extend(event.fields().iter().filter(alike));
                     allowed.extend(slide.plays.events());
                 }
                 _ => {}

@@ -53,6 +53,8 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
         ("towards and direction", "towards = [8.2, 3.9]", "towards = [8.2, 3.9], direction = [1, 0]"),
         ("broken promise", "\"drop\"", "\"split.far\""),
         ("misspelt promise", "\"drop\"", "\"dorp\""),
+        ("unknown play", "title = \"First\"", "title = \"First\"\nplays = \"biuld\""),
+        ("rays of a build", "title = \"First\"", "title = \"First\"\nplays = \"build\""),
         ("no stage", "[flat]", "[flach]"),
         ("text above the beats", "## The plane", "Hello.\n\n## The plane"),
         ("no beats", "## ", "### "),
