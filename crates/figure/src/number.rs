@@ -57,7 +57,7 @@ pub fn fill(template: &str, event: &impl Fact) -> String {
         let (field, noun) = inside.split_once(' ').unwrap_or((inside, ""));
         match event.field(field) {
             Some(Value::Count(n)) if !noun.is_empty() => {
-                filled.push_str(&counted(u64::from(n), noun, &format!("{noun}s")))
+                filled.push_str(&counted(u64::from(n), noun, &format!("{noun}s")));
             }
             // Nobody reads "3.5 − −1".
             Some(Value::Number(x)) if x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']) => {
