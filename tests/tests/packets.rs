@@ -1,27 +1,12 @@
 //! Packets: every lane finds what its ray finds alone, whatever the other lanes are.
 
 use raystep_accel::{
-    Abreast, Accel, Fill, Found, Hit, Lanes, List, NodeId, Observer, Packet, PacketStep, PacketVisit, PrimId, Prims,
-    Random, Ray, Structure, Visit, WalkPackets, Want, Width,
+    Abreast, Accel, Fill, Hit, Lanes, List, NodeId, Packet, PacketStep, PrimId, Prims, Random, Ray, Structure, Visit,
+    Want, Width,
 };
 use raystep_tests::rays::Targets;
 use raystep_tests::rules::rules;
 use raystep_tests::scenes::cases;
-
-/// The answers of a packet; nothing from structures that packets do not walk.
-fn walk(
-    structure: &Structure,
-    prims: &Prims,
-    packet: Packet<'_>,
-    want: Want,
-    watch: &mut impl Observer<PacketVisit>,
-) -> Option<Found> {
-    match structure {
-        Structure::Kd(tree) => Some(tree.walk_packet(prims, packet, want, watch)),
-        Structure::Bvh(tree) => Some(tree.walk_packet(prims, packet, want, watch)),
-        _ => None,
-    }
-}
 
 /// Calls `law` with packets of rays that have nothing to do with each other, in every tree over every scene.
 fn check(count: u32, law: impl Fn(&Structure, &Prims, Packet<'_>, Want, &str)) {
@@ -49,7 +34,7 @@ fn check(count: u32, law: impl Fn(&Structure, &Prims, Packet<'_>, Want, &str)) {
 fn every_lane_finds_what_its_ray_finds_alone() {
     let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim));
     check(500, |structure, prims, packet, want, what| {
-        let found = walk(structure, prims, packet, want, &mut ()).unwrap();
+        let found = structure.walk_packet(prims, packet, want, &mut ()).unwrap();
         for (ray, found) in packet.rays().iter().zip(found) {
             let alone = List.intersect(prims, ray, &mut ());
             match want {
@@ -65,8 +50,8 @@ fn every_lane_finds_what_its_ray_finds_alone() {
 fn lanes_take_part_only_where_they_have_come_to() {
     check(64, |structure, prims, packet, want, what| {
         let (mut events, mut fill) = (Vec::new(), Fill::default());
-        let found = walk(structure, prims, packet, want, &mut (&mut events, &mut fill)).unwrap();
-        assert_eq!(walk(structure, prims, packet, want, &mut ()).unwrap(), found, "{what}: watched or not");
+        let found = structure.walk_packet(prims, packet, want, &mut (&mut events, &mut fill)).unwrap();
+        assert_eq!(structure.walk_packet(prims, packet, want, &mut ()).unwrap(), found, "{what}: watched or not");
 
         let width = packet.width();
         // Who may enter which node.
@@ -136,7 +121,7 @@ fn lanes_that_agree_do_in_a_kd_tree_what_each_does_alone() {
             packet.rays().iter().filter(usable).filter(|ray| signs(ray) == signs(first)).copied().collect();
         let mut events = Vec::new();
         let packet = Packet::all(&agreeing, Width::Sixteen).next().unwrap();
-        walk(structure, prims, packet, want, &mut events);
+        structure.walk_packet(prims, packet, want, &mut events);
         for (lane, ray) in agreeing.iter().enumerate() {
             let mut alone: Vec<Visit> = Vec::new();
             structure.walk(prims, ray, want, &mut alone);

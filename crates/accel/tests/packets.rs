@@ -34,11 +34,7 @@ fn built(kind: &str, settings: &[(&str, &str)]) -> Structure {
 
 fn walked(structure: &Structure, rays: &[Ray], watch: &mut impl Observer<PacketVisit>) -> Found {
     let (prims, packet) = (scene(), Packet::all(rays, Width::Four).next().unwrap());
-    match structure {
-        Structure::Kd(tree) => tree.walk_packet(&prims.as_slice(), packet, Want::Nearest, watch),
-        Structure::Bvh(tree) => tree.walk_packet(&prims.as_slice(), packet, Want::Nearest, watch),
-        _ => unreachable!("packets walk kd-trees and hierarchies of boxes"),
-    }
+    structure.walk_packet(&prims.as_slice(), packet, Want::Nearest, watch).unwrap()
 }
 
 /// One line an event: its lanes, its name, its fields. The arithmetic of slabs is left out.

@@ -117,3 +117,20 @@ fn ball(center: Vec3, radius: f32) -> Vec<[Vec3; 3]> {
         .filter(|[a, b, c]| a != b && b != c && c != a)
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polygon_with_a_notch_is_cut_into_its_own_area() {
+        let corners =
+            [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [0.0, -0.25], [-1.0, 1.0]].map(|[x, y]| Vec3::new(x, y, 0.5));
+        let cut = cut_to_triangles(&Polygon { corners: &corners });
+        assert_eq!(cut.len(), 3);
+        let area: f32 = cut.iter().map(|[a, b, c]| (*b - *a).cross(*c - *a).z * 0.5).sum();
+        // The square less the notch; a triangle over the notch would count against it.
+        assert!((area - (4.0 - 1.25)).abs() < 1e-6);
+        assert!(cut.iter().all(|[a, b, c]| (*b - *a).cross(*c - *a).z > 0.0));
+    }
+}

@@ -15,7 +15,7 @@ pub use lanes::Lanes;
 pub use visit::{Abreast, PacketStep, PacketVisit};
 
 use crate::events::words;
-use crate::{Hit, Observer, Primitives, Ray, Want};
+use crate::{Hit, Observer, Primitives, Ray, Structure, Want};
 
 words! {
     /// How many rays walk together.
@@ -75,4 +75,21 @@ pub trait WalkPackets {
         want: Want,
         watch: &mut impl Observer<PacketVisit>,
     ) -> Found;
+}
+
+impl Structure {
+    /// The answers of a packet, if it is a structure that packets can walk.
+    pub fn walk_packet(
+        &self,
+        prims: &impl Primitives,
+        packet: Packet<'_>,
+        want: Want,
+        watch: &mut impl Observer<PacketVisit>,
+    ) -> Option<Found> {
+        match self {
+            Structure::Kd(tree) => Some(tree.walk_packet(prims, packet, want, watch)),
+            Structure::Bvh(tree) => Some(tree.walk_packet(prims, packet, want, watch)),
+            _ => None,
+        }
+    }
 }
