@@ -40,7 +40,7 @@ fn nearest(shape: &Shape<'_>, p: DVec3) -> DVec3 {
         }
         Shape::Triangle(t) => {
             // Inside the three edges' planes, or on one of the edges.
-            let [a, b, c] = [t.a, t.b, t.c].map(|corner| corner.as_dvec3());
+            let [a, b, c] = [t.a, t.b, t.c].map(Vec3::as_dvec3);
             let n = (b - a).cross(c - a).normalize();
             let flat = p - n * n.dot(p - a);
             if Body::Point(flat.as_vec3()).meets(&Body::Shape(*shape), &mut ()) == Some(true) {
