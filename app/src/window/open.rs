@@ -65,7 +65,7 @@ impl App {
             library.slides.iter().position(|other| std::ptr::eq(other, slide))
         };
         // A mesh is met first where a tree walks through it.
-        let tree = || library.slides.iter().position(|slide| slide.stages.iter().any(|stage| stage.plan.kind == "kd"));
+        let tree = || library.slides.iter().position(|slide| slide.listing == "kd-walk");
         let first = if wishes.mesh.is_some() { tree().unwrap_or(0) } else { 0 };
         let slide = wishes.slide.as_ref().and_then(index).unwrap_or(first);
         let mut app = App::new(context, library, slide, remembered);

@@ -124,8 +124,8 @@ fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, step: usize) {
     let mut says = format!("{} of {all} tested", cost.prim_tests);
     match (cost.node_visits, cost.cell_steps) {
         (0, 0) => {}
-        (0, cells) => says.push_str(&format!(" · {cells} cells")),
-        (nodes, _) => says.push_str(&format!(" · {nodes} nodes")),
+        (0, cells) => says.push_str(&format!(" · {cells} {}", if cells == 1 { "cell" } else { "cells" })),
+        (nodes, _) => says.push_str(&format!(" · {nodes} {}", if nodes == 1 { "node" } else { "nodes" })),
     }
     if playback.play.structure.bytes() > 0 {
         says.push_str(&format!(" · built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
