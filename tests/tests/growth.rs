@@ -15,6 +15,7 @@ use raystep_tests::scenes::cases;
 struct Told {
     bounds: Option<Aabb>,
     resolution: [u32; 3],
+    cells: u32,
     boxes: BTreeMap<NodeId, Aabb>,
     children: BTreeMap<NodeId, Vec<NodeId>>,
     planes: BTreeMap<NodeId, (Direction, f32)>,
@@ -26,7 +27,16 @@ impl Observer<Grow> for Told {
     fn on(&mut self, event: Grow) {
         match event {
             Grow::Widen { bounds, .. } => self.bounds = Some(bounds),
-            Grow::Resolve { nx, ny, nz, .. } => self.resolution = [nx, ny, nz],
+            Grow::Resolve { nx, ny, nz, .. } => {
+                self.resolution = [nx, ny, nz];
+                self.cells = nx * ny * nz;
+            }
+            Grow::Refine { cell, first, nx, ny, nz, prims } => {
+                assert_eq!(first, CellId(self.cells), "cells of finer grids are numbered on");
+                self.cells += nx * ny * nz;
+                let held = self.settled.remove(&Place::Cell(cell)).unwrap_or_default();
+                assert_eq!(held.len(), prims as usize);
+            }
             Grow::Open { node, bounds, .. } => assert!(self.boxes.insert(node, bounds).is_none()),
             Grow::Split { node, axis, plane, below, above, .. } => {
                 assert!(self.children.insert(node, vec![below, above]).is_none());
@@ -51,10 +61,10 @@ impl Told {
     /// Nothing in the structure differs from what was told, and nothing was told that is not in it.
     fn matches(&self, structure: &Structure) {
         assert_eq!(structure.bounds(), self.bounds.unwrap_or(Aabb::EMPTY));
-        if let Structure::Grid(grid) = structure {
-            assert_eq!(grid.resolution, self.resolution);
-            let cells = (0..grid.cell_count() as u32).map(CellId);
-            assert!(cells.into_iter().all(|cell| grid.cell_prims(cell) == self.settled(Place::Cell(cell))));
+        if let Some(grid) = structure.grid() {
+            assert_eq!((grid.lattice().resolution, grid.cell_count()), (self.resolution, self.cells as usize));
+            let mut cells = (0..self.cells).map(CellId);
+            assert!(cells.all(|cell| grid.cell_prims(cell) == self.settled(Place::Cell(cell))));
             return;
         }
         assert_eq!(structure.node_count(), self.boxes.len());
@@ -95,7 +105,7 @@ fn every_primitive_is_referred_to() {
             let mut referred = vec![0; case.prims.len()];
             let nodes = (0..structure.node_count() as u32).map(NodeId);
             nodes.flat_map(|node| structure.leaf_prims(node)).for_each(|prim| referred[prim.index()] += 1);
-            if let Structure::Grid(grid) = &structure {
+            if let Some(grid) = structure.grid() {
                 let cells = (0..grid.cell_count() as u32).map(CellId);
                 cells.flat_map(|cell| grid.cell_prims(cell)).for_each(|prim| referred[prim.index()] += 1);
             }
@@ -123,8 +133,15 @@ fn fan(n: usize) -> Prims {
 #[test]
 fn triangles_on_top_of_each_other_give_a_bounded_structure() {
     for (n, prims) in [(100_000, pile(100_000)), (3000, fan(3000))] {
-        for line in ["grid", "kd", "kd split=middle max_depth=64 min_objects=0", "kd split=median max_depth=64", "bvh"]
-        {
+        for line in [
+            "grid",
+            "nested-grid levels=6",
+            "hashed-grid",
+            "kd",
+            "kd split=middle max_depth=64 min_objects=0",
+            "kd split=median max_depth=64",
+            "bvh",
+        ] {
             let structure = Structure::build(&prims, &rule(line), &mut ()).unwrap();
             let bytes = structure.bytes() / n;
             assert!(bytes < 2000, "{line}: {bytes} bytes a triangle");
@@ -170,7 +187,7 @@ impl Observer<Grow> for Patience {
 #[test]
 fn a_builder_gives_up_when_asked() {
     let teapot = Scene::named("teapot-6321").unwrap();
-    for line in ["grid", "kd", "bvh"] {
+    for line in ["grid", "nested-grid", "hashed-grid", "kd", "bvh"] {
         for patience in [0, 1, 10, 300] {
             let built = Structure::build(&teapot.prims, &rule(line), &mut Patience(patience));
             assert_eq!(built, Err(Cancelled), "{line}");

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use glam::Vec3;
 use raystep_accel::{
-    Accel, Cost, Ending, Hit, Interval, NodeId, Observer, Place, Prims, Random, Ray, RayError, Structure, Trace,
-    Verdict, Visit, Want,
+    Accel, CellId, Cost, Ending, Hit, Interval, NodeId, Observer, Place, Prims, Random, Ray, RayError, Structure,
+    Trace, Verdict, Visit, Want,
 };
 use raystep_tests::rays::Targets;
 use raystep_tests::rules::rules;
@@ -199,19 +199,38 @@ fn a_kd_split_sends_the_ray_where_its_interval_is() {
 #[test]
 fn cells_of_a_walk_are_face_neighbours_and_t_never_falls() {
     check(|structure, events, _| {
-        let Structure::Grid(grid) = structure else { return };
-        let mut last: Option<([u32; 3], f32)> = None;
+        let Some(grid) = structure.grid() else { return };
+        // For each level the cell the walk is in, with the cell that holds the level's grid.
+        let mut levels: Vec<(Option<CellId>, Option<CellId>)> = vec![(None, None)];
+        let mut t = f32::NEG_INFINITY;
         for event in events {
-            let &Visit::Enter { place: Place::Cell(cell), t_near, t_far, prims, .. } = event else { continue };
-            assert!(t_near <= t_far);
-            assert_eq!(prims as usize, grid.cell_prims(cell).len());
-            let place = grid.cell_place(cell);
-            if let Some((before, left)) = last {
-                let apart: u32 = place.iter().zip(before).map(|(&a, b)| a.abs_diff(b)).sum();
-                assert_eq!(apart, 1, "from {before:?} to {place:?}");
-                assert!(left <= t_near, "t fell from {left} to {t_near}");
+            match *event {
+                Visit::Enter { place: Place::Cell(cell), t_near, t_far, prims, leaf } => {
+                    assert!(t_near <= t_far);
+                    assert_eq!(prims as usize, grid.cell_prims(cell).len());
+                    assert_eq!(leaf, grid.finer().iter().all(|(holder, _)| *holder != cell));
+                    assert!(t <= t_near, "t fell from {t} to {t_near}");
+                    let (holder, before) = levels.last_mut().unwrap();
+                    assert_eq!(grid.around(cell).1, *holder);
+                    if let Some(before) = before.replace(cell) {
+                        let places = [before, cell].map(|cell| grid.cell_place(cell));
+                        let apart: u32 = places[0].iter().zip(places[1]).map(|(&a, b)| a.abs_diff(b)).sum();
+                        assert_eq!(apart, 1, "from {before:?} to {cell:?}");
+                    }
+                    t = if leaf { t_far } else { t_near };
+                }
+                Visit::Descend { cell, t_near, .. } => {
+                    assert_eq!((levels.last().unwrap().1, t_near), (Some(cell), t));
+                    levels.push((Some(cell), None));
+                }
+                Visit::Ascend { cell, t_far, .. } => {
+                    assert_eq!(levels.pop().unwrap().0, Some(cell));
+                    assert!(t <= t_far, "t fell from {t} to {t_far}");
+                    t = t_far;
+                }
+                Visit::Step { cell, t: over, .. } => assert_eq!((levels.last().unwrap().1, over), (Some(cell), t)),
+                _ => {}
             }
-            last = Some((place, t_far));
         }
     });
 }

@@ -24,7 +24,7 @@ pub struct TraceArguments {
     /// A mesh to read.
     #[arg(long, value_name = "FILE.obj")]
     mesh: Option<PathBuf>,
-    /// list, grid, kd or bvh.
+    /// list, grid, nested-grid, hashed-grid, kd, octree or bvh.
     #[arg(long, value_name = "KIND")]
     structure: String,
     /// A parameter of the structure; may be repeated.

@@ -181,8 +181,8 @@ fn guess(instant: &mut Instant, choices: &[Choice]) {
 pub(super) fn main_pane(playback: &Playback, show: &[Show]) -> Option<Pane> {
     use raystep_accel::Structure;
     match &*playback.play.structure {
-        Structure::Grid(_) => Some(Pane::Cells),
         Structure::Slab(_) => Some(Pane::Slabs),
+        structure if structure.grid().is_some() => Some(Pane::Cells),
         Structure::List(_) => show.contains(&Show::Slabs).then_some(Pane::Slabs),
         _ => Some(Pane::Tree),
     }

@@ -205,6 +205,8 @@ pub(super) fn kind_name(kind: &str) -> &str {
     match kind {
         "list" => "Brute force",
         "grid" => "Grid",
+        "nested-grid" => "Nested grids",
+        "hashed-grid" => "Hashed grid",
         "kd" => "kd-tree",
         "bvh" => "BVH",
         other => other,

@@ -27,6 +27,8 @@ vocabulary! {
         Widen ["widen.grown", "widen.same"] { prim: PrimId, bounds: Aabb, grown: bool }
         /// The grid's resolution was chosen.
         Resolve ["resolve"] { bounds: Aabb, nx: u32, ny: u32, nz: u32, prims: u32 }
+        /// A crowded cell got a grid of its own, with cells numbered from `first`: its references go there.
+        Refine ["refine"] { cell: CellId, first: CellId, nx: u32, ny: u32, nz: u32, prims: u32 }
         /// A primitive's box was rasterised into this cell.
         Rasterise ["rasterise"] { prim: PrimId, cell: CellId }
         /// The primitive does not overlap the cell: no reference.
@@ -65,6 +67,7 @@ impl Grow {
             Grow::Widen { grown: true, .. } => "widen.grown",
             Grow::Widen { grown: false, .. } => "widen.same",
             Grow::Resolve { .. } => "resolve",
+            Grow::Refine { .. } => "refine",
             Grow::Rasterise { .. } => "rasterise",
             Grow::Prune { .. } => "prune",
             Grow::Open { .. } => "open",
@@ -88,7 +91,9 @@ impl Grow {
             Grow::Weigh { .. } | Grow::Rasterise { .. } | Grow::Widen { grown: false, .. } | Grow::Touch { .. } => {
                 Grain::Arithmetic
             }
-            Grow::Open { .. } | Grow::Resolve { .. } | Grow::Merge { .. } | Grow::End { .. } => Grain::Visit,
+            Grow::Open { .. } | Grow::Resolve { .. } | Grow::Refine { .. } | Grow::Merge { .. } | Grow::End { .. } => {
+                Grain::Visit
+            }
             Grow::Settle { place: Place::Cell(_), .. } => Grain::Visit,
             _ => Grain::Decision,
         }
@@ -99,7 +104,7 @@ impl Grow {
         match *self {
             Grow::Widen { prim, .. } => Place::Prim(prim),
             Grow::Resolve { .. } | Grow::End { .. } => Place::World,
-            Grow::Rasterise { cell, .. } | Grow::Prune { cell, .. } => Place::Cell(cell),
+            Grow::Refine { cell, .. } | Grow::Rasterise { cell, .. } | Grow::Prune { cell, .. } => Place::Cell(cell),
             Grow::Settle { place, .. } => place,
             Grow::Open { node, .. }
             | Grow::Weigh { node, .. }

@@ -10,7 +10,7 @@ pub struct PrimId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NodeId(pub u32);
 
-/// A grid cell: `x + nx·(y + ny·z)`.
+/// A grid cell: `x + nx·(y + ny·z)`. Cells of grids within cells come after those of the coarse grid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct CellId(pub u32);
 

@@ -48,7 +48,7 @@ pub use bvh::{AnyBvh, Bvh};
 pub use direction::Direction;
 pub use event::Event;
 pub use events::Value;
-pub use grid::Grid;
+pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
 pub use grow::{Grow, LeafReason};
 pub use ids::{CellId, NodeId, Place, PrimId};
 pub use interval::Interval;
@@ -65,12 +65,12 @@ pub use prims::{Cone, Corner, Cylinder, Disc, Mesh, Polygon, Primitives, Prims, 
 pub use random::Random;
 pub use ray::{Hit, Ray, RayError};
 pub use rule::{
-    Allowed, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit, OctreeRule, Parameter,
-    Resolution, Rule, RuleError,
+    Allowed, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit, NestedRule, OctreeRule,
+    Parameter, Resolution, Rule, RuleError,
 };
 pub use slab::slab;
 pub use structure::Structure;
-pub use visit::{Ending, Grain, Side, Verdict, Visit};
+pub use visit::{Ending, Grain, Probed, Side, Verdict, Visit};
 pub use volume::{Hull, KDop, Outline, Volume};
 pub use watch::{Cancelled, Cost, Each, Observer, Trace};
 

@@ -23,14 +23,25 @@ pub struct Margin {
 impl Margin {
     /// The margin for a structure over `bounds`.
     pub fn of(bounds: &Aabb) -> Margin {
+        Margin::within(bounds, 64.0)
+    }
+
+    /// The margin for a structure whose cells may be much smaller than `bounds`: a 16th of the pad, for rays
+    /// that start within a 16th of the reach.
+    pub fn near(bounds: &Aabb) -> Margin {
+        Margin::within(bounds, 4.0)
+    }
+
+    /// The margin for rays that start within so many diagonals; the pad grows with them.
+    fn within(bounds: &Aabb, diagonals: f32) -> Margin {
         if bounds.is_empty() {
             return Margin { pad: 0.0, reach: f32::INFINITY, center: Vec3::ZERO };
         }
         let diagonal = bounds.extent().length();
         let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
         // The second term covers the rounding of the boxes themselves in scenes far from the origin.
-        let pad = (diagonal / 2048.0).max(largest * (4.0 * f32::EPSILON));
-        Margin { pad, reach: 64.0 * diagonal, center: bounds.center() }
+        let pad = (diagonal * (diagonals / (64.0 * 2048.0))).max(largest * (4.0 * f32::EPSILON));
+        Margin { pad, reach: diagonals * diagonal, center: bounds.center() }
     }
 
     /// Whether a ray from `o` can be walked through cells.

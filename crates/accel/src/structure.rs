@@ -1,8 +1,8 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, AnyBvh, Cancelled, Direction, Grid, Grow, Hit, Kd, List, NodeId, Observer, Octree, OneBox, PrimId,
-    Primitives, Ray, Rule, Visit, Want,
+    Aabb, Accel, AnyBvh, AnyGrid, Cancelled, Direction, Grid, Grow, HashedGrid, Hit, Kd, List, NestedGrid, NodeId,
+    Observer, Octree, OneBox, PrimId, Primitives, Ray, Rule, Visit, Want,
 };
 
 /// A structure of any kind.
@@ -14,6 +14,10 @@ pub enum Structure {
     Slab(OneBox),
     /// A uniform grid.
     Grid(Grid),
+    /// Grids within the crowded cells of a coarse grid.
+    NestedGrid(NestedGrid),
+    /// A uniform grid of which only the occupied cells are stored.
+    HashedGrid(HashedGrid),
     /// A kd-tree.
     Kd(Kd),
     /// An octree, in a flat scene a quadtree.
@@ -36,6 +40,8 @@ impl Structure {
             Rule::List => Structure::List(List),
             Rule::Slab => Structure::Slab(OneBox::around(prims)),
             Rule::Grid(rule) => Structure::Grid(Grid::build(prims, rule, watch)?),
+            Rule::NestedGrid(rule) => Structure::NestedGrid(NestedGrid::build(prims, rule, watch)?),
+            Rule::HashedGrid(rule) => Structure::HashedGrid(HashedGrid::build(prims, rule, watch)?),
             Rule::Kd(rule) => Structure::Kd(Kd::build(prims, rule, watch)?),
             Rule::Octree(rule) => Structure::Octree(Octree::build(prims, rule, watch)?),
             Rule::Bvh(rule) => Structure::Bvh(AnyBvh::build(prims, rule, watch)?),
@@ -47,17 +53,33 @@ impl Structure {
         match self {
             Structure::List(_) => Aabb::EMPTY,
             Structure::Slab(one) => one.bounds,
-            Structure::Grid(grid) => grid.bounds,
+            Structure::Grid(grid) => grid.lattice.bounds,
+            Structure::NestedGrid(grid) => grid.lattice.bounds,
+            Structure::HashedGrid(grid) => grid.lattice.bounds,
             Structure::Kd(tree) => tree.bounds(),
             Structure::Octree(tree) => tree.bounds(),
             Structure::Bvh(tree) => tree.bounds(),
         }
     }
 
+    /// Its cells, if it is a grid of any kind.
+    pub fn grid(&self) -> Option<&dyn AnyGrid> {
+        match self {
+            Structure::Grid(grid) => Some(grid),
+            Structure::NestedGrid(grid) => Some(grid),
+            Structure::HashedGrid(grid) => Some(grid),
+            _ => None,
+        }
+    }
+
     /// How many nodes a tree has; 0 in what is no tree.
     pub fn node_count(&self) -> usize {
         match self {
-            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => 0,
+            Structure::List(_)
+            | Structure::Slab(_)
+            | Structure::Grid(_)
+            | Structure::NestedGrid(_)
+            | Structure::HashedGrid(_) => 0,
             Structure::Kd(tree) => tree.node_count(),
             Structure::Octree(tree) => tree.node_count(),
             Structure::Bvh(tree) => tree.node_count(),
@@ -67,7 +89,11 @@ impl Structure {
     /// The children of a node, the lower or left one first; none of a leaf.
     pub fn children(&self, node: NodeId) -> Vec<NodeId> {
         let pair = match self {
-            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => None,
+            Structure::List(_)
+            | Structure::Slab(_)
+            | Structure::Grid(_)
+            | Structure::NestedGrid(_)
+            | Structure::HashedGrid(_) => None,
             Structure::Kd(tree) => tree.children(node),
             Structure::Octree(tree) => return tree.children(node),
             Structure::Bvh(tree) => tree.children(node),
@@ -78,7 +104,11 @@ impl Structure {
     /// What a leaf refers to, in order; nothing in an inner node.
     pub fn leaf_prims(&self, node: NodeId) -> &[PrimId] {
         match self {
-            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => &[],
+            Structure::List(_)
+            | Structure::Slab(_)
+            | Structure::Grid(_)
+            | Structure::NestedGrid(_)
+            | Structure::HashedGrid(_) => &[],
             Structure::Kd(tree) => tree.leaf_prims(node),
             Structure::Octree(tree) => tree.leaf_prims(node),
             Structure::Bvh(tree) => tree.leaf_prims(node),
@@ -96,7 +126,11 @@ impl Structure {
     /// The boxes of all nodes, by id.
     pub fn node_bounds(&self) -> Vec<Aabb> {
         match self {
-            Structure::List(_) | Structure::Slab(_) | Structure::Grid(_) => Vec::new(),
+            Structure::List(_)
+            | Structure::Slab(_)
+            | Structure::Grid(_)
+            | Structure::NestedGrid(_)
+            | Structure::HashedGrid(_) => Vec::new(),
             Structure::Kd(tree) => tree.node_bounds(),
             Structure::Octree(tree) => tree.node_bounds(),
             Structure::Bvh(tree) => tree.node_bounds(),
@@ -109,6 +143,8 @@ impl Structure {
             Structure::List(_) => 0,
             Structure::Slab(one) => size_of_val(one),
             Structure::Grid(grid) => grid.bytes(),
+            Structure::NestedGrid(grid) => grid.bytes(),
+            Structure::HashedGrid(grid) => grid.bytes(),
             Structure::Kd(tree) => tree.bytes(),
             Structure::Octree(tree) => tree.bytes(),
             Structure::Bvh(tree) => tree.bytes(),
@@ -122,6 +158,8 @@ impl Accel for Structure {
             Structure::List(list) => list.walk(prims, ray, want, watch),
             Structure::Slab(one) => one.walk(prims, ray, want, watch),
             Structure::Grid(grid) => grid.walk(prims, ray, want, watch),
+            Structure::NestedGrid(grid) => grid.walk(prims, ray, want, watch),
+            Structure::HashedGrid(grid) => grid.walk(prims, ray, want, watch),
             Structure::Kd(tree) => tree.walk(prims, ray, want, watch),
             Structure::Octree(tree) => tree.walk(prims, ray, want, watch),
             Structure::Bvh(tree) => tree.walk(prims, ray, want, watch),

@@ -24,6 +24,16 @@ words! {
         Far = "far",
     }
 
+    /// What a slot of a hash table holds for the cell that is looked up.
+    pub enum Probed {
+        /// The cell itself.
+        Found = "found",
+        /// Nothing: the cell is empty.
+        Empty = "empty",
+        /// Another cell: the next slot may hold it.
+        Taken = "taken",
+    }
+
     /// Why a walk ended.
     pub enum Ending {
         /// Nothing is left to visit.
@@ -64,7 +74,8 @@ vocabulary! {
         Clip ["clip"] { place: Place, face: u32, o: f32, d: f32, plane: f32, t: f32, entering: bool, t_near: f32, t_far: f32, empty: bool }
         /// A volume was tested.
         Volume ["volume.hit", "volume.miss", "volume.cut"] { place: Place, t_near: f32, t_far: f32, best_t: f32, verdict: Verdict }
-        /// An inner node, a leaf or a cell was entered, holding `prims` references (0 in inner nodes).
+        /// An inner node, a leaf or a cell was entered, holding `prims` references (0 in inner nodes, and in cells
+        /// with a grid of their own).
         Enter ["enter.inner", "enter.leaf", "enter.cell"] { place: Place, t_near: f32, t_far: f32, prims: u32, leaf: bool }
         /// The ray was cut by a split plane: `t = (plane − o)/d`.
         Plane ["plane"] { node: NodeId, axis: Direction, plane: f32, o: f32, d: f32, t: f32, t_near: f32, t_far: f32 }
@@ -78,8 +89,12 @@ vocabulary! {
         Drop ["drop"] { node: NodeId, t_near: f32, t_far: f32, best_t: f32, depth: u32 }
         /// The walk stepped over a cell's face: the smallest of the three next t says which axis.
         Step ["step"] { cell: CellId, axis: Axis, t: f32, next_x: f32, next_y: f32, next_z: f32, delta_x: f32, delta_y: f32, delta_z: f32, inside: bool }
-        /// A cell was looked up in a hash table.
-        Probe ["probe"] { cell: CellId, slot: u32, found: bool }
+        /// A cell holds a grid of its own, of `nx`·`ny`·`nz` cells: the walk goes through that first.
+        Descend ["descend"] { cell: CellId, nx: u32, ny: u32, nz: u32, t_near: f32, t_far: f32 }
+        /// The walk is through with the grid in a cell and back at that cell, whose three next t are as they were.
+        Ascend ["ascend"] { cell: CellId, t_near: f32, t_far: f32, next_x: f32, next_y: f32, next_z: f32 }
+        /// A slot of a hash table was looked at for a cell.
+        Probe ["probe.found", "probe.empty", "probe.taken"] { cell: CellId, slot: u32, holds: Probed }
         /// A primitive was skipped: its mailbox says that this ray tested it already.
         Skip ["skip"] { prim: PrimId }
         /// A primitive was tested; `t` is infinite on a miss.
@@ -119,7 +134,11 @@ impl Visit {
             Visit::Pop { .. } => "pop",
             Visit::Drop { .. } => "drop",
             Visit::Step { .. } => "step",
-            Visit::Probe { .. } => "probe",
+            Visit::Descend { .. } => "descend",
+            Visit::Ascend { .. } => "ascend",
+            Visit::Probe { holds: Probed::Found, .. } => "probe.found",
+            Visit::Probe { holds: Probed::Empty, .. } => "probe.empty",
+            Visit::Probe { holds: Probed::Taken, .. } => "probe.taken",
             Visit::Skip { .. } => "skip",
             Visit::Test { hit: true, .. } => "test.hit",
             Visit::Test { hit: false, .. } => "test.miss",
@@ -161,7 +180,11 @@ impl Visit {
             | Visit::Push { node, .. }
             | Visit::Pop { node, .. }
             | Visit::Drop { node, .. } => Place::Node(node),
-            Visit::Step { cell, .. } | Visit::Probe { cell, .. } | Visit::Beyond { cell, .. } => Place::Cell(cell),
+            Visit::Step { cell, .. }
+            | Visit::Descend { cell, .. }
+            | Visit::Ascend { cell, .. }
+            | Visit::Probe { cell, .. }
+            | Visit::Beyond { cell, .. } => Place::Cell(cell),
             Visit::Skip { prim } | Visit::Test { prim, .. } | Visit::Better { prim, .. } => Place::Prim(prim),
             Visit::Distant { .. } | Visit::End { .. } => Place::World,
         }

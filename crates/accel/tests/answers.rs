@@ -61,6 +61,8 @@ fn rules() -> Vec<Rule> {
     let mut rules = Vec::new();
     for (kind, settings) in [
         ("grid", ["resolution=3n", "resolution=longest", "resolution=density", "prune=false", "mailbox=false"]),
+        ("nested-grid", ["levels=1", "levels=2", "levels=4", "more_than=1", "prune=false"]),
+        ("hashed-grid", ["resolution=3n", "resolution=longest", "resolution=density", "prune=false", "mailbox=false"]),
         ("bvh", ["split=middle", "split=median", "split=binned", "split=sweep", "order=printed"]),
     ] {
         for setting in settings {
@@ -88,11 +90,7 @@ fn every_rule_answers_as_brute_force() {
         let prims = &shapes[..shapes.len().min(count)];
         for rule in rules() {
             let what = format!("{count} {rule:?}");
-            match rule {
-                Rule::Grid(rule) => agrees(&Grid::build(&prims, &rule, &mut ()).unwrap(), prims, &what),
-                Rule::Bvh(rule) => agrees(&Bvh::build(&prims, &rule, &mut ()).unwrap(), prims, &what),
-                _ => unreachable!("no rule of this file"),
-            }
+            agrees(&Structure::build(&prims, &rule, &mut ()).unwrap(), prims, &what);
         }
     }
 }

@@ -21,20 +21,38 @@ fn bvh_rules() -> impl Iterator<Item = BvhRule> {
     BvhSplit::ALL.iter().map(|&split| BvhRule { split, leaf_size: 1, ..BvhRule::default() })
 }
 
+/// The rule that `kind key=value ...` spells.
+fn rule(line: &str) -> Rule {
+    let mut words = line.split(' ');
+    let mut rule = Rule::default_for(words.next().unwrap()).unwrap();
+    for (key, value) in words.map(|word| word.split_once('=').unwrap()) {
+        rule.set(key, value).unwrap();
+    }
+    rule
+}
+
 #[test]
 fn cells_hold_what_settled_in_them() {
     let mesh = mesh(1, 200);
-    for resolution in Resolution::ALL {
-        let rule = GridRule { resolution: *resolution, factor: 2.0, ..GridRule::default() };
+    for line in
+        ["grid resolution=3n", "grid resolution=density", "hashed-grid factor=2", "nested-grid factor=1 levels=3"]
+    {
         let mut events: Vec<Grow> = Vec::new();
-        let grid = Grid::build(&mesh, &rule, &mut events).unwrap();
+        let structure = Structure::build(&mesh, &rule(line), &mut events).unwrap();
+        let grid = structure.grid().unwrap();
 
         let mut cells: Vec<Vec<PrimId>> = Vec::new();
         for event in events {
             match event {
                 Grow::Resolve { nx, ny, nz, bounds, .. } => {
-                    assert_eq!(([nx, ny, nz], bounds), (grid.resolution, grid.bounds));
+                    assert_eq!(([nx, ny, nz], bounds), (grid.lattice().resolution, grid.lattice().bounds));
                     cells = vec![Vec::new(); (nx * ny * nz) as usize];
+                }
+                Grow::Refine { cell, first, nx, ny, nz, prims } => {
+                    // What the cell held goes into a grid of its own.
+                    let held = std::mem::take(&mut cells[cell.index()]);
+                    assert_eq!((held.len() as u32, cells.len()), (prims, first.index()));
+                    cells.resize(cells.len() + (nx * ny * nz) as usize, Vec::new());
                 }
                 Grow::Settle { prim, place: Place::Cell(cell) } => cells[cell.index()].push(prim),
                 _ => {}
@@ -44,7 +62,7 @@ fn cells_hold_what_settled_in_them() {
         for (cell, prims) in (0..).map(CellId).zip(&cells) {
             assert_eq!(grid.cell_prims(cell), prims);
             let [x, y, z] = grid.cell_place(cell);
-            assert_eq!(grid.cell_at(x, y, z), cell);
+            assert_eq!(grid.around(cell).0.cell_at(x, y, z), cell);
         }
     }
 }
@@ -111,9 +129,13 @@ fn grids_stay_within_memory() {
         mesh.corners.extend([shift, Vec3::new(1e4, 1e4, 0.0) - shift, Vec3::new(0.0, 1e4, 1e4) + shift]);
         mesh.triangles.push([3 * i, 3 * i + 1, 3 * i + 2]);
     }
-    let rule = GridRule { cells: [512; 3], ..GridRule::default() };
-    let grid = Grid::build(&mesh, &rule, &mut ()).unwrap();
-    assert!(grid.cell_count() < 1 << 18 && grid.reference_count() > 1000);
+    for kind in ["grid", "nested-grid levels=6 more_than=1 inner_factor=20"] {
+        let rule = rule(&format!("{kind} nx=512 ny=512 nz=512"));
+        let structure = Structure::build(&mesh, &rule, &mut ()).unwrap();
+        let grid = structure.grid().unwrap();
+        assert!(grid.lattice().cell_count() < 1 << 18 && grid.reference_count() > 1000, "{kind}");
+        assert!(structure.bytes() < 300 << 20, "{kind}: {} bytes", structure.bytes());
+    }
 }
 
 /// Gives up at the first question.
@@ -130,7 +152,7 @@ impl Observer<Grow> for GivesUp {
 #[test]
 fn builders_give_up_when_told() {
     let mesh = mesh(4, 10);
-    for kind in ["grid", "kd", "bvh"] {
+    for kind in ["grid", "nested-grid", "hashed-grid", "kd", "bvh"] {
         let rule = Rule::default_for(kind).unwrap();
         assert_eq!(Structure::build(&mesh, &rule, &mut GivesUp), Err(Cancelled), "{kind}");
     }

@@ -137,5 +137,5 @@ fn three_times_the_cube_root_gives_27_cells_an_object() {
     let shapes: Vec<_> = corners.iter().map(|&center| Shape::Sphere(Sphere { center, radius: 0.4 })).collect();
     let rule = GridRule { resolution: Resolution::Cubic, factor: 3.0, ..GridRule::default() };
     let grid = Grid::build(&shapes.as_slice(), &rule, &mut ()).unwrap();
-    assert_eq!((grid.resolution, grid.cell_count()), ([12; 3], 27 * 64));
+    assert_eq!((grid.lattice.resolution, grid.cell_count()), ([12; 3], 27 * 64));
 }

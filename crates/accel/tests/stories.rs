@@ -37,6 +37,9 @@ fn walked(structure: &Structure, ray: &Ray) -> String {
     coarse.map(|event| line(event.name(), event.fields(), |field| event.field(field)) + "\n").collect()
 }
 
+/// Cells with two primitives hold grids of two by two cells.
+const NESTED: [(&str, &str); 4] = [("nx", "3"), ("ny", "2"), ("more_than", "1"), ("inner_factor", "1.6")];
+
 fn grown(kind: &str, settings: &[(&str, &str)]) -> (Structure, String) {
     let mut rule = Rule::default_for(kind).unwrap().flat();
     for (key, value) in settings {
@@ -58,6 +61,24 @@ fn a_grid_is_built() {
 fn a_grid_is_walked() {
     let (grid, _) = grown("grid", &[("nx", "3"), ("ny", "2")]);
     insta::assert_snapshot!(walked(&grid, &ray([-1.0, 0.3], [0.0, 0.46])));
+}
+
+#[test]
+fn nested_grids_are_built() {
+    let (_, story) = grown("nested-grid", &NESTED);
+    insta::assert_snapshot!(story);
+}
+
+#[test]
+fn nested_grids_are_walked() {
+    let (grid, _) = grown("nested-grid", &NESTED);
+    insta::assert_snapshot!(walked(&grid, &ray([-1.0, 0.3], [0.0, 0.46])));
+}
+
+#[test]
+fn a_hashed_grid_is_walked() {
+    let (grid, _) = grown("hashed-grid", &[("nx", "6"), ("ny", "4")]);
+    insta::assert_snapshot!(walked(&grid, &ray([-1.0, 1.3], [0.0, 1.2])));
 }
 
 #[test]

@@ -36,6 +36,8 @@ pub struct GrowMoment {
     pub weighed: Vec<Weighed>,
     /// The grid's resolution, once chosen.
     pub resolution: Option<[u32; 3]>,
+    /// How many cells there are so far, those of the grids within cells included.
+    pub cell_count: u32,
     /// What each cell refers to so far.
     pub cells: BTreeMap<CellId, Vec<PrimId>>,
     /// The cells that the current primitive's box was rasterised into, and what became of it there.
@@ -145,6 +147,7 @@ impl Default for GrowMoment {
             node: None,
             weighed: Vec::new(),
             resolution: None,
+            cell_count: 0,
             cells: BTreeMap::new(),
             rasterised: Vec::new(),
             sides: [None; 6],
@@ -187,7 +190,15 @@ impl GrowMoment {
             Grow::Resolve { bounds, nx, ny, nz, .. } => {
                 self.bounds = bounds;
                 self.resolution = Some([nx, ny, nz]);
+                self.cell_count = nx * ny * nz;
                 self.prim = None;
+            }
+            Grow::Refine { cell, first, nx, ny, nz, .. } => {
+                // What the cell referred to goes into its own grid.
+                self.cells.remove(&cell);
+                self.cell_count = first.0 + nx * ny * nz;
+                self.prim = None;
+                self.rasterised.clear();
             }
             Grow::Rasterise { prim, cell } => {
                 self.take_up(prim);

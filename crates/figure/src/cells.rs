@@ -1,7 +1,7 @@
 //! The cell of a grid in which the walk stands: which plane comes next along each axis, and what it holds.
 
 use glam::Vec2;
-use raystep_accel::{Axis, CellId, Grid, Place, PrimId, Structure, Visit};
+use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, PrimId, Visit};
 
 use crate::look::write;
 use crate::table::{Entry, Table};
@@ -11,7 +11,7 @@ use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, number, text_width};
 /// steps is marked once the walk has stepped, and not while `hide_next`: a question may ask for it.
 pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let Structure::Grid(grid) = walk.structure else {
+    let Some(grid) = walk.structure.grid() else {
         look.nothing(&mut figure, "Cell", "This structure has no cells.");
         return figure;
     };
@@ -28,7 +28,7 @@ pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look
         _ => None,
     };
     let axes = Axis::ALL.iter().copied().filter(|axis| !(walk.flat && *axis == Axis::Z));
-    let numbers = next_planes(walk, moment, cell);
+    let numbers = next_planes(walk, grid, moment, cell);
     let rows = axes.clone().map(|axis| {
         let steps = stepped == Some(axis);
         let role = if steps { Role::Value } else { Role::Text };
@@ -58,18 +58,43 @@ pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look
         Anchor::Start,
     );
     y += look.line();
-    prims(&mut figure, grid.cell_prims(cell), moment, y, look);
+    match grid.finer().iter().find(|(holder, _)| *holder == cell) {
+        Some((_, finer)) => {
+            let says = format!("holds a grid of {} cells", size_of_grid(finer, walk.flat));
+            write(
+                &mut figure,
+                Role::Text,
+                place,
+                Vec2::new(look.margin(), y),
+                &says,
+                look.text,
+                Face::Regular,
+                Anchor::Start,
+            );
+        }
+        None => prims(&mut figure, grid.cell_prims(cell), moment, y, look),
+    }
     figure
 }
 
-/// Where a cell lies in its grid, counted from 0.
-fn coordinates(grid: &Grid, cell: CellId, flat: bool) -> String {
+/// Where a cell lies in its grid, counted from 0, and in which cell that grid lies.
+fn coordinates(grid: &dyn AnyGrid, cell: CellId, flat: bool) -> String {
     let [x, y, z] = grid.cell_place(cell);
-    if flat { format!("column {x}, row {y}") } else { format!("({x}, {y}, {z})") }
+    let at = if flat { format!("column {x}, row {y}") } else { format!("({x}, {y}, {z})") };
+    match grid.around(cell).1 {
+        Some(holder) => format!("{at} inside cell {holder}, level {}", grid.path(cell).len()),
+        None => at,
+    }
+}
+
+/// How many cells along each axis.
+fn size_of_grid(lattice: &Lattice, flat: bool) -> String {
+    let [nx, ny, nz] = lattice.resolution;
+    if flat { format!("{nx} × {ny}") } else { format!("{nx} × {ny} × {nz}") }
 }
 
 /// The next t and the delta of each axis, as the walk compares them when it leaves the cell.
-fn next_planes(walk: &Walk<'_>, moment: &Moment, cell: CellId) -> Option<([f32; 3], [f32; 3])> {
+fn next_planes(walk: &Walk<'_>, grid: &dyn AnyGrid, moment: &Moment, cell: CellId) -> Option<([f32; 3], [f32; 3])> {
     // The cell that is left tells them; they are settled as soon as it is entered.
     let ahead = walk.events[moment.step.saturating_sub(1)..].iter().find_map(|event| match *event {
         Visit::Step { cell: left, next_x, next_y, next_z, delta_x, delta_y, delta_z, .. } => {
@@ -77,9 +102,10 @@ fn next_planes(walk: &Walk<'_>, moment: &Moment, cell: CellId) -> Option<([f32; 
         }
         _ => None,
     });
-    // The last cell is never left: what the step before it left over.
+    // The last cell is never left: what the step before it left over, if that was in the same grid.
+    let before = || moment.stepping.filter(|step| grid.around(step.cell).1 == grid.around(cell).1);
     ahead.or_else(|| {
-        moment.stepping.map(|step| {
+        before().map(|step| {
             let mut next = step.next;
             next[step.axis.index()] += step.delta[step.axis.index()];
             (next, step.delta)

@@ -1,7 +1,7 @@
 //! What a builder has done so far, in space and as a tree.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, NodeId, Place, PrimId, Primitives, Structure};
+use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, NodeId, Place, PrimId, Primitives};
 
 use crate::branches::{Tree, TreeView};
 use crate::build::{Build, Fate, GrowMoment, GrowNode};
@@ -119,14 +119,17 @@ impl Drawing<'_> {
 
     /// All cells while they are few; those that hold something; those of the current primitive.
     fn cells(&mut self) {
-        let (Structure::Grid(grid), Some(_)) = (self.build.structure, self.moment.resolution) else { return };
+        let (Some(grid), count @ 1..) = (self.build.structure.grid(), self.moment.cell_count) else { return };
         let outline = |role, cell: CellId| SpaceMark {
             form: Form::Box(grid.cell_bounds(cell)),
             role,
             place: Some(Place::Cell(cell)),
         };
-        if self.build.flat && grid.cell_count() <= CELLS {
-            self.marks.extend((0..grid.cell_count() as u32).map(|cell| outline(Role::Edge, CellId(cell))));
+        if self.build.flat && count as usize <= CELLS {
+            self.marks.extend((0..count).map(|cell| outline(Role::Edge, CellId(cell))));
+        }
+        if let Some(Grow::Refine { cell, .. }) = self.moment.event {
+            self.marks.push(outline(Role::Here, cell));
         }
         let filled = self.moment.cells.keys().rev().take(CELLS);
         self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));

@@ -1,7 +1,7 @@
 //! What a builder has done so far in numbers, and the cells that it puts a primitive into.
 
 use glam::Vec2;
-use raystep_accel::{Place, Primitives, Structure};
+use raystep_accel::{Place, Primitives};
 
 use crate::build::{Build, Fate, GrowMoment};
 use crate::look::{block, write};
@@ -81,16 +81,20 @@ fn words(moment: &GrowMoment) -> Vec<String> {
 /// The cells that the current primitive's box meets, and what becomes of it in each.
 pub fn cells_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let Structure::Grid(grid) = build.structure else {
+    if build.structure.grid().is_none() {
         look.nothing(&mut figure, "Cells", "This structure has no cells.");
         return figure;
-    };
+    }
     let Some([nx, ny, nz]) = moment.resolution else {
         look.nothing(&mut figure, "Cells", "How many there will be is not decided yet.");
         return figure;
     };
     let layers = if build.flat { format!("{nx} × {ny}") } else { format!("{nx} × {ny} × {nz}") };
-    let grid_says = format!("{layers} = {}", counted(grid.cell_count() as u64, "cell", "cells"));
+    let coarse = nx * ny * nz;
+    let mut grid_says = format!("{layers} = {}", counted(u64::from(coarse), "cell", "cells"));
+    if moment.cell_count > coarse {
+        grid_says += &format!(", and {} inside them", moment.cell_count - coarse);
+    }
     let Some(prim) = moment.prim.filter(|_| !moment.rasterised.is_empty()) else {
         let filled = moment.cells.len() as u64;
         let says = format!("{} of them {} to something.", filled, if filled == 1 { "refers" } else { "refer" });

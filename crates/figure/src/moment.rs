@@ -33,6 +33,8 @@ pub struct Moment {
     pub slab: Option<SlabTest>,
     /// The split of the current node, once its plane has met the ray.
     pub cut: Option<Cut>,
+    /// The cells in whose grids the walk is, the coarse one first.
+    pub within: Vec<CellId>,
     /// How the grid walk steps, as of its last step.
     pub stepping: Option<Stepping>,
     /// Primitives tested, in order; one without a mailbox may come twice.
@@ -157,6 +159,7 @@ impl Moment {
             volumes: Vec::new(),
             slab: None,
             cut: None,
+            within: Vec::new(),
             stepping: None,
             tested: Vec::new(),
             skipped: Vec::new(),
@@ -259,6 +262,14 @@ impl Moment {
                 let (next, delta) = ([next_x, next_y, next_z], [delta_x, delta_y, delta_z]);
                 self.stepping = Some(Stepping { cell, axis, t, next, delta, inside });
             }
+            Visit::Descend { cell, .. } => {
+                self.rest();
+                self.within.push(cell);
+            }
+            Visit::Ascend { cell, t_near, t_far, .. } => {
+                self.enter(Place::Cell(cell), Interval::new(t_near, t_far));
+                self.within.pop();
+            }
             Visit::Probe { .. } | Visit::Beyond { .. } | Visit::Distant { .. } => self.rest(),
             Visit::Skip { prim } => {
                 self.rest();
@@ -271,6 +282,7 @@ impl Moment {
             Visit::Better { prim, t, .. } => self.best = Some(Hit { t, prim }),
             Visit::End { why, hit, t } => {
                 self.leave();
+                self.seen.extend(self.within.drain(..).map(Place::Cell));
                 self.dropped.extend(self.stack.drain(..).map(|waiting| Place::Node(waiting.node)));
                 self.ending = Some(why);
                 let far = if hit { t } else { f32::NEG_INFINITY };
@@ -300,7 +312,9 @@ impl Moment {
         self.cut = None;
         self.volumes.clear();
         self.skipped.clear();
-        self.seen.extend(self.here.take());
+        // A cell is not left while the walk is in its grid.
+        let open = |place: &Place| self.within.iter().any(|cell| *place == Place::Cell(*cell));
+        self.seen.extend(self.here.take().filter(|here| !open(here)));
     }
 
     fn enter(&mut self, place: Place, interval: Interval) {

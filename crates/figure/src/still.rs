@@ -52,10 +52,9 @@ impl Still<'_> {
             (Still::Build(_, moment), Place::Node(node)) => {
                 moment.nodes.get(&node).map_or(Aabb::EMPTY, |node| node.bounds)
             }
-            (Still::Build(build, _), Place::Cell(cell)) => match build.structure {
-                raystep_accel::Structure::Grid(grid) => grid.cell_bounds(cell),
-                _ => Aabb::EMPTY,
-            },
+            (Still::Build(build, _), Place::Cell(cell)) => {
+                build.structure.grid().map_or(Aabb::EMPTY, |grid| grid.cell_bounds(cell))
+            }
             (Still::Build(build, _), Place::Prim(prim)) => build.prims.bounds(prim),
         }
     }

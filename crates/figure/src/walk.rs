@@ -27,8 +27,8 @@ impl Walk<'_> {
         match place {
             Place::World => self.world(),
             Place::Node(node) => self.node_bounds.get(node.index()).copied().unwrap_or(Aabb::EMPTY),
-            Place::Cell(cell) => match self.structure {
-                Structure::Grid(grid) if cell.index() < grid.cell_count() => grid.cell_bounds(cell),
+            Place::Cell(cell) => match self.structure.grid() {
+                Some(grid) if cell.index() < grid.cell_count() => grid.cell_bounds(cell),
                 _ => Aabb::EMPTY,
             },
             Place::Prim(prim) if prim.index() < self.prims.len() => self.prims.bounds(prim),

@@ -164,7 +164,7 @@ impl Stage {
 /// Which structure to build: its kind and its parameters as the slide writes them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// `"slab"`, `"list"`, `"grid"`, `"kd"`, `"bvh"`.
+    /// `"slab"`, or one of the kinds of structures that answer rays.
     pub kind: String,
     /// Its parameters, those that differ from the usual ones.
     pub settings: Vec<Setting>,

@@ -41,7 +41,7 @@ impl Stage {
         let grid = Grid::build(&prims, &grid_rule, &mut ()).expect("() does not cancel");
         let kd = Kd::build(&prims, &kd_rule, &mut ()).expect("() does not cancel");
         let bvh = Bvh::build(&prims, &BvhRule::default(), &mut ()).expect("() does not cancel");
-        let rays = rays(&grid.bounds);
+        let rays = rays(&grid.lattice.bounds);
         Stage {
             rays,
             grid: (grid.clone(), StrippedGrid::of(&grid, grid_rule.mailbox)),

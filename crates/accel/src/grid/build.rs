@@ -1,11 +1,12 @@
-//! Building a grid, slides 17 and 18.
+//! Building a grid, slides 17 and 18: the same steps whatever the cells are stored in.
 
-use super::Grid;
-use super::resolution::asked;
-use crate::{Aabb, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives};
+use super::cells::Reference;
+use super::resolution::{Room, asked};
+use super::{Dense, Grid, GridOf, Lattice};
+use crate::{Aabb, Axis, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives};
 
 /// How many primitives are inserted between two looks at whether to give up.
-const BETWEEN_LOOKS: u32 = 256;
+const BETWEEN_LOOKS: usize = 256;
 
 impl Grid {
     /// Builds a grid over `prims`. Grids that would not fit into memory get fewer cells than asked for.
@@ -13,93 +14,117 @@ impl Grid {
     /// # Errors
     /// The observer cancelled it.
     pub fn build(prims: &impl Primitives, rule: &GridRule, watch: &mut impl Observer<Grow>) -> Result<Grid, Cancelled> {
-        let ids = || (0..prims.len() as u32).map(PrimId);
+        GridOf::uniform(prims, rule, watch, |count, settled| Dense::file(count, &settled))
+    }
+}
 
-        // The box around all primitives.
+impl<C> GridOf<C> {
+    /// Builds a uniform grid; `file` stores the references to so many cells.
+    pub(super) fn uniform(
+        prims: &impl Primitives,
+        rule: &GridRule,
+        watch: &mut impl Observer<Grow>,
+        file: impl FnOnce(usize, Vec<Reference>) -> C,
+    ) -> Result<GridOf<C>, Cancelled> {
+        let building = Building::begin(prims, rule.prune, Margin::of, watch);
+        let lattice = building.whole(rule, watch);
+        let everything: Vec<PrimId> = (0..prims.len() as u32).map(PrimId).collect();
+        let settled = building.insert(&lattice, &everything, watch)?;
+        let (count, references) = (lattice.cell_count(), settled.len());
+        let cells = file(count, settled);
+        watch.on(Grow::End { nodes: 0, cells: count as u32, references: references as u32 });
+        Ok(GridOf { lattice, cells, margin: building.margin, mailbox: rule.mailbox })
+    }
+}
+
+/// A build under way.
+pub(super) struct Building<'a, P> {
+    prims: &'a P,
+    prune: bool,
+    bounds: Aabb,
+    pub(super) margin: Margin,
+    /// The primitives' boxes, widened by the margin.
+    reaches: Vec<Aabb>,
+    /// What is left for grids within cells.
+    room: Room,
+}
+
+impl<'a, P: Primitives> Building<'a, P> {
+    /// Finds the box around all primitives.
+    pub(super) fn begin(
+        prims: &'a P,
+        prune: bool,
+        margin: impl FnOnce(&Aabb) -> Margin,
+        watch: &mut impl Observer<Grow>,
+    ) -> Building<'a, P> {
+        let ids = || (0..prims.len() as u32).map(PrimId);
         let mut bounds = Aabb::EMPTY;
         for prim in ids() {
             let before = bounds;
             bounds = before.union(prims.bounds(prim));
             watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
         }
+        let margin = margin(&bounds);
+        let reaches = ids().map(|prim| prims.bounds(prim).padded(margin.pad)).collect();
+        Building { prims, prune, bounds, margin, reaches, room: Room::within(prims.len()) }
+    }
 
-        // The resolution.
-        let margin = Margin::of(&bounds);
-        let reaches: Vec<Aabb> = ids().map(|prim| prims.bounds(prim).padded(margin.pad)).collect();
-        let mut grid = Grid {
-            bounds,
-            resolution: asked(rule, &bounds, prims.len()),
-            starts: Vec::new(),
-            refs: Vec::new(),
-            margin,
-            mailbox: rule.mailbox,
-        };
-        grid.coarsen(&reaches);
-        let [nx, ny, nz] = grid.resolution;
-        watch.on(Grow::Resolve { bounds, nx, ny, nz, prims: prims.len() as u32 });
+    /// Chooses the resolution of the grid over everything.
+    pub(super) fn whole(&self, rule: &GridRule, watch: &mut impl Observer<Grow>) -> Lattice {
+        let (bounds, prims) = (self.bounds, self.prims.len());
+        let mut lattice = Lattice { bounds, resolution: asked(rule, &bounds, prims), first: CellId(0) };
+        Room::over(prims).fit(&mut lattice, &self.reaches);
+        let [nx, ny, nz] = lattice.resolution;
+        watch.on(Grow::Resolve { bounds, nx, ny, nz, prims: prims as u32 });
+        lattice
+    }
 
-        // Insert one primitive after the other.
+    /// Chooses the resolution of the grid within a cell; nothing if there is no room to divide the cell.
+    pub(super) fn within(&mut self, rule: &GridRule, bounds: Aabb, held: &[PrimId], first: CellId) -> Option<Lattice> {
+        let mut resolution = asked(rule, &bounds, held.len());
+        // Cells narrower than their margins would part nothing.
+        for axis in Axis::ALL {
+            let most = bounds.extent()[axis] / (2.0 * self.margin.pad);
+            resolution[axis.index()] = resolution[axis.index()].min(most as u32).max(1);
+        }
+        let mut lattice = Lattice { bounds, resolution, first };
+        let reaches: Vec<Aabb> = held.iter().map(|prim| self.reaches[prim.index()]).collect();
+        let touched = self.room.fit(&mut lattice, &reaches);
+        self.room.give(&lattice, touched).then_some(lattice)
+    }
+
+    /// Inserts one primitive after the other: finds the cells that are to refer to it.
+    pub(super) fn insert(
+        &self,
+        lattice: &Lattice,
+        held: &[PrimId],
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Vec<Reference>, Cancelled> {
         let mut settled = Vec::new();
-        for prim in ids() {
-            if prim.0 % BETWEEN_LOOKS == 0 && watch.cancelled() {
+        for (number, &prim) in held.iter().enumerate() {
+            if number % BETWEEN_LOOKS == 0 && watch.cancelled() {
                 return Err(Cancelled);
             }
-            grid.insert(prims, prim, &reaches[prim.index()], rule.prune, &mut settled, watch);
-        }
-        grid.file(&settled);
-        let (cells, references) = (grid.cell_count() as u32, grid.reference_count() as u32);
-        watch.on(Grow::End { nodes: 0, cells, references });
-        Ok(grid)
-    }
-
-    /// Finds the cells that are to refer to a primitive.
-    fn insert(
-        &self,
-        prims: &impl Primitives,
-        prim: PrimId,
-        reach: &Aabb,
-        prune: bool,
-        settled: &mut Vec<(CellId, PrimId)>,
-        watch: &mut impl Observer<Grow>,
-    ) {
-        // The cells that its box touches.
-        for cell in self.cells_of(reach) {
-            watch.on(Grow::Rasterise { prim, cell });
-        }
-        for cell in self.cells_of(reach) {
-            // The primitive itself does not reach this one.
-            if prune && !prims.overlaps(prim, &self.cell_bounds(cell).padded(self.margin.pad)) {
-                watch.on(Grow::Prune { prim, cell });
-                continue;
+            // The cells that its box touches.
+            let reach = &self.reaches[prim.index()];
+            for cell in lattice.cells_of(reach) {
+                watch.on(Grow::Rasterise { prim, cell });
             }
-            watch.on(Grow::Settle { prim, place: Place::Cell(cell) });
-            settled.push((cell, prim));
+            for cell in lattice.cells_of(reach) {
+                // The primitive itself does not reach this one.
+                if self.prune && !self.overlaps(prim, &lattice.cell_bounds(cell)) {
+                    watch.on(Grow::Prune { prim, cell });
+                    continue;
+                }
+                watch.on(Grow::Settle { prim, place: Place::Cell(cell) });
+                settled.push((cell, prim));
+            }
         }
+        Ok(settled)
     }
 
-    /// The cells that a box touches, row by row.
-    fn cells_of(&self, reach: &Aabb) -> impl Iterator<Item = CellId> {
-        let [xs, ys, zs] = self.rasterise(reach);
-        let rows = zs.flat_map(move |z| ys.clone().map(move |y| (y, z)));
-        rows.flat_map(move |(y, z)| xs.clone().map(move |x| self.cell_at(x, y, z)))
-    }
-
-    /// Sorts the references by cell, in the order in which they settled.
-    fn file(&mut self, settled: &[(CellId, PrimId)]) {
-        let [nx, ny, nz] = self.resolution;
-        self.starts = vec![0; (nx * ny * nz) as usize + 1];
-        for (cell, _) in settled {
-            self.starts[cell.index() + 1] += 1;
-        }
-        for cell in 1..self.starts.len() {
-            self.starts[cell] += self.starts[cell - 1];
-        }
-        let mut next = self.starts.clone();
-        self.refs = vec![PrimId(0); settled.len()];
-        for &(cell, prim) in settled {
-            let place = &mut next[cell.index()];
-            self.refs[*place as usize] = prim;
-            *place += 1;
-        }
+    /// Whether a primitive reaches into a cell or comes close.
+    fn overlaps(&self, prim: PrimId, cell: &Aabb) -> bool {
+        self.prims.overlaps(prim, &cell.padded(self.margin.pad))
     }
 }

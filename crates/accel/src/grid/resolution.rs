@@ -1,11 +1,11 @@
 //! How many cells, slide 17.
 
-use super::Grid;
+use super::Lattice;
 use crate::{Aabb, Axes, Axis, GridRule, Resolution};
 
-/// No grid has more cells than this.
+/// No grid has more cells than this, nor have all the grids within its cells.
 const MOST_CELLS: u64 = 1 << 24;
-/// No grid has more references than this.
+/// No grid has more references than this, unless there are more primitives.
 const MOST_REFERENCES: u64 = 1 << 24;
 
 /// The number of cells that `rule` asks for along each axis of a box with `prims` primitives in it.
@@ -39,24 +39,54 @@ fn cube_side(bounds: &Aabb, axes: Axes, count: f64) -> f64 {
     }
 }
 
-impl Grid {
-    /// Halves the finest axis until the grid fits into memory, its references included.
-    pub(super) fn coarsen(&mut self, reaches: &[Aabb]) {
+/// How many cells and references there may still be.
+pub(super) struct Room {
+    cells: u64,
+    references: u64,
+}
+
+impl Room {
+    /// The room for a scene of so many primitives.
+    pub(super) fn over(prims: usize) -> Room {
+        Room { cells: MOST_CELLS, references: MOST_REFERENCES.max(prims as u64) }
+    }
+
+    /// The room for all grids within the cells of the one over everything: in proportion to the scene, since
+    /// primitives that no grid can separate would fill any room.
+    pub(super) fn within(prims: usize) -> Room {
+        let share = |each: u64, most: u64| (each * prims as u64 + (1 << 16)).min(most);
+        Room { cells: share(128, MOST_CELLS), references: share(128, MOST_REFERENCES) }
+    }
+
+    /// Halves the finest axis until the cells and the references of primitives that reach so far have room, or
+    /// there is one cell. Returns how many cells the primitives' boxes touch, all together.
+    pub(super) fn fit(&self, lattice: &mut Lattice, reaches: &[Aabb]) -> u64 {
         loop {
-            let cells: u64 = self.resolution.iter().map(|&n| u64::from(n)).product();
-            if cells <= MOST_CELLS && self.candidates(reaches) <= MOST_REFERENCES.max(reaches.len() as u64) {
-                return;
-            }
-            let finest = self.resolution.iter_mut().max().expect("a grid has three axes");
-            if *finest == 1 {
-                return;
+            let cells: u64 = lattice.resolution.iter().map(|&n| u64::from(n)).product();
+            let touched = lattice.touched(reaches);
+            let finest = lattice.resolution.iter_mut().max().expect("a grid has three axes");
+            if *finest == 1 || (cells <= self.cells && touched <= self.references) {
+                return touched;
             }
             *finest = finest.div_ceil(2);
         }
     }
 
+    /// Gives room to a grid whose primitives touch so many cells; `false` if there is none to divide anything.
+    pub(super) fn give(&mut self, lattice: &Lattice, touched: u64) -> bool {
+        let cells = lattice.cell_count() as u64;
+        let fits = (2..=self.cells).contains(&cells) && touched <= self.references;
+        if fits {
+            self.cells -= cells;
+            self.references -= touched;
+        }
+        fits
+    }
+}
+
+impl Lattice {
     /// How many cells the boxes touch, all together.
-    fn candidates(&self, reaches: &[Aabb]) -> u64 {
+    fn touched(&self, reaches: &[Aabb]) -> u64 {
         let touched = |reach: &Aabb| -> u64 {
             self.rasterise(reach).map(|range| u64::from(range.end() - range.start() + 1)).iter().product()
         };

@@ -1,48 +1,65 @@
-//! Walking a grid, slide 20: from cell to cell along the ray (Amanatides and Woo 1987).
+//! Walking a grid, slides 20 and 24: from cell to cell along the ray (Amanatides and Woo 1987), and through the
+//! grids within cells.
 
-use super::Grid;
-use crate::mailbox::Mailbox;
+use super::{Cells, GridOf, Lattice};
+use crate::mailbox::{Mailbox, test_each};
 use crate::{
     Accel, Axis, Best, CellId, Ending, Hit, Interval, List, Observer, Place, PrimId, Primitives, Ray, Verdict, Visit,
-    Want, slab, test,
+    Want, slab,
 };
 
-impl Accel for Grid {
+impl<C: Cells> Accel for GridOf<C> {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
         if !self.margin.covers(ray.o) {
             watch.on(Visit::Distant { reach: self.margin.reach });
             return List.walk(prims, ray, want, watch);
         }
         let mut best = Best::new(want);
-        let mut mailbox = Mailbox::new();
-        let end = |best: Best, why: Ending, watch: &mut _| {
-            Observer::on(watch, Visit::End { why, hit: best.hit.is_some(), t: best.t() });
-            best.hit
-        };
-
         // Find the first cell: where the ray enters the box.
-        let Some(mut crossing) = Crossing::begin(self, ray, watch) else {
-            return end(best, Ending::Outside, watch);
+        let why = match Crossing::begin(&self.lattice, ray, watch) {
+            None => Ending::Outside,
+            Some(crossing) => {
+                let mut mailbox = Mailbox::new();
+                self.cross(prims, crossing, &mut best, &mut mailbox, watch).unwrap_or(Ending::Exhausted)
+            }
         };
+        watch.on(Visit::End { why, hit: best.hit.is_some(), t: best.t() });
+        best.hit
+    }
+}
+
+impl<C: Cells> GridOf<C> {
+    /// Walks from cell to cell until the answer is known; says why, or nothing if the ray leaves the cells first.
+    #[inline]
+    fn cross(
+        &self,
+        prims: &impl Primitives,
+        mut crossing: Crossing<'_>,
+        best: &mut Best,
+        mailbox: &mut Mailbox,
+        watch: &mut impl Observer<Visit>,
+    ) -> Option<Ending> {
         loop {
             // Test what the cell refers to.
-            let (cell, refs) = crossing.enter(watch);
-            for &prim in refs {
-                if self.mailbox && mailbox.holds(prim) {
-                    watch.on(Visit::Skip { prim });
-                    continue;
+            let (cell, refs) = self.enter(&crossing, watch);
+            test_each(refs, self.mailbox.then_some(&mut *mailbox), prims, crossing.ray, best, watch);
+            if best.answered() {
+                return Some(Ending::Found);
+            }
+
+            // A cell with a grid of its own: cross that, then go on from here as if nothing had happened.
+            if let Some(finer) = self.cells.within(cell) {
+                let inner = crossing.within(finer, watch);
+                if let Some(why) = self.cross(prims, inner, best, mailbox, watch) {
+                    return Some(why);
                 }
-                mailbox.put(prim);
-                test(prims, prim, ray, &mut best, watch);
-                if best.answered() {
-                    return end(best, Ending::Found, watch);
-                }
+                crossing.resume(watch);
             }
 
             // Stop only if the best hit lies in this cell: beyond it, another cell may hold a nearer one.
             let t_far = crossing.t_far();
             if best.t() < t_far {
-                return end(best, Ending::Settled, watch);
+                return Some(Ending::Settled);
             }
             if best.hit.is_some() {
                 watch.on(Visit::Beyond { cell, t: best.t(), t_far });
@@ -50,15 +67,26 @@ impl Accel for Grid {
 
             // On to the neighbour whose face comes first.
             if !crossing.step(watch) {
-                return end(best, Ending::Exhausted, watch);
+                return None;
             }
         }
     }
+
+    /// Names the cell in which a ray is, with what it refers to.
+    #[inline]
+    pub(crate) fn enter(&self, crossing: &Crossing<'_>, watch: &mut impl Observer<Visit>) -> (CellId, &[PrimId]) {
+        let cell = crossing.cell();
+        let refs = self.cells.look_up(cell, watch);
+        let (t_near, t_far) = (crossing.t, crossing.t_far());
+        let leaf = self.cells.within(cell).is_none();
+        watch.on(Visit::Enter { place: Place::Cell(cell), t_near, t_far, prims: refs.len() as u32, leaf });
+        (cell, refs)
+    }
 }
 
-/// Where a ray is in a grid: the cell, and the t of the face it leaves through along each axis.
+/// Where a ray is among equal cells: in which, and the t of the face it leaves through along each axis.
 pub(crate) struct Crossing<'a> {
-    grid: &'a Grid,
+    lattice: &'a Lattice,
     ray: &'a Ray,
     /// The cell, counted in cells.
     place: [u32; 3],
@@ -71,36 +99,47 @@ pub(crate) struct Crossing<'a> {
 }
 
 impl<'a> Crossing<'a> {
-    /// Enters the grid's box; nothing if the ray misses it.
+    /// Enters the box around the cells; nothing if the ray misses it.
     #[inline]
-    pub(crate) fn begin(grid: &'a Grid, ray: &'a Ray, watch: &mut impl Observer<Visit>) -> Option<Crossing<'a>> {
-        if grid.bounds.is_empty() {
+    pub(crate) fn begin(lattice: &'a Lattice, ray: &'a Ray, watch: &mut impl Observer<Visit>) -> Option<Crossing<'a>> {
+        if lattice.bounds.is_empty() {
             return None;
         }
-        let range = slab(&grid.bounds, ray, ray.range(), Place::World, watch);
+        let range = slab(&lattice.bounds, ray, ray.range(), Place::World, watch);
         let Interval { near: t_near, far: t_far } = range;
         let verdict = if range.is_empty() { Verdict::Miss } else { Verdict::Hit };
         watch.on(Visit::Volume { place: Place::World, t_near, t_far, best_t: f32::INFINITY, verdict });
-        if range.is_empty() {
-            return None;
-        }
-        let place = Axis::ALL.map(|axis| {
-            let (o, d) = (ray.o[axis], ray.d[axis]);
-            grid.locate(axis, if d == 0.0 { o } else { o + t_near * d })
-        });
-        let mut crossing = Crossing { grid, ray, place, t: t_near, next: [0.0; 3], range };
-        crossing.next = Axis::ALL.map(|axis| crossing.leaves(axis));
-        Some(crossing)
+        (!range.is_empty()).then(|| Crossing::over(lattice, ray, range))
     }
 
-    /// Names the cell, with what it refers to.
+    /// In the cell where `range` begins.
     #[inline]
-    pub(crate) fn enter(&self, watch: &mut impl Observer<Visit>) -> (CellId, &'a [PrimId]) {
-        let cell = self.cell();
-        let refs = self.grid.cell_prims(cell);
+    fn over(lattice: &'a Lattice, ray: &'a Ray, range: Interval) -> Crossing<'a> {
+        let place = Axis::ALL.map(|axis| {
+            let (o, d) = (ray.o[axis], ray.d[axis]);
+            lattice.locate(axis, if d == 0.0 { o } else { o + range.near * d })
+        });
+        let mut crossing = Crossing { lattice, ray, place, t: range.near, next: [0.0; 3], range };
+        crossing.next = Axis::ALL.map(|axis| crossing.leaves(axis));
+        crossing
+    }
+
+    /// Down into the grid within this cell, for the part of the ray that lies in the cell.
+    fn within<'b>(&self, finer: &'b Lattice, watch: &mut impl Observer<Visit>) -> Crossing<'b>
+    where
+        'a: 'b,
+    {
+        let [nx, ny, nz] = finer.resolution;
         let (t_near, t_far) = (self.t, self.t_far());
-        watch.on(Visit::Enter { place: Place::Cell(cell), t_near, t_far, prims: refs.len() as u32, leaf: true });
-        (cell, refs)
+        watch.on(Visit::Descend { cell: self.cell(), nx, ny, nz, t_near, t_far });
+        Crossing::over(finer, self.ray, Interval::new(t_near, t_far))
+    }
+
+    /// Back from the grid within this cell.
+    fn resume(&self, watch: &mut impl Observer<Visit>) {
+        let [next_x, next_y, next_z] = self.next;
+        let (t_near, t_far) = (self.t, self.t_far());
+        watch.on(Visit::Ascend { cell: self.cell(), t_near, t_far, next_x, next_y, next_z });
     }
 
     /// Where the ray leaves the cell, or ends in it.
@@ -116,7 +155,7 @@ impl<'a> Crossing<'a> {
     #[inline]
     pub(crate) fn step(&mut self, watch: &mut impl Observer<Visit>) -> bool {
         let (axis, t) = (self.axis(), self.t_far());
-        let (i, n) = (axis.index(), self.grid.resolution[axis.index()]);
+        let (i, n) = (axis.index(), self.lattice.resolution[axis.index()]);
         let last = if self.ray.d[axis] > 0.0 { self.place[i] + 1 == n } else { self.place[i] == 0 };
         // At infinity no primitive can be hit.
         let inside = !last && self.next[i] <= self.range.far && self.next[i] < f32::INFINITY;
@@ -145,7 +184,7 @@ impl<'a> Crossing<'a> {
     #[inline]
     fn cell(&self) -> CellId {
         let [x, y, z] = self.place;
-        self.grid.cell_at(x, y, z)
+        self.lattice.cell_at(x, y, z)
     }
 
     /// The axis whose next plane comes first.
@@ -165,13 +204,13 @@ impl<'a> Crossing<'a> {
     #[inline]
     fn leaves(&self, axis: Axis) -> f32 {
         let (o, d, index) = (self.ray.o[axis], self.ray.d[axis], self.place[axis.index()]);
-        if d == 0.0 { f32::INFINITY } else { (self.grid.plane(axis, index + u32::from(d > 0.0)) - o) / d }
+        if d == 0.0 { f32::INFINITY } else { (self.lattice.plane(axis, index + u32::from(d > 0.0)) - o) / d }
     }
 
     /// How far apart in t the planes of an axis are: the lecture adds it, this walk shows it only.
     #[inline]
     fn delta(&self, axis: Axis) -> f32 {
-        let width = self.grid.bounds.extent()[axis] / self.grid.resolution[axis.index()] as f32;
+        let width = self.lattice.bounds.extent()[axis] / self.lattice.resolution[axis.index()] as f32;
         if self.ray.d[axis] == 0.0 { f32::INFINITY } else { width / self.ray.d[axis].abs() }
     }
 }

@@ -8,9 +8,9 @@ pub(super) fn walk(grid: &Grid, prims: &impl Primitives, ray: &Ray, watch: &mut 
     let mut best = Best::new(Want::Nearest);
     let mut mailbox = Mailbox::new();
     let mut why = Ending::Outside;
-    if let Some(mut crossing) = Crossing::begin(grid, ray, watch) {
+    if let Some(mut crossing) = Crossing::begin(&grid.lattice, ray, watch) {
         why = loop {
-            let (cell, refs) = crossing.enter(watch);
+            let (cell, refs) = grid.enter(&crossing, watch);
             for &prim in refs {
                 if mailbox.holds(prim) {
                     watch.on(Visit::Skip { prim });

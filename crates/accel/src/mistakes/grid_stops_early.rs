@@ -7,9 +7,9 @@ use crate::{Best, Ending, Grid, Hit, Observer, Primitives, Ray, Visit, Want, tes
 pub(super) fn walk(grid: &Grid, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {
     let (mut best, mut mailbox) = (Best::new(Want::Nearest), Mailbox::new());
     let mut why = Ending::Outside;
-    if let Some(mut crossing) = Crossing::begin(grid, ray, watch) {
+    if let Some(mut crossing) = Crossing::begin(&grid.lattice, ray, watch) {
         why = loop {
-            let (_, refs) = crossing.enter(watch);
+            let (_, refs) = grid.enter(&crossing, watch);
             for &prim in refs {
                 if grid.mailbox && mailbox.holds(prim) {
                     watch.on(Visit::Skip { prim });

@@ -3,12 +3,14 @@
 mod bvh;
 mod grid;
 mod kd;
+mod nested;
 mod octree;
 mod parameter;
 
 pub use bvh::{BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume};
 pub use grid::{GridRule, Resolution};
 pub use kd::{KdRule, KdSplit};
+pub use nested::NestedRule;
 pub use octree::OctreeRule;
 pub use parameter::{Allowed, Parameter, RuleError};
 
@@ -25,6 +27,10 @@ pub enum Rule {
     Slab,
     /// A uniform grid.
     Grid(GridRule),
+    /// Grids within the crowded cells of a coarse grid.
+    NestedGrid(NestedRule),
+    /// A uniform grid of which only the occupied cells are stored.
+    HashedGrid(GridRule),
     /// A kd-tree.
     Kd(KdRule),
     /// An octree, in a flat scene a quadtree.
@@ -36,7 +42,7 @@ pub enum Rule {
 impl Rule {
     /// The kinds that answer rays, by the names that slides and the command line use. Slides know one more,
     /// `"slab"`, which only tests the box.
-    pub const KINDS: [&'static str; 5] = ["list", "grid", "kd", "octree", "bvh"];
+    pub const KINDS: [&'static str; 7] = ["list", "grid", "nested-grid", "hashed-grid", "kd", "octree", "bvh"];
 
     /// The kind called `kind` with the parameters it has when nobody sets any.
     ///
@@ -47,6 +53,8 @@ impl Rule {
             "list" => Ok(Rule::List),
             "slab" => Ok(Rule::Slab),
             "grid" => Ok(Rule::Grid(GridRule::default())),
+            "nested-grid" => Ok(Rule::NestedGrid(NestedRule::default())),
+            "hashed-grid" => Ok(Rule::HashedGrid(GridRule::default())),
             "kd" => Ok(Rule::Kd(KdRule::default())),
             "octree" => Ok(Rule::Octree(OctreeRule::default())),
             "bvh" => Ok(Rule::Bvh(BvhRule::default())),
@@ -60,6 +68,8 @@ impl Rule {
             Rule::List => "list",
             Rule::Slab => "slab",
             Rule::Grid(_) => "grid",
+            Rule::NestedGrid(_) => "nested-grid",
+            Rule::HashedGrid(_) => "hashed-grid",
             Rule::Kd(_) => "kd",
             Rule::Octree(_) => "octree",
             Rule::Bvh(_) => "bvh",
@@ -72,7 +82,8 @@ impl Rule {
         let (axes, measure) = (Axes::Xy, Measure::Perimeter);
         match &mut self {
             Rule::List | Rule::Slab => {}
-            Rule::Grid(rule) => rule.axes = axes,
+            Rule::Grid(rule) | Rule::HashedGrid(rule) => rule.axes = axes,
+            Rule::NestedGrid(rule) => rule.grid.axes = axes,
             Rule::Kd(rule) => (rule.axes, rule.measure) = (axes, measure),
             Rule::Octree(rule) => rule.axes = axes,
             Rule::Bvh(rule) => (rule.axes, rule.measure) = (axes, measure),
@@ -105,7 +116,8 @@ impl Rule {
     fn slots(&mut self) -> Vec<Slot<'_>> {
         match self {
             Rule::List | Rule::Slab => Vec::new(),
-            Rule::Grid(rule) => rule.slots(),
+            Rule::Grid(rule) | Rule::HashedGrid(rule) => rule.slots(),
+            Rule::NestedGrid(rule) => rule.slots(),
             Rule::Kd(rule) => rule.slots(),
             Rule::Octree(rule) => rule.slots(),
             Rule::Bvh(rule) => rule.slots(),
@@ -139,7 +151,7 @@ mod tests {
             Rule::default_for("kt"),
             "",
             "",
-            "there is no structure \"kt\"; did you mean \"kd\"? (list, grid, kd, octree or bvh)",
+            "there is no structure \"kt\"; did you mean \"kd\"? (list, grid, nested-grid, hashed-grid, kd, octree or bvh)",
         );
         check(
             Rule::default_for("kd"),

@@ -1,6 +1,6 @@
 //! Walks: a symbol for each kind of event, and a few words for each event.
 
-use raystep_accel::{Ending, Place, Value, Verdict, Visit};
+use raystep_accel::{Ending, Place, Probed, Value, Verdict, Visit};
 
 use super::{Fact, Symbol};
 use crate::Role;
@@ -10,6 +10,9 @@ const BOX: Symbol = Symbol { sign: "◇", name: "box", role: Role::Here, rank: 1
 const SKIP: Symbol = Symbol { sign: "○", name: "skip", role: Role::Dropped, rank: 2 };
 const MISS: Symbol = Symbol { sign: "|", name: "miss", role: Role::Missed, rank: 3 };
 const CELL: Symbol = Symbol { sign: "▷", name: "next cell", role: Role::Here, rank: 4 };
+const DOWN: Symbol = Symbol { sign: "▼", name: "into a finer grid", role: Role::Here, rank: 5 };
+const UP: Symbol = Symbol { sign: "▲", name: "out of it", role: Role::Here, rank: 5 };
+const PROBE: Symbol = Symbol { sign: "◦", name: "slot", role: Role::Seen, rank: 1 };
 const PLANE: Symbol = Symbol { sign: "△", name: "plane", role: Role::Plane, rank: 5 };
 const POP: Symbol = Symbol { sign: "■", name: "pop", role: Role::Waiting, rank: 6 };
 const PUSH: Symbol = Symbol { sign: "□", name: "push", role: Role::Waiting, rank: 7 };
@@ -17,7 +20,7 @@ const DROP: Symbol = Symbol { sign: "×", name: "drop", role: Role::Dropped, ran
 const HIT: Symbol = Symbol { sign: "●", name: "hit", role: Role::Hit, rank: 9 };
 
 /// Every symbol of a walk, in the order of a legend.
-pub(crate) const SYMBOLS: &[Symbol] = &[SLAB, PLANE, BOX, CELL, PUSH, POP, DROP, SKIP, MISS, HIT];
+pub(crate) const SYMBOLS: &[Symbol] = &[SLAB, PLANE, BOX, CELL, DOWN, UP, PROBE, PUSH, POP, DROP, SKIP, MISS, HIT];
 
 impl Fact for Visit {
     fn name(&self) -> &'static str {
@@ -42,6 +45,9 @@ impl Fact for Visit {
             Visit::Plane { .. } => PLANE,
             Visit::Volume { .. } => BOX,
             Visit::Step { .. } => CELL,
+            Visit::Descend { .. } => DOWN,
+            Visit::Ascend { .. } => UP,
+            Visit::Probe { .. } => PROBE,
             Visit::Push { .. } => PUSH,
             Visit::Pop { .. } => POP,
             Visit::Drop { .. } => DROP,
@@ -82,8 +88,11 @@ impl Fact for Visit {
             Visit::Drop { .. } => "a node is never opened",
             Visit::Step { inside: true, .. } => "on to the next cell",
             Visit::Step { .. } => "the ray leaves the grid",
-            Visit::Probe { found: true, .. } => "the table has the cell",
-            Visit::Probe { .. } => "the table has no such cell",
+            Visit::Descend { .. } => "down into the cell's own grid",
+            Visit::Ascend { .. } => "back in the coarser cell",
+            Visit::Probe { holds: Probed::Found, .. } => "the table has the cell",
+            Visit::Probe { holds: Probed::Empty, .. } => "the table has no such cell",
+            Visit::Probe { holds: Probed::Taken, .. } => "the slot holds another cell",
             Visit::Skip { .. } => "tested before: skipped",
             Visit::Test { hit: true, .. } => "a primitive is hit",
             Visit::Test { .. } => "a primitive is missed",

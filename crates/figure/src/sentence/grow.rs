@@ -2,7 +2,7 @@
 
 use raystep_accel::{Grow, LeafReason, Place};
 
-use super::count;
+use super::{cells, count};
 use crate::number;
 
 /// One sentence about what just happened, with its numbers.
@@ -10,11 +10,14 @@ pub(crate) fn of_grow(event: &Grow) -> String {
     match *event {
         Grow::Widen { prim, grown: true, .. } => format!("The box grows until it holds primitive {prim}."),
         Grow::Widen { prim, .. } => format!("Primitive {prim} lies in the box already."),
-        Grow::Resolve { nx, ny, nz: 1, prims, .. } => {
-            format!("{} get a grid of {nx} × {ny} cells.", count(prims, "primitive"))
+        Grow::Refine { cell, nx, ny, nz, prims, .. } => {
+            format!(
+                "Cell {cell} is crowded, with {prims} primitives: they go into a grid of its own, of {} cells.",
+                cells(nx, ny, nz)
+            )
         }
         Grow::Resolve { nx, ny, nz, prims, .. } => {
-            format!("{} get a grid of {nx} × {ny} × {nz} cells.", count(prims, "primitive"))
+            format!("{} get a grid of {} cells.", count(prims, "primitive"), cells(nx, ny, nz))
         }
         Grow::Rasterise { prim, cell } => format!("The box of primitive {prim} meets cell {cell}."),
         Grow::Prune { prim, cell } => {

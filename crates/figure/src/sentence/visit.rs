@@ -1,8 +1,8 @@
 //! What an event of a walk says, in plain words.
 
-use raystep_accel::{Ending, Place, Side, Verdict, Visit};
+use raystep_accel::{Ending, Place, Probed, Side, Verdict, Visit};
 
-use super::count;
+use super::{cells, count};
 use crate::number;
 
 /// One sentence about what just happened, with its numbers.
@@ -78,7 +78,8 @@ pub(crate) fn of_visit(event: &Visit) -> String {
                 _ => "",
             };
             let holds = match prims {
-                0 if leaf || matches!(place, Place::Cell(_)) => " It is empty.".to_owned(),
+                _ if !leaf && matches!(place, Place::Cell(_)) => " It holds a grid of its own.".to_owned(),
+                0 if leaf => " It is empty.".to_owned(),
                 0 => String::new(),
                 1 => " It holds 1 primitive.".to_owned(),
                 n => format!(" It holds {n} primitives."),
@@ -130,8 +131,23 @@ pub(crate) fn of_visit(event: &Visit) -> String {
         Visit::Step { axis, t, .. } => {
             format!("The next {axis} plane comes first, at t = {}: the walk leaves the grid.", number(t))
         }
-        Visit::Probe { cell, slot, found } => {
-            let result = if found { "it is there" } else { "it is empty" };
+        Visit::Descend { cell, nx, ny, nz, t_near, t_far } => {
+            format!(
+                "The walk goes down into the grid of {} cells inside cell {cell}, for {}.",
+                cells(nx, ny, nz),
+                range(t_near, t_far)
+            )
+        }
+        Visit::Ascend { cell, t_far, .. } => format!(
+            "The grid inside cell {cell} is crossed. Back in the cell, the next planes are where they were: it ends at t = {}.",
+            number(t_far)
+        ),
+        Visit::Probe { cell, slot, holds } => {
+            let result = match holds {
+                Probed::Found => "it is there",
+                Probed::Empty => "the slot is free, so the cell is empty",
+                Probed::Taken => "another cell sits there, so the next slot is tried",
+            };
             format!("Cell {cell} is looked up in slot {slot}: {result}.")
         }
         Visit::Skip { prim } => format!("Primitive {prim} has been tested already: its mailbox saves the test."),

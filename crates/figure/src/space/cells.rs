@@ -1,6 +1,6 @@
-//! The cells of a grid: all of them while they are few, else those along the ray.
+//! The cells of a grid: all of them while they are few, else those along the ray; and those of the grids within.
 
-use raystep_accel::{Axis, CellId, Grid, Place, Visit};
+use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, Visit};
 
 use super::{Drawing, Form};
 use crate::{Role, number};
@@ -12,21 +12,38 @@ const FEW: usize = 1024;
 const TRAIL: usize = 256;
 
 impl Drawing<'_> {
-    pub(super) fn cells(&mut self, grid: &Grid) {
-        if self.walk.flat && grid.cell_count() <= FEW {
-            for cell in (0..grid.cell_count() as u32).map(CellId) {
-                self.outline(Role::Edge, Place::Cell(cell));
+    pub(super) fn cells(&mut self, grid: &dyn AnyGrid) {
+        let few = grid.cell_count() <= FEW;
+        if !grid.lattice().bounds.is_empty() {
+            self.lattice(grid.lattice(), Place::World);
+        }
+        for (holder, finer) in grid.finer() {
+            if few || self.moment.within.contains(holder) {
+                self.lattice(finer, Place::Cell(*holder));
             }
-        } else if !grid.bounds.is_empty() {
-            self.add(Role::Edge, Some(Place::World), Form::Box(grid.bounds));
         }
         let seen = &self.moment.seen;
         for &place in &seen[seen.len().saturating_sub(TRAIL)..] {
             self.outline(Role::Seen, place);
         }
+        for &holder in &self.moment.within {
+            self.outline(Role::Seen, Place::Cell(holder));
+        }
         if let Some(here @ Place::Cell(cell)) = self.moment.here {
             self.outline(Role::Here, here);
             self.title(Role::Here, here, format!("{cell} here"));
+        }
+    }
+
+    /// Equal cells: in a flat scene each of them while they are few, else their box.
+    fn lattice(&mut self, lattice: &Lattice, holder: Place) {
+        if self.walk.flat && lattice.cell_count() <= FEW {
+            let first = lattice.first.0;
+            for cell in (first..first + lattice.cell_count() as u32).map(CellId) {
+                self.outline(Role::Edge, Place::Cell(cell));
+            }
+        } else {
+            self.add(Role::Edge, Some(holder), Form::Box(lattice.bounds));
         }
     }
 

@@ -64,9 +64,9 @@ pub enum Form {
 pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
     let bounds = visible(walk);
     let mut drawing = Drawing { walk, moment, bounds, marks: Vec::new() };
-    match walk.structure {
-        Structure::Grid(grid) => drawing.cells(grid),
-        _ => drawing.nodes(),
+    match walk.structure.grid() {
+        Some(grid) => drawing.cells(grid),
+        None => drawing.nodes(),
     }
     drawing.the_box();
     drawing.prims();

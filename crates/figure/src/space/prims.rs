@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raystep_accel::{Place, PrimId, Structure, Visit};
+use raystep_accel::{Place, PrimId, Visit};
 
 use super::{Drawing, Form};
 use crate::{Role, number};
@@ -37,9 +37,9 @@ impl Drawing<'_> {
 
     /// The references of the current leaf or cell.
     fn held(&self) -> &[PrimId] {
-        match (self.moment.here, self.walk.structure) {
-            (Some(Place::Node(node)), structure) => structure.leaf_prims(node),
-            (Some(Place::Cell(cell)), Structure::Grid(grid)) => grid.cell_prims(cell),
+        match self.moment.here {
+            Some(Place::Node(node)) => self.walk.structure.leaf_prims(node),
+            Some(Place::Cell(cell)) => self.walk.structure.grid().map_or(&[], |grid| grid.cell_prims(cell)),
             _ => &[],
         }
     }

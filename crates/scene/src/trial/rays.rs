@@ -27,7 +27,7 @@ impl Targets {
         }
         for structure in structures {
             corners.extend(structure.node_bounds().iter().flat_map(|bounds| [bounds.min, bounds.max]));
-            if let Structure::Grid(grid) = structure {
+            if let Some(grid) = structure.grid() {
                 let cells = (0..grid.cell_count() as u32).map(raystep_accel::CellId);
                 corners.extend(cells.step_by(7).map(|cell| grid.cell_bounds(cell).max));
             }

@@ -1,6 +1,8 @@
 //! The walk of the uniform grid, stripped.
 
-use raystep_accel::{Aabb, Accel, Axis, CellId, Grid, Hit, Interval, List, Margin, PrimId, Primitives, Ray, Want};
+use raystep_accel::{
+    Aabb, Accel, AnyGrid, Axis, CellId, Grid, Hit, Interval, List, Margin, PrimId, Primitives, Ray, Want,
+};
 
 use super::{Best, Mailbox, slab, test};
 
@@ -21,7 +23,7 @@ impl StrippedGrid {
             refs.extend(grid.cell_prims(cell));
             starts.push(refs.len() as u32);
         }
-        let (bounds, resolution) = (grid.bounds, grid.resolution);
+        let (bounds, resolution) = (grid.lattice.bounds, grid.lattice.resolution);
         StrippedGrid { bounds, resolution, starts, refs, margin: Margin::of(&bounds), mailbox }
     }
 
