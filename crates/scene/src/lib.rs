@@ -8,6 +8,7 @@ mod flat;
 mod obj;
 mod scene;
 mod shipped;
+mod stadium;
 mod teapot;
 pub mod trial;
 mod view;

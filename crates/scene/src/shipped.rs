@@ -6,6 +6,7 @@ use raystep_accel::{Aabb, Prims};
 use thiserror::Error;
 
 use crate::error::nearest;
+use crate::stadium::{STADIUM, stadium};
 use crate::{MOST_STEPS, Scene, View, teapot};
 
 static FLAT: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/scenes");
@@ -23,7 +24,7 @@ pub struct UnknownScene {
     pub advice: String,
 }
 
-/// The names of the shipped scenes: the flat ones in alphabetical order, then the teapot. `teapot:NxN`, the teapot
+/// The names of the shipped scenes: the flat ones in alphabetical order, then the meshes. `teapot:NxN`, the teapot
 /// alone at another tessellation, is understood too.
 pub fn scene_names() -> Vec<String> {
     let mut names: Vec<String> = FLAT
@@ -32,7 +33,7 @@ pub fn scene_names() -> Vec<String> {
         .filter_map(|file| Some(file.path().file_stem()?.to_str()?.to_owned()))
         .collect();
     names.sort();
-    names.push(TEAPOT.to_owned());
+    names.extend([TEAPOT, STADIUM].map(str::to_owned));
     names
 }
 
@@ -44,6 +45,9 @@ impl Scene {
     pub fn named(name: &str) -> Result<Scene, UnknownScene> {
         if name == TEAPOT {
             return Ok(teapot_on_floor());
+        }
+        if name == STADIUM {
+            return Ok(stadium());
         }
         if let Some(steps) = name.strip_prefix("teapot:") {
             return tessellation(steps)
