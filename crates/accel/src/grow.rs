@@ -35,6 +35,8 @@ vocabulary! {
         Prune ["prune"] { prim: PrimId, cell: CellId }
         /// A node came to be.
         Open ["open"] { node: NodeId, bounds: Aabb, prims: u32, depth: u32 }
+        /// The plane that is weighed or taken next: all points `p` with `normal · p = plane`. A primitive proposed it, or it is one of a given set.
+        Normal ["normal"] { node: NodeId, normal_x: f32, normal_y: f32, normal_z: f32, plane: f32, from: Place }
         /// A split was weighed: so many primitives below and above, at such a cost.
         Weigh ["weigh"] { node: NodeId, axis: Direction, plane: f32, below: u32, above: u32, cost: f32 }
         /// A split was taken; the children are `below` and `above`.
@@ -71,6 +73,7 @@ impl Grow {
             Grow::Rasterise { .. } => "rasterise",
             Grow::Prune { .. } => "prune",
             Grow::Open { .. } => "open",
+            Grow::Normal { .. } => "normal",
             Grow::Weigh { .. } => "weigh",
             Grow::Split { .. } => "split",
             Grow::Share { .. } => "share",
@@ -88,9 +91,11 @@ impl Grow {
     /// How coarse the event is: what is weighed and measured is fine, what comes to be is coarse.
     pub fn grain(&self) -> Grain {
         match self {
-            Grow::Weigh { .. } | Grow::Rasterise { .. } | Grow::Widen { grown: false, .. } | Grow::Touch { .. } => {
-                Grain::Arithmetic
-            }
+            Grow::Normal { .. }
+            | Grow::Weigh { .. }
+            | Grow::Rasterise { .. }
+            | Grow::Widen { grown: false, .. }
+            | Grow::Touch { .. } => Grain::Arithmetic,
             Grow::Open { .. } | Grow::Resolve { .. } | Grow::Refine { .. } | Grow::Merge { .. } | Grow::End { .. } => {
                 Grain::Visit
             }
@@ -107,6 +112,7 @@ impl Grow {
             Grow::Refine { cell, .. } | Grow::Rasterise { cell, .. } | Grow::Prune { cell, .. } => Place::Cell(cell),
             Grow::Settle { place, .. } => place,
             Grow::Open { node, .. }
+            | Grow::Normal { node, .. }
             | Grow::Weigh { node, .. }
             | Grow::Split { node, .. }
             | Grow::Share { node, .. }

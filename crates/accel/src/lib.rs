@@ -11,6 +11,7 @@
 mod aabb;
 mod axis;
 mod best;
+mod bsp;
 mod bvh;
 mod direction;
 mod event;
@@ -44,12 +45,14 @@ mod watch;
 pub use aabb::Aabb;
 pub use axis::{Axes, Axis, Measure};
 pub use best::{Best, Want, test};
+pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};
 pub use bvh::{AnyBvh, Bvh};
 pub use direction::Direction;
 pub use event::Event;
 pub use events::Value;
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
 pub use grow::{Grow, LeafReason};
+pub use halving::PlaneTest;
 pub use ids::{CellId, NodeId, Place, PrimId};
 pub use interval::Interval;
 pub use kd::{Kd, KdNode, Upright};
@@ -65,8 +68,8 @@ pub use prims::{Cone, Corner, Cylinder, Disc, Mesh, Polygon, Primitives, Prims, 
 pub use random::Random;
 pub use ray::{Hit, Ray, RayError};
 pub use rule::{
-    Allowed, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit, NestedRule, OctreeRule,
-    Parameter, Resolution, Rule, RuleError,
+    Allowed, BspPlanes, BspRule, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit,
+    NestedRule, OctreeRule, Parameter, Resolution, Rule, RuleError, Straddlers,
 };
 pub use slab::slab;
 pub use structure::Structure;

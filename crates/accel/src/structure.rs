@@ -1,8 +1,8 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, AnyBvh, AnyGrid, Cancelled, Direction, Grid, Grow, HashedGrid, Hit, Kd, List, NestedGrid, NodeId,
-    Observer, Octree, OneBox, PrimId, Primitives, Ray, Rule, Visit, Want,
+    Aabb, Accel, AnyBvh, AnyGrid, Bsp, Cancelled, Direction, Grid, Grow, HashedGrid, Hit, Kd, List, NestedGrid, NodeId,
+    Observer, Octree, OneBox, PlaneTest, PrimId, Primitives, Ray, Rule, Visit, Want,
 };
 
 /// A structure of any kind.
@@ -22,6 +22,8 @@ pub enum Structure {
     Kd(Kd),
     /// An octree, in a flat scene a quadtree.
     Octree(Octree),
+    /// A BSP tree.
+    Bsp(Bsp),
     /// A hierarchy of bounding volumes.
     Bvh(AnyBvh),
 }
@@ -44,6 +46,7 @@ impl Structure {
             Rule::HashedGrid(rule) => Structure::HashedGrid(HashedGrid::build(prims, rule, watch)?),
             Rule::Kd(rule) => Structure::Kd(Kd::build(prims, rule, watch)?),
             Rule::Octree(rule) => Structure::Octree(Octree::build(prims, rule, watch)?),
+            Rule::Bsp(rule) => Structure::Bsp(Bsp::build(prims, rule, watch)?),
             Rule::Bvh(rule) => Structure::Bvh(AnyBvh::build(prims, rule, watch)?),
         })
     }
@@ -58,6 +61,7 @@ impl Structure {
             Structure::HashedGrid(grid) => grid.lattice.bounds,
             Structure::Kd(tree) => tree.bounds(),
             Structure::Octree(tree) => tree.bounds(),
+            Structure::Bsp(tree) => tree.bounds(),
             Structure::Bvh(tree) => tree.bounds(),
         }
     }
@@ -82,6 +86,7 @@ impl Structure {
             | Structure::HashedGrid(_) => 0,
             Structure::Kd(tree) => tree.node_count(),
             Structure::Octree(tree) => tree.node_count(),
+            Structure::Bsp(tree) => tree.node_count(),
             Structure::Bvh(tree) => tree.node_count(),
         }
     }
@@ -96,6 +101,7 @@ impl Structure {
             | Structure::HashedGrid(_) => None,
             Structure::Kd(tree) => tree.children(node),
             Structure::Octree(tree) => return tree.children(node),
+            Structure::Bsp(tree) => tree.children(node),
             Structure::Bvh(tree) => tree.children(node),
         };
         pair.map_or(Vec::new(), Vec::from)
@@ -111,14 +117,16 @@ impl Structure {
             | Structure::HashedGrid(_) => &[],
             Structure::Kd(tree) => tree.leaf_prims(node),
             Structure::Octree(tree) => tree.leaf_prims(node),
+            Structure::Bsp(tree) => tree.leaf_prims(node),
             Structure::Bvh(tree) => tree.leaf_prims(node),
         }
     }
 
-    /// The plane that splits a node's space: only inner nodes of a kd-tree have one.
+    /// The plane that splits a node's space: only inner nodes of a kd-tree or a BSP tree have one.
     pub fn split(&self, node: NodeId) -> Option<(Direction, f32)> {
         match self {
             Structure::Kd(tree) => tree.split(node).map(|(axis, plane)| (axis.into(), plane)),
+            Structure::Bsp(tree) => tree.plane(node).map(|plane| (Direction::Normal, plane.at)),
             _ => None,
         }
     }
@@ -133,7 +141,17 @@ impl Structure {
             | Structure::HashedGrid(_) => Vec::new(),
             Structure::Kd(tree) => tree.node_bounds(),
             Structure::Octree(tree) => tree.node_bounds(),
+            Structure::Bsp(tree) => tree.node_bounds(),
             Structure::Bvh(tree) => tree.node_bounds(),
+        }
+    }
+
+    /// What it takes to cut a ray by one plane, where planes cut space.
+    pub fn plane_test(&self) -> Option<PlaneTest> {
+        match self {
+            Structure::Kd(_) => Some(Kd::PLANE_TEST),
+            Structure::Bsp(_) => Some(Bsp::PLANE_TEST),
+            _ => None,
         }
     }
 
@@ -147,6 +165,7 @@ impl Structure {
             Structure::HashedGrid(grid) => grid.bytes(),
             Structure::Kd(tree) => tree.bytes(),
             Structure::Octree(tree) => tree.bytes(),
+            Structure::Bsp(tree) => tree.bytes(),
             Structure::Bvh(tree) => tree.bytes(),
         }
     }
@@ -162,6 +181,7 @@ impl Accel for Structure {
             Structure::HashedGrid(grid) => grid.walk(prims, ray, want, watch),
             Structure::Kd(tree) => tree.walk(prims, ray, want, watch),
             Structure::Octree(tree) => tree.walk(prims, ray, want, watch),
+            Structure::Bsp(tree) => tree.walk(prims, ray, want, watch),
             Structure::Bvh(tree) => tree.walk(prims, ray, want, watch),
         }
     }

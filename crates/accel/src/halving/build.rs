@@ -44,7 +44,7 @@ pub(crate) trait Cutter {
     fn prim(reference: &Self::Reference) -> PrimId;
 
     /// Whether a reference goes to both sides of a plane.
-    fn is_shared(reference: &Self::Reference, plane: <Self::Node as Node>::Plane) -> bool;
+    fn is_shared(&self, reference: &Self::Reference, plane: <Self::Node as Node>::Plane) -> bool;
 
     /// The plane to take and its cost; none if no plane separates the references.
     fn best(
@@ -140,7 +140,7 @@ impl<N: Node> Halving<N> {
             tree.nodes[node.index()] = N::inner(plane, below);
             let (axis, at) = plane.stand();
             watch.on(Grow::Split { node, axis, plane: at, below, above, cost });
-            for reference in refs.iter().filter(|reference| C::is_shared(reference, plane)) {
+            for reference in refs.iter().filter(|reference| cutter.is_shared(reference, plane)) {
                 watch.on(Grow::Share { node, prim: C::prim(reference) });
             }
             let share = |half: &Half<C>| (room as u64 * half.1.len() as u64 / dealt.max(1) as u64) as usize;

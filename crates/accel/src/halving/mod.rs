@@ -18,6 +18,9 @@ const DEEPEST: usize = 64;
 
 /// A plane that cuts space.
 pub trait Plane: Copy + Debug + PartialEq {
+    /// What it takes to cut a ray by it.
+    const TEST: PlaneTest;
+
     /// The direction across which it stands, and its place along that direction.
     fn stand(self) -> (Direction, f32);
 
@@ -26,6 +29,19 @@ pub trait Plane: Copy + Debug + PartialEq {
 
     /// Whether the ray is one whose way along any plane's direction can be told.
     fn measures(ray: &Ray) -> bool;
+}
+
+/// What it takes to cut a ray by one plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlaneTest {
+    /// How many numbers say where the plane is.
+    pub numbers: u32,
+    /// Multiplications.
+    pub products: u32,
+    /// Additions and subtractions.
+    pub sums: u32,
+    /// Divisions.
+    pub quotients: u32,
 }
 
 /// A node, however it is packed.
@@ -83,6 +99,12 @@ impl<N: Node> Halving<N> {
     /// The deepest a tree can be; the root has depth 0.
     pub const DEEPEST: usize = DEEPEST;
 
+    /// How many bytes a node takes.
+    pub const NODE_BYTES: usize = size_of::<N>();
+
+    /// What it takes to cut a ray by one of its planes.
+    pub const PLANE_TEST: PlaneTest = N::Plane::TEST;
+
     /// The box around all primitives, which is the root's; empty if there are none.
     pub fn bounds(&self) -> Aabb {
         self.bounds
@@ -97,9 +119,6 @@ impl<N: Node> Halving<N> {
     pub fn reference_count(&self) -> usize {
         self.refs.len()
     }
-
-    /// How many bytes a node takes.
-    pub const NODE_BYTES: usize = size_of::<N>();
 
     /// A node's children, the one below its plane first, or nothing for a leaf.
     pub fn children(&self, node: NodeId) -> Option<[NodeId; 2]> {

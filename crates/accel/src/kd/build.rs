@@ -46,7 +46,7 @@ impl<P: Primitives> Cutter for Boxes<'_, P> {
         reference.prim
     }
 
-    fn is_shared(reference: &Reference, Upright { axis, at }: Upright) -> bool {
+    fn is_shared(&self, reference: &Reference, Upright { axis, at }: Upright) -> bool {
         reference.sides(axis, at) == (true, true)
     }
 

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::halving::{Crossing, Kind, Node, Plane};
+use crate::halving::{Crossing, Kind, Node, Plane, PlaneTest};
 use crate::{Axis, Direction, NodeId, Ray};
 
 /// A plane across an axis.
@@ -15,6 +15,8 @@ pub struct Upright {
 }
 
 impl Plane for Upright {
+    const TEST: PlaneTest = PlaneTest { numbers: 1, products: 0, sums: 1, quotients: 1 };
+
     fn stand(self) -> (Direction, f32) {
         (self.axis.into(), self.at)
     }

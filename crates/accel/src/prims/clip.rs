@@ -57,17 +57,23 @@ impl Corners {
     /// The part where `inside` is not negative.
     fn keep(&self, inside: impl Fn(DVec3) -> f64) -> Corners {
         let mut kept = Corners::new([]);
-        for (i, &p) in self.list().iter().enumerate() {
-            let q = self.points[(i + 1) % self.len];
-            let (a, b) = (inside(p), inside(q));
-            if a >= 0.0 {
-                kept.add(p);
-            }
-            // The edge crosses the plane: keep the crossing.
-            if (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0) {
-                kept.add(p + (q - p) * (a / (a - b)));
-            }
-        }
+        clipped(self.list(), inside, |p| kept.add(p));
         kept
+    }
+}
+
+/// Hands on the corners of the part of a polygon where `inside` is not negative.
+#[inline]
+pub(crate) fn clipped(corners: &[DVec3], inside: impl Fn(DVec3) -> f64, mut keep: impl FnMut(DVec3)) {
+    for (i, &p) in corners.iter().enumerate() {
+        let q = corners[(i + 1) % corners.len()];
+        let (a, b) = (inside(p), inside(q));
+        if a >= 0.0 {
+            keep(p);
+        }
+        // The edge crosses the border: keep the crossing.
+        if (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0) {
+            keep(p + (q - p) * (a / (a - b)));
+        }
     }
 }

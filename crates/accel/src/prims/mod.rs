@@ -12,6 +12,7 @@ mod sphere;
 mod triangle;
 mod wall;
 
+pub(crate) use clip::clipped;
 pub use cone::Cone;
 pub use corner::Corner;
 pub use cylinder::Cylinder;

@@ -1,5 +1,6 @@
 //! How a structure is to be built: its kind and its parameters.
 
+mod bsp;
 mod bvh;
 mod grid;
 mod kd;
@@ -7,6 +8,7 @@ mod nested;
 mod octree;
 mod parameter;
 
+pub use bsp::{BspPlanes, BspRule, Straddlers};
 pub use bvh::{BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume};
 pub use grid::{GridRule, Resolution};
 pub use kd::{KdRule, KdSplit};
@@ -37,12 +39,14 @@ pub enum Rule {
     Octree(OctreeRule),
     /// A hierarchy of bounding volumes.
     Bvh(BvhRule),
+    /// A BSP tree.
+    Bsp(BspRule),
 }
 
 impl Rule {
     /// The kinds that answer rays, by the names that slides and the command line use. Slides know one more,
     /// `"slab"`, which only tests the box.
-    pub const KINDS: [&'static str; 7] = ["list", "grid", "nested-grid", "hashed-grid", "kd", "octree", "bvh"];
+    pub const KINDS: [&'static str; 8] = ["list", "grid", "nested-grid", "hashed-grid", "kd", "octree", "bsp", "bvh"];
 
     /// The kind called `kind` with the parameters it has when nobody sets any.
     ///
@@ -57,6 +61,7 @@ impl Rule {
             "hashed-grid" => Ok(Rule::HashedGrid(GridRule::default())),
             "kd" => Ok(Rule::Kd(KdRule::default())),
             "octree" => Ok(Rule::Octree(OctreeRule::default())),
+            "bsp" => Ok(Rule::Bsp(BspRule::default())),
             "bvh" => Ok(Rule::Bvh(BvhRule::default())),
             _ => Err(RuleError::Kind { found: kind.to_owned(), nearest: nearest(kind, Rule::KINDS) }),
         }
@@ -72,6 +77,7 @@ impl Rule {
             Rule::HashedGrid(_) => "hashed-grid",
             Rule::Kd(_) => "kd",
             Rule::Octree(_) => "octree",
+            Rule::Bsp(_) => "bsp",
             Rule::Bvh(_) => "bvh",
         }
     }
@@ -86,6 +92,7 @@ impl Rule {
             Rule::NestedGrid(rule) => rule.grid.axes = axes,
             Rule::Kd(rule) => (rule.axes, rule.measure) = (axes, measure),
             Rule::Octree(rule) => rule.axes = axes,
+            Rule::Bsp(rule) => (rule.axes, rule.measure) = (axes, measure),
             Rule::Bvh(rule) => (rule.axes, rule.measure) = (axes, measure),
         }
         self
@@ -120,6 +127,7 @@ impl Rule {
             Rule::NestedGrid(rule) => rule.slots(),
             Rule::Kd(rule) => rule.slots(),
             Rule::Octree(rule) => rule.slots(),
+            Rule::Bsp(rule) => rule.slots(),
             Rule::Bvh(rule) => rule.slots(),
         }
     }
@@ -151,7 +159,7 @@ mod tests {
             Rule::default_for("kt"),
             "",
             "",
-            "there is no structure \"kt\"; did you mean \"kd\"? (list, grid, nested-grid, hashed-grid, kd, octree or bvh)",
+            "there is no structure \"kt\"; did you mean \"kd\"? (list, grid, nested-grid, hashed-grid, kd, octree, bsp or bvh)",
         );
         check(
             Rule::default_for("kd"),

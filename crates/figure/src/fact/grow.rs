@@ -53,6 +53,7 @@ impl Fact for Grow {
             Grow::Rasterise { .. } => "a primitive's box meets a cell",
             Grow::Prune { .. } => "the primitive itself does not",
             Grow::Open { .. } => "a node comes to be",
+            Grow::Normal { .. } => "a plane is proposed",
             Grow::Weigh { .. } => "a split is weighed",
             Grow::Split { .. } => "the split is taken",
             Grow::Share { .. } => "it goes to both children",

@@ -26,6 +26,14 @@ pub(crate) fn of_grow(event: &Grow) -> String {
         Grow::Open { node, prims, depth, .. } => {
             format!("Node {node} comes to be at depth {depth}, with {}.", count(prims, "primitive"))
         }
+        Grow::Normal { normal_x, normal_y, normal_z, plane, from, .. } => {
+            let who = match from {
+                Place::Prim(prim) => format!("Primitive {prim} proposes"),
+                _ => "The set of directions offers".to_owned(),
+            };
+            let normal = [normal_x, normal_y, normal_z].map(number).join(", ");
+            format!("{who} the plane n · p = {} with n = ({normal}).", number(plane))
+        }
         Grow::Weigh { axis, plane, below, above, cost, .. } => format!(
             "A split at {axis} = {} leaves {below} below and {above} above: cost {}.",
             number(plane),

@@ -1,0 +1,160 @@
+//! Which plane cuts a node: some are proposed, and the one with the least expected cost is taken.
+
+use glam::{DVec3, Vec3};
+
+use super::fragment::{Fragment, Proposal, proposals};
+use super::{ConvexCell, FreePlane};
+use crate::{Axes, BspPlanes, BspRule, Grow, NodeId, Observer, Place, Primitives, Random};
+
+/// Planes stand a little further beside a fragment than it is padded, so that it lies on one side of them
+/// even after rounding.
+const BESIDE: f64 = 1.5;
+
+/// Proposes planes across one node and weighs them.
+pub(super) struct Scale<'a, P, O> {
+    pub(super) prims: &'a P,
+    pub(super) rule: &'a BspRule,
+    pub(super) random: &'a mut Random,
+    pub(super) pad: f64,
+    pub(super) node: NodeId,
+    pub(super) cell: &'a ConvexCell,
+    pub(super) refs: &'a [Fragment],
+    pub(super) watch: &'a mut O,
+}
+
+/// A plane, where it came from, and what it is worth.
+#[derive(Clone, Copy)]
+struct Weighed {
+    plane: FreePlane,
+    from: Place,
+    cost: f32,
+}
+
+impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
+    /// The cheapest plane; none if no proposed plane separates the fragments.
+    pub(super) fn best(&mut self) -> Option<(FreePlane, f32)> {
+        let whole = self.cell.measure(self.rule.measure);
+        let mut best: Option<Weighed> = None;
+        for (normal, from, places) in self.proposed() {
+            // Along the normal, fragments and cell are intervals.
+            let along = normal.as_dvec3();
+            let extents: Vec<[f64; 2]> = self.refs.iter().map(|fragment| fragment.extent(along)).collect();
+            let [first, last] = self.cell.extent(along);
+            for at in places {
+                let plane = FreePlane { normal, at: at as f32 };
+                // A plane in a face of the cell cuts nothing.
+                if f64::from(plane.at) <= first + self.pad || last - self.pad <= f64::from(plane.at) {
+                    continue;
+                }
+                let cost = self.weigh(plane, from, &extents, whole);
+                if cost.is_some_and(|cost| best.is_none_or(|best| cost < best.cost)) {
+                    best = cost.map(|cost| Weighed { plane, from, cost });
+                }
+            }
+        }
+        let Weighed { plane, from, cost } = best?;
+        self.tell(plane, from);
+        Some((plane, cost))
+    }
+
+    /// What the node costs if it is cut by the plane, as in a kd-tree; none if hardly anything is separated.
+    fn weigh(&mut self, plane: FreePlane, from: Place, extents: &[[f64; 2]], whole: f32) -> Option<f32> {
+        let sides = extents.iter().map(|&extent| sides(extent, plane, self.pad));
+        let (below, above) = sides.fold((0, 0), |(below, above), (reaches_below, reaches_above)| {
+            (below + u32::from(reaches_below), above + u32::from(reaches_above))
+        });
+        let [lower, upper] = self.cell.halves(plane, self.rule.measure).map(|half| half / whole);
+        let tests = lower * below as f32 + upper * above as f32;
+        let cost = self.rule.traversal_cost + self.rule.intersection_cost * tests;
+        self.tell(plane, from);
+        let FreePlane { at: plane, .. } = plane;
+        let axis = crate::Direction::Normal;
+        self.watch.on(Grow::Weigh { node: self.node, axis, plane, below, above, cost });
+        // A plane that leaves nearly everything, three quarters and more, on both sides separates nothing.
+        let separates = 4 * (below as usize + above as usize) <= 7 * self.refs.len();
+        (separates && cost.is_finite()).then_some(cost)
+    }
+
+    fn tell(&mut self, plane: FreePlane, from: Place) {
+        let FreePlane { normal: Vec3 { x, y, z }, at } = plane;
+        let normal = Grow::Normal { node: self.node, normal_x: x, normal_y: y, normal_z: z, plane: at, from };
+        self.watch.on(normal);
+    }
+
+    /// Normals, who proposes them, and where planes may stand along each.
+    fn proposed(&mut self) -> Vec<(Vec3, Place, Vec<f64>)> {
+        let samples = self.samples();
+        let (refs, off) = (self.refs, BESIDE * self.pad);
+        match self.rule.planes {
+            BspPlanes::Polygons => {
+                let own = samples.into_iter().flat_map(|i| {
+                    let shape = self.prims.shape(refs[i].prim);
+                    proposals(&shape).into_iter().map(move |proposal| (i, proposal))
+                });
+                own.filter_map(|(i, proposal)| {
+                    let (Proposal::Across(along) | Proposal::Beyond(along)) = proposal;
+                    let normal = self.normal(along)?;
+                    let [low, high] = refs[i].extent(normal.as_dvec3());
+                    let places = match proposal {
+                        Proposal::Across(_) => vec![low - off, high + off],
+                        Proposal::Beyond(_) => vec![high + off],
+                    };
+                    Some((normal, Place::Prim(refs[i].prim), places))
+                })
+                .collect()
+            }
+            BspPlanes::Candidates => {
+                let beside = |normal: Vec3| {
+                    let extents = samples.iter().map(|&i| refs[i].extent(normal.as_dvec3()));
+                    extents.flat_map(|[low, high]| [low - off, high + off]).collect()
+                };
+                let normals = DIRECTIONS.iter().filter_map(|&along| self.normal(along.into()));
+                normals.map(|normal| (normal, Place::World, beside(normal))).collect()
+            }
+        }
+    }
+
+    /// Which of the node's fragments propose planes: all, or a few at random.
+    fn samples(&mut self) -> Vec<usize> {
+        let (all, some) = (self.refs.len(), self.rule.samples as usize);
+        if all <= some {
+            return (0..all).collect();
+        }
+        (0..some).map(|_| self.random.below(all as u32) as usize).collect()
+    }
+
+    /// The direction with length one; none if it has no length, or may not be used.
+    fn normal(&self, along: DVec3) -> Option<Vec3> {
+        let normal = along.try_normalize()?.as_vec3();
+        match self.rule.axes {
+            Axes::Xyz => Some(normal),
+            // In a flat scene planes stand upright.
+            Axes::Xy => (normal.z.abs() < 1e-6).then_some(normal.with_z(0.0)),
+        }
+    }
+}
+
+/// Whether an extent reaches below the plane, and whether above, `pad` larger on both sides. One without
+/// numbers is on both.
+pub(super) fn sides([low, high]: [f64; 2], plane: FreePlane, pad: f64) -> (bool, bool) {
+    let at = f64::from(plane.at);
+    let (below, above) = (low - pad < at, high + pad > at);
+    if below || above { (below, above) } else { (true, true) }
+}
+
+/// The axes, the edges of a cube and its corners.
+const DIRECTIONS: [[f64; 3]; 13] = [
+    [1.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 0.0, 1.0],
+    [1.0, 1.0, 0.0],
+    [1.0, -1.0, 0.0],
+    [1.0, 0.0, 1.0],
+    [1.0, 0.0, -1.0],
+    [0.0, 1.0, 1.0],
+    [0.0, 1.0, -1.0],
+    [1.0, 1.0, 1.0],
+    [1.0, 1.0, -1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, -1.0, -1.0],
+];
