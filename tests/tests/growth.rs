@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use glam::Vec3;
 use raystep_accel::{
-    Aabb, Cancelled, CellId, Direction, Grow, Mesh, NodeId, Observer, Place, PrimId, Primitives, Prims, Rule, Structure,
+    Aabb, Cancelled, CellId, Direction, FreePlane, Grow, Mesh, NodeId, Observer, Place, PrimId, Primitives, Prims,
+    Rule, Structure,
 };
 use raystep_scene::Scene;
 use raystep_tests::rules::{rule, rules};
@@ -19,6 +20,9 @@ struct Told {
     boxes: BTreeMap<NodeId, Aabb>,
     children: BTreeMap<NodeId, Vec<NodeId>>,
     planes: BTreeMap<NodeId, (Direction, f32)>,
+    /// The last plane told of, as a BSP tree's nodes hold it, and those that were taken.
+    normal: Option<FreePlane>,
+    free: BTreeMap<NodeId, FreePlane>,
     settled: BTreeMap<Place, Vec<PrimId>>,
     leaves: BTreeMap<NodeId, u32>,
 }
@@ -38,7 +42,11 @@ impl Observer<Grow> for Told {
                 assert_eq!(held.len(), prims as usize);
             }
             Grow::Open { node, bounds, .. } => assert!(self.boxes.insert(node, bounds).is_none()),
+            Grow::Normal { normal_x, normal_y, normal_z, plane, .. } => {
+                self.normal = Some(FreePlane { normal: Vec3::new(normal_x, normal_y, normal_z), at: plane });
+            }
             Grow::Split { node, axis, plane, below, above, .. } => {
+                self.free.extend(self.normal.map(|normal| (node, normal)));
                 assert!(self.children.insert(node, vec![below, above]).is_none());
                 self.planes.insert(node, (axis, plane));
             }
@@ -74,8 +82,11 @@ impl Told {
             assert_eq!(bounds, self.boxes[&node]);
             assert_eq!(structure.children(node), self.children.get(&node).cloned().unwrap_or_default());
             assert_eq!(structure.leaf_prims(node), self.settled(Place::Node(node)));
-            if let Structure::Kd(_) = structure {
+            if let Structure::Kd(_) | Structure::Bsp(_) = structure {
                 assert_eq!(structure.split(node), self.planes.get(&node).copied());
+            }
+            if let Structure::Bsp(tree) = structure {
+                assert_eq!(tree.plane(node), self.free.get(&node).copied());
             }
         }
         assert!(self.leaves.iter().all(|(&node, &prims)| structure.leaf_prims(node).len() == prims as usize));
@@ -140,6 +151,8 @@ fn triangles_on_top_of_each_other_give_a_bounded_structure() {
             "kd",
             "kd split=middle max_depth=64 min_objects=0",
             "kd split=median max_depth=64",
+            "bsp",
+            "bsp planes=candidates max_depth=64 min_objects=0",
             "bvh",
         ] {
             let structure = Structure::build(&prims, &rule(line), &mut ()).unwrap();
@@ -156,8 +169,12 @@ fn a_tree_is_never_deeper_than_its_stack() {
     let size = |i: i32| 0.25f32.powi(i);
     let corners = (0..60).flat_map(|i| [Vec3::X * size(i), Vec3::Y * size(i), Vec3::Z * size(i)]).collect();
     let prims = Prims::Mesh(Mesh { corners, triangles });
-    for line in ["kd max_depth=64 min_objects=0 traversal_cost=0", "kd split=middle max_depth=64 min_objects=0", "bvh"]
-    {
+    for line in [
+        "kd max_depth=64 min_objects=0 traversal_cost=0",
+        "kd split=middle max_depth=64 min_objects=0",
+        "bsp max_depth=64 min_objects=0 traversal_cost=0",
+        "bvh",
+    ] {
         let mut deepest = 0;
         let mut watch = raystep_accel::Each(|event| {
             if let Grow::Open { depth, .. } = event {
@@ -187,7 +204,7 @@ impl Observer<Grow> for Patience {
 #[test]
 fn a_builder_gives_up_when_asked() {
     let teapot = Scene::named("teapot-6321").unwrap();
-    for line in ["grid", "nested-grid", "hashed-grid", "kd", "bvh"] {
+    for line in ["grid", "nested-grid", "hashed-grid", "kd", "bsp", "bvh"] {
         for patience in [0, 1, 10, 300] {
             let built = Structure::build(&teapot.prims, &rule(line), &mut Patience(patience));
             assert_eq!(built, Err(Cancelled), "{line}");

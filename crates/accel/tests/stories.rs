@@ -122,3 +122,9 @@ fn a_kd_tree_is_walked_from_the_right() {
     let (tree, _) = grown("kd", &[("split", "median"), ("min_objects", "1"), ("max_depth", "3")]);
     insta::assert_snapshot!(walked(&tree, &ray([4.0, 0.0], [3.0, 0.22])));
 }
+
+#[test]
+fn a_bsp_tree_is_walked() {
+    let (tree, _) = grown("bsp", &[("min_objects", "1"), ("max_depth", "4"), ("traversal_cost", "0")]);
+    insta::assert_snapshot!(walked(&tree, &ray([-1.0, 0.3], [0.0, 0.46])));
+}

@@ -2,7 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure};
+use glam::Vec3;
+use raystep_accel::{
+    Aabb, Axis, CellId, Direction, FreePlane, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure,
+};
 
 /// A build that was recorded, with what it ended in.
 #[derive(Clone, Copy)]
@@ -34,6 +37,8 @@ pub struct GrowMoment {
     pub node: Option<NodeId>,
     /// The splits of that node weighed so far.
     pub weighed: Vec<Weighed>,
+    /// In a BSP tree, the plane that is weighed or taken next.
+    pub free: Option<FreePlane>,
     /// The grid's resolution, once chosen.
     pub resolution: Option<[u32; 3]>,
     /// How many cells there are so far, those of the grids within cells included.
@@ -120,6 +125,8 @@ pub struct Taken {
     pub above: NodeId,
     /// What it costs.
     pub cost: f32,
+    /// In a BSP tree, how the plane stands.
+    pub free: Option<FreePlane>,
 }
 
 /// A split that was weighed.
@@ -135,6 +142,8 @@ pub struct Weighed {
     pub above: u32,
     /// What it would cost.
     pub cost: f32,
+    /// In a BSP tree, how the plane stands.
+    pub free: Option<FreePlane>,
 }
 
 impl Default for GrowMoment {
@@ -146,6 +155,7 @@ impl Default for GrowMoment {
             nodes: BTreeMap::new(),
             node: None,
             weighed: Vec::new(),
+            free: None,
             resolution: None,
             cell_count: 0,
             cells: BTreeMap::new(),
@@ -226,17 +236,21 @@ impl GrowMoment {
                 self.consider(node);
                 self.waiting.retain(|waiting| *waiting != node);
             }
+            Grow::Normal { node, normal_x, normal_y, normal_z, plane, .. } => {
+                self.consider(node);
+                self.free = Some(FreePlane { normal: Vec3::new(normal_x, normal_y, normal_z), at: plane });
+            }
             Grow::Weigh { node, axis, plane, below, above, cost } => {
                 self.consider(node);
                 self.tally.weighed += 1;
-                self.weighed.push(Weighed { axis, plane, below, above, cost });
+                self.weighed.push(Weighed { axis, plane, below, above, cost, free: self.free });
             }
             Grow::Split { node, axis, plane, below, above, cost } => {
                 self.consider(node);
                 self.tally.taken += 1;
                 self.give_birth(node, vec![below, above]);
                 if let Some(node) = self.nodes.get_mut(&node) {
-                    node.split = Some(Taken { axis, plane, below, above, cost });
+                    node.split = Some(Taken { axis, plane, below, above, cost, free: self.free });
                 }
             }
             Grow::Share { node, prim } => {

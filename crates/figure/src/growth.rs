@@ -1,10 +1,11 @@
 //! What a builder has done so far, in space and as a tree.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Aabb, Axis, CellId, Direction, Grow, NodeId, Place, PrimId, Primitives};
+use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
 use crate::branches::{Tree, TreeView};
 use crate::build::{Build, Fate, GrowMoment, GrowNode};
+use crate::space::convex;
 use crate::tree::draw_tree;
 use crate::work::counted;
 use crate::{Figure, Form, Look, Role, Space, SpaceMark, number};
@@ -163,6 +164,12 @@ impl Drawing<'_> {
             let role = node_role(self.moment, id);
             // Boxes of split nodes only repeat what their children show; the current one stands out.
             let role = if role == Role::Seen && !node.children.is_empty() { Role::Edge } else { role };
+            if let Structure::Bsp(tree) = self.build.structure {
+                for form in convex::cell(&tree.cell(id), self.build.flat) {
+                    self.add(role, Some(Place::Node(id)), form);
+                }
+                continue;
+            }
             self.add(role, Some(Place::Node(id)), Form::Box(node.bounds));
         }
     }
@@ -178,13 +185,18 @@ impl Drawing<'_> {
                 self.add(Role::Candidate, place, Form::Segment(from, to));
             }
         }
-        let sheet = |across: Direction, plane: f32| Some(Form::Sheet(sheet(&node.bounds, across.axis()?, plane)));
-        if let Some(sheet) = node.split.and_then(|taken| sheet(taken.axis, taken.plane)) {
+        let flat = self.build.flat;
+        let cell = if let Structure::Bsp(tree) = self.build.structure { Some(tree.cell(*id)) } else { None };
+        let sheet = |across: Direction, plane: f32, free: Option<FreePlane>| match &cell {
+            Some(cell) => convex::sheet(cell, free?, flat),
+            None => Some(Form::Sheet(sheet(&node.bounds, across.axis()?, plane))),
+        };
+        if let Some(sheet) = node.split.and_then(|taken| sheet(taken.axis, taken.plane, taken.free)) {
             self.add(Role::Plane, place, sheet);
         }
         match self.moment.event {
             Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
-                if let Some(sheet) = sheet(axis, plane) {
+                if let Some(sheet) = sheet(axis, plane, self.moment.free) {
                     self.add(Role::Candidate, place, sheet);
                 }
                 self.title(

@@ -64,6 +64,7 @@ fn told(space: &Space) -> String {
         let place = mark.place.map_or_else(String::new, |place| place.to_string());
         let form = match &mark.form {
             Form::Box(b) => format!("box {:.2},{:.2} – {:.2},{:.2}", b.min.x, b.min.y, b.max.x, b.max.y),
+            Form::Polygon(corners) => format!("polygon of {} corners", corners.len()),
             Form::Sheet(b) => format!("sheet {:.2},{:.2} – {:.2},{:.2}", b.min.x, b.min.y, b.max.x, b.max.y),
             Form::Segment(a, b) => format!("segment {:.2},{:.2} – {:.2},{:.2}", a.x, a.y, b.x, b.y),
             Form::Arrow(a, b) => format!("arrow {:.2},{:.2} – {:.2},{:.2}", a.x, a.y, b.x, b.y),

@@ -61,6 +61,7 @@ impl Batch {
             let style = frame.theme.style(mark.role);
             match &mark.form {
                 Form::Box(bounds) | Form::Sheet(bounds) => pen.bounds(bounds, &style),
+                Form::Polygon(corners) => pen.polygon(corners, &style),
                 Form::Segment(from, to) => pen.line(*from, *to, &style, 0.0),
                 Form::Arrow(from, to) => pen.arrow(*from, *to, &style),
                 Form::Point(at) => pen.point(*at, &style),

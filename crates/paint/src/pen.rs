@@ -167,6 +167,17 @@ impl Pen<'_> {
         }
     }
 
+    /// A flat convex polygon.
+    pub(crate) fn polygon(&mut self, corners: &[Vec3], style: &Style) {
+        let distance = self.distance(corners.iter().copied().sum::<Vec3>() / corners.len() as f32);
+        for pair in corners.windows(2).skip(1) {
+            self.face(distance, false, [corners[0], pair[0], pair[1]], style);
+        }
+        for (&from, &to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            self.line(from, to, style, 0.0);
+        }
+    }
+
     fn quad(&mut self, [a, b, c, d]: [Vec3; 4], style: &Style) {
         let distance = self.distance((a + c) * 0.5);
         self.face(distance, false, [a, b, c], style);

@@ -59,7 +59,7 @@ impl ConvexCell {
 
     /// Where its corners lie along a direction: the first and the last.
     pub(super) fn extent(&self, along: DVec3) -> [f64; 2] {
-        extent(self.faces.iter().flat_map(|face| &face.corners), along)
+        extent(self.faces.iter().flat_map(|face| &face.corners).copied(), along)
     }
 
     /// The polygon in which a plane cuts it; no corners if it passes beside.
@@ -164,7 +164,9 @@ impl Area {
 /// Twice the area of a polygon, as a vector across it.
 fn area(corners: &[DVec3]) -> DVec3 {
     let mut area = Area::default();
-    corners.iter().for_each(|&p| area.add(p));
+    for &p in corners {
+        area.add(p);
+    }
     area.sum
 }
 

@@ -46,8 +46,8 @@ impl Fragment {
     /// Where along a direction it begins and ends.
     pub(super) fn extent(&self, along: DVec3) -> [f64; 2] {
         match &*self.body {
-            Body::Faces(faces) => extent(faces.iter().flatten(), along),
-            Body::Between(corners) => extent(corners, along),
+            Body::Faces(faces) => extent(faces.iter().flatten().copied(), along),
+            Body::Between(corners) => extent(corners.iter().copied(), along),
             &Body::Round { center, radius, axis } => {
                 // A plate reaches less far along its own axis than across it.
                 let tilt = axis.map_or(0.0, |axis| along.dot(axis));
@@ -71,8 +71,8 @@ impl Fragment {
 }
 
 /// Where along a direction points begin and end.
-pub(super) fn extent(points: impl IntoIterator<Item = &DVec3>, along: DVec3) -> [f64; 2] {
-    let places = points.into_iter().map(|p| along.dot(*p));
+pub(super) fn extent(points: impl IntoIterator<Item = DVec3>, along: DVec3) -> [f64; 2] {
+    let places = points.into_iter().map(|p| along.dot(p));
     places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
 }
 

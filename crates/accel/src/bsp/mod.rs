@@ -18,7 +18,7 @@ pub type Bsp = Halving<BspNode>;
 impl Bsp {
     /// The cells of all nodes. No node stores its cell: it follows from the planes above.
     pub fn cells(&self) -> Vec<ConvexCell> {
-        self.spread(ConvexCell::of(&self.bounds), |cell, plane| cell.cut(plane))
+        self.spread(ConvexCell::of(&self.bounds), ConvexCell::cut)
     }
 
     /// The cell of one node.

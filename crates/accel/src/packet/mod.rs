@@ -88,6 +88,7 @@ impl Structure {
     ) -> Option<Found> {
         match self {
             Structure::Kd(tree) => Some(tree.walk_packet(prims, packet, want, watch)),
+            Structure::Bsp(tree) => Some(tree.walk_packet(prims, packet, want, watch)),
             Structure::Bvh(tree) => Some(tree.walk_packet(prims, packet, want, watch)),
             _ => None,
         }

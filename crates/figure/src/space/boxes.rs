@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use raystep_accel::{NodeId, Place, Structure, Verdict, Visit};
 
-use super::{Drawing, Form};
+use super::{Drawing, Form, convex};
 use crate::{Role, number};
 
 /// A tree with more nodes than this shows only the way to the current node and what waits.
@@ -151,6 +151,14 @@ impl Drawing<'_> {
     pub(super) fn split(&mut self) {
         let Some(cut) = self.moment.cut else { return };
         let place = Place::Node(cut.node);
+        if let Structure::Bsp(tree) = self.walk.structure {
+            let plane = tree.plane(cut.node);
+            let sheet = plane.and_then(|plane| convex::sheet(&tree.cell(cut.node), plane, self.walk.flat));
+            if let Some(sheet) = sheet {
+                self.add(Role::Plane, Some(place), sheet);
+            }
+            return;
+        }
         let mut sheet = self.walk.bounds(place);
         if let Some(axis) = cut.axis.axis() {
             sheet.min[axis] = cut.plane;

@@ -2,6 +2,7 @@
 
 mod boxes;
 mod cells;
+pub(crate) mod convex;
 mod prims;
 mod rays;
 mod slabs;
@@ -41,6 +42,8 @@ pub enum Form {
     Box(Aabb),
     /// A rectangle in a plane: a split, or a slab's face. One of the box's sides has no length.
     Sheet(Aabb),
+    /// A flat convex polygon: a cell of a flat scene, or what of a plane lies in a cell of a solid one.
+    Polygon(Vec<Vec3>),
     /// A straight line.
     Segment(Vec3, Vec3),
     /// A line with a head at its end.
@@ -107,6 +110,12 @@ impl Drawing<'_> {
 
     /// The outline of a place.
     fn outline(&mut self, role: Role, place: Place) {
+        if let (Structure::Bsp(tree), Place::Node(node)) = (self.walk.structure, place) {
+            for form in convex::cell(&tree.cell(node), self.walk.flat) {
+                self.add(role, Some(place), form);
+            }
+            return;
+        }
         let bounds = self.walk.bounds(place);
         if !bounds.is_empty() {
             self.add(role, Some(place), Form::Box(bounds));

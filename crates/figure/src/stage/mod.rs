@@ -80,6 +80,7 @@ impl Stage<'_> {
         match form {
             Form::Box(bounds) => self.bounds(bounds, role, place),
             Form::Sheet(bounds) => self.sheet(bounds, role, place),
+            Form::Polygon(corners) => self.area(corners, role, place),
             Form::Segment(from, to) => self.line(*from, *to, role, place),
             Form::Arrow(from, to) => self.arrow(*from, *to, role, place),
             Form::Point(at) => {

@@ -33,7 +33,7 @@ impl Stage<'_> {
         }
     }
 
-    fn area(&mut self, corners: &[Vec3], role: Role, place: Option<Place>) {
+    pub(super) fn area(&mut self, corners: &[Vec3], role: Role, place: Option<Place>) {
         // What a surface covers in part is outlined only.
         if self.depth.is_some() && self.covered(corners) {
             for (index, &from) in corners.iter().enumerate() {
