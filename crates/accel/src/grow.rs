@@ -55,6 +55,8 @@ vocabulary! {
         Merge ["merge"] { node: NodeId, left: NodeId, right: NodeId, bounds: Aabb }
         /// A node was moved under another.
         Move ["move"] { node: NodeId, parent: NodeId, cost: f32 }
+        /// A node's volume was fitted anew to what lies below; `bounds` is the box around it.
+        Refit ["refit"] { node: NodeId, bounds: Aabb }
         /// A node got its final id.
         Renumber ["renumber"] { from: NodeId, to: NodeId }
         /// The structure is built: so many nodes or cells, which refer to primitives so many times.
@@ -83,6 +85,7 @@ impl Grow {
             Grow::Settle { .. } => "settle",
             Grow::Merge { .. } => "merge",
             Grow::Move { .. } => "move",
+            Grow::Refit { .. } => "refit",
             Grow::Renumber { .. } => "renumber",
             Grow::End { .. } => "end",
         }
@@ -121,6 +124,7 @@ impl Grow {
             | Grow::Leaf { node, .. }
             | Grow::Merge { node, .. }
             | Grow::Move { node, .. }
+            | Grow::Refit { node, .. }
             | Grow::Renumber { from: node, .. } => Place::Node(node),
         }
     }

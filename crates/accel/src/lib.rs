@@ -46,7 +46,7 @@ pub use aabb::Aabb;
 pub use axis::{Axes, Axis, Measure};
 pub use best::{Best, Want, test};
 pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};
-pub use bvh::{AnyBvh, Bvh};
+pub use bvh::{AnyBvh, Bvh, Draft, Spans};
 pub use direction::Direction;
 pub use event::Event;
 pub use events::Value;
@@ -74,7 +74,7 @@ pub use rule::{
 pub use slab::slab;
 pub use structure::Structure;
 pub use visit::{Ending, Grain, Probed, Side, Verdict, Visit};
-pub use volume::{Hull, KDop, Outline, Volume};
+pub use volume::{Appraisal, Hull, KDop, Outline, Volume};
 pub use watch::{Cancelled, Cost, Each, Observer, Trace};
 
 /// What every structure of this crate can do with a ray: slides 7 and 21, whatever lies between.

@@ -128,3 +128,26 @@ fn a_bsp_tree_is_walked() {
     let (tree, _) = grown("bsp", &[("min_objects", "1"), ("max_depth", "4"), ("traversal_cost", "0")]);
     insta::assert_snapshot!(walked(&tree, &ray([-1.0, 0.3], [0.0, 0.46])));
 }
+
+#[test]
+fn hierarchies_are_put_together() {
+    for builder in ["bottom-up", "ploc", "insertion"] {
+        let (_, story) = grown("bvh", &[("builder", builder), ("leaf_size", "1")]);
+        insta::assert_snapshot!(format!("a_hierarchy_is_built_{}", builder.replace('-', "_")), story);
+    }
+}
+
+/// One test of the root's volume, with its arithmetic, then the walk.
+#[test]
+fn every_volume_is_walked() {
+    for volume in ["sphere", "obb", "kdop14", "hull"] {
+        let (bvh, _) = grown("bvh", &[("volume", volume), ("split", "sweep"), ("leaf_size", "1")]);
+        let ray = ray([4.0, 0.0], [3.0, 0.22]);
+        let mut events: Vec<Visit> = Vec::new();
+        bvh.intersect(&scene().as_slice(), &ray, &mut events);
+        let root = events.iter().take_while(|event| event.grain() == Grain::Arithmetic);
+        let test: String =
+            root.map(|event| line(event.name(), event.fields(), |field| event.field(field)) + "\n").collect();
+        insta::assert_snapshot!(format!("a_hierarchy_of_{volume}_is_walked"), test + "\n" + &walked(&bvh, &ray));
+    }
+}

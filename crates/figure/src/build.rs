@@ -1,5 +1,7 @@
 //! The state of a builder after some of its events.
 
+mod joins;
+
 use std::collections::BTreeMap;
 
 use glam::Vec3;
@@ -265,6 +267,7 @@ impl GrowMoment {
             Grow::Touch { node } => self.consider(node),
             Grow::Leaf { node, why, .. } => {
                 self.consider(node);
+                self.forget_below(node);
                 self.tally.leaves += 1;
                 if let Some(node) = self.nodes.get_mut(&node) {
                     node.leaf = Some(why);
@@ -286,8 +289,10 @@ impl GrowMoment {
                     Place::World | Place::Prim(_) => {}
                 }
             }
-            // Builders that join and move nodes are not among the structures so far.
-            Grow::Merge { .. } | Grow::Move { .. } | Grow::Renumber { .. } => {}
+            Grow::Merge { node, left, right, bounds } => self.join(node, [left, right], bounds),
+            Grow::Move { node, parent, .. } => self.hang(node, parent),
+            Grow::Refit { node, bounds } => self.refit(node, bounds),
+            Grow::Renumber { from, to } => self.renumber(from, to),
             Grow::End { .. } => {
                 self.prim = None;
                 self.node = None;

@@ -2,8 +2,8 @@
 
 use super::Bvh;
 use crate::{
-    Aabb, Accel, BvhRule, BvhVolume, Cancelled, Found, Grow, Hit, Hull, KDop, NodeId, Obb, Observer, Outline, Packet,
-    PacketVisit, PrimId, Primitives, Ray, Sphere, Visit, Volume, WalkPackets, Want,
+    Aabb, Accel, BvhRule, BvhVolume, Cancelled, Found, Grow, Hit, Hull, Interval, KDop, NodeId, Obb, Observer, Outline,
+    Packet, PacketVisit, Place, PrimId, Primitives, Ray, Sphere, Visit, Volume, WalkPackets, Want,
 };
 
 /// A hierarchy of bounding volumes of one kind.
@@ -89,6 +89,11 @@ impl AnyBvh {
     /// The boxes around the volumes of all nodes.
     pub fn node_bounds(&self) -> Vec<Aabb> {
         each!(self, tree => tree.node_bounds())
+    }
+
+    /// Tests a node's volume alone, as slide 52 compares them.
+    pub fn meet(&self, node: NodeId, ray: &Ray, watch: &mut impl Observer<Visit>) -> Interval {
+        each!(self, tree => Volume::meet(tree.volume(node), ray, ray.range(), Place::Node(node), watch))
     }
 
     /// The surface of a node's volume.

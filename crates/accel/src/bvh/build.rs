@@ -1,8 +1,11 @@
-//! Building a hierarchy from the top, slide 53: sets are divided by their boxes, then each gets its volume.
+//! Building a hierarchy. From the top, slide 53: sets are divided by their boxes, then each gets its volume.
 
+use super::sapling::Sapling;
 use super::split::{Part, Splitter};
-use super::{Bvh, BvhNode};
-use crate::{Aabb, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume};
+use super::{Bvh, BvhNode, bottom_up, insertion, ploc};
+use crate::{
+    Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume,
+};
 
 /// Below this depth nodes are split into halves, whatever the rule: no scene can make the tree so deep
 /// that a walk's stack overflows.
@@ -20,7 +23,7 @@ impl<V: Volume> Bvh<V> {
     ///
     /// # Errors
     /// The observer cancelled it.
-    pub fn over(prims: &impl Primitives, rule: &BvhRule, watch: &mut impl Observer<Grow>) -> Result<Self, Cancelled> {
+    pub fn over<P: Primitives, W: Observer<Grow>>(prims: &P, rule: &BvhRule, watch: &mut W) -> Result<Self, Cancelled> {
         // The boxes, and the box around all of them.
         let mut all = Aabb::EMPTY;
         let mut boxes = Vec::with_capacity(prims.len());
@@ -34,37 +37,68 @@ impl<V: Volume> Bvh<V> {
         if prims.is_empty() {
             return Ok(bvh);
         }
+        match rule.builder {
+            BvhBuilder::TopDown => bvh.divide(prims, rule, boxes, watch)?,
+            BvhBuilder::BottomUp => bvh.put_together(prims, rule, boxes, bottom_up::join_all, watch)?,
+            BvhBuilder::Ploc => bvh.put_together(prims, rule, boxes, ploc::join_all, watch)?,
+            BvhBuilder::Insertion => bvh.put_together(prims, rule, boxes, insertion::insert_all, watch)?,
+        }
+        watch.on(Grow::End { nodes: bvh.nodes.len() as u32, cells: 0, references: bvh.refs.len() as u32 });
+        Ok(bvh)
+    }
+
+    /// By joining sets; then the tree is laid out.
+    fn put_together<P: Primitives, W: Observer<Grow>>(
+        &mut self,
+        prims: &P,
+        rule: &BvhRule,
+        boxes: Vec<Aabb>,
+        join_all: impl FnOnce(&mut Sapling<'_, V::Draft, P>, &mut W) -> Result<u32, Cancelled>,
+        watch: &mut W,
+    ) -> Result<(), Cancelled> {
+        let mut tree = Sapling::new(prims, boxes, rule);
+        let root = join_all(&mut tree, watch)?;
+        tree.plant(root, self, watch)
+    }
+
+    /// From the top.
+    fn divide(
+        &mut self,
+        prims: &impl Primitives,
+        rule: &BvhRule,
+        boxes: Vec<Aabb>,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<(), Cancelled> {
         let mut splitter = Splitter::new(rule, boxes);
 
         // Split nodes until they are small enough, those below before those above.
-        let whole = splitter.whole(all);
-        let root = bvh.add(prims, &splitter, &whole);
+        let whole = splitter.whole(self.bounds);
+        let root = self.add(prims, &splitter, &whole);
         let mut waiting = vec![Task { node: root, part: whole, depth: 0 }];
         while let Some(Task { node, part, depth }) = waiting.pop() {
             if watch.cancelled() {
                 return Err(Cancelled);
             }
             let count = part.len() as u32;
-            watch.on(Grow::Open { node, bounds: bvh.volume(node).bounds(), prims: count, depth: depth as u32 });
+            watch.on(Grow::Open { node, bounds: self.volume(node).bounds(), prims: count, depth: depth as u32 });
 
             // Few enough: a leaf.
             if count <= rule.leaf_size.max(1) {
                 watch.on(Grow::Leaf { node, prims: count, why: LeafReason::Few });
-                bvh.settle(node, splitter.prims(&part), watch);
+                self.settle(node, splitter.prims(&part), watch);
                 continue;
             }
 
             // Divide its primitives; the children take neighbouring places at once.
             let cut = splitter.split(node, &part, depth >= SAH_DEPTH, watch);
-            let below = bvh.add(prims, &splitter, &cut.below);
-            let above = bvh.add(prims, &splitter, &cut.above);
-            bvh.nodes[node.index()].first = below.0;
+            let below = self.add(prims, &splitter, &cut.below);
+            let above = self.add(prims, &splitter, &cut.above);
+            self.nodes[node.index()].first = below.0;
             watch.on(Grow::Split { node, axis: cut.axis.into(), plane: cut.plane, below, above, cost: cut.cost });
             waiting.push(Task { node: above, part: cut.above, depth: depth + 1 });
             waiting.push(Task { node: below, part: cut.below, depth: depth + 1 });
         }
-        watch.on(Grow::End { nodes: bvh.nodes.len() as u32, cells: 0, references: bvh.refs.len() as u32 });
-        Ok(bvh)
+        Ok(())
     }
 
     /// A new node, with the volume around its primitives.
@@ -75,7 +109,12 @@ impl<V: Volume> Bvh<V> {
     }
 
     /// Makes a node a leaf with these primitives.
-    fn settle(&mut self, node: NodeId, prims: impl Iterator<Item = PrimId>, watch: &mut impl Observer<Grow>) {
+    pub(super) fn settle(
+        &mut self,
+        node: NodeId,
+        prims: impl Iterator<Item = PrimId>,
+        watch: &mut impl Observer<Grow>,
+    ) {
         let first = self.refs.len();
         self.refs.extend(prims);
         self.refs[first..].sort_unstable();

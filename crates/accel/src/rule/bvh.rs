@@ -29,6 +29,12 @@ words! {
     pub enum BvhBuilder {
         /// All primitives are divided, then each part (slide 53).
         TopDown = "top-down",
+        /// The two nearest sets are joined until one is left (slide 54).
+        BottomUp = "bottom-up",
+        /// The same, but each set looks for its nearest among few neighbours only (Meister and Bittner 2018).
+        Ploc = "ploc",
+        /// Each primitive goes to where the tree grows least (slide 55).
+        Insertion = "insertion",
     }
 
     /// How a node's primitives are divided between its children.
@@ -66,6 +72,8 @@ pub struct BvhRule {
     pub leaf_size: u32,
     /// How many bins each axis has under [`BvhSplit::Binned`].
     pub bins: u32,
+    /// How many neighbours on each side a set looks at under [`BvhBuilder::Ploc`].
+    pub search: u32,
     /// In which order a walk opens the nodes.
     pub order: BvhOrder,
     /// The axes along which primitives are divided.
@@ -82,6 +90,7 @@ impl Default for BvhRule {
             split: BvhSplit::Binned,
             leaf_size: 2,
             bins: 16,
+            search: 14,
             order: BvhOrder::Ordered,
             axes: Axes::Xyz,
             measure: Measure::Area,
@@ -109,6 +118,11 @@ impl BvhRule {
                 field: Field::Count(&mut self.leaf_size, 1, 64),
             },
             Slot { key: "bins", about: "bins along each axis", field: Field::Count(&mut self.bins, 2, 64) },
+            Slot {
+                key: "search",
+                about: "neighbours on each side that ploc looks at",
+                field: Field::Count(&mut self.search, 1, 100),
+            },
             Slot { key: "order", about: "in which order nodes are opened", field: Field::Word(&mut self.order) },
         ]
     }

@@ -4,6 +4,8 @@ use super::{Outline, Volume};
 use crate::{Aabb, Axes, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 
 impl Volume for Aabb {
+    type Draft = Aabb;
+
     fn fit<P: Primitives>(_: &P, _: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Aabb {
         *bounds
     }

@@ -4,6 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::quickhull::quickhull;
 use super::{Outline, Volume, corners, slack};
+use crate::bvh::Spans;
 use crate::slab::{earlier, later};
 use crate::{Aabb, Axes, Corner, Interval, Observer, Place, PrimId, Primitives, Ray, Visit};
 
@@ -23,6 +24,8 @@ pub struct Hull {
 const MOST_CORNERS: usize = 48;
 
 impl Volume for Hull {
+    type Draft = Spans;
+
     fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Hull {
         let corners = corners(prims, ids);
         let center = bounds.center();

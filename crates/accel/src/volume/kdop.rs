@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::{Outline, Volume, corners, slack, span};
+use crate::bvh::Spans;
 use crate::slab::Slab;
 use crate::{Aabb, Axes, Direction, Interval, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 
@@ -33,6 +34,8 @@ impl Direction {
 }
 
 impl<const FIRST: usize, const N: usize> Volume for KDop<FIRST, N> {
+    type Draft = Spans;
+
     fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Self {
         let corners = if N == 0 { Vec::new() } else { corners(prims, ids) };
         let slabs = std::array::from_fn(|i| {

@@ -1,6 +1,7 @@
 //! Bounding volumes, slides 49-52: shapes around sets of primitives that a ray can be tested against first.
 
 mod aabb;
+mod appraisal;
 mod hull;
 mod kdop;
 mod obb;
@@ -12,10 +13,12 @@ use std::fmt::Debug;
 
 use glam::{DVec3, Vec3};
 
+pub use appraisal::Appraisal;
 pub use hull::Hull;
 pub use kdop::KDop;
 pub use outline::Outline;
 
+use crate::bvh::Draft;
 use crate::{Aabb, Axes, Corner, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit};
 
 /// A shape that holds a set of primitives and is tested before any of them.
@@ -24,6 +27,9 @@ use crate::{Aabb, Axes, Corner, Interval, Measure, Observer, Place, PrimId, Prim
 /// primitive's own box. Volumes along the axes bracket such a t exactly (see [`slab`](crate::slab)); all
 /// others test a body that is a little larger, the more so the further away the ray starts.
 pub trait Volume: Clone + Debug + PartialEq {
+    /// What stands for it while a tree is put together.
+    type Draft: Draft;
+
     /// The volume around some primitives; `bounds` is the box around them. There must be at least one.
     fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, axes: Axes) -> Self;
 

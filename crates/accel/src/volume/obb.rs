@@ -3,9 +3,12 @@
 use glam::{DMat3, DVec3, Vec3};
 
 use super::{Outline, Volume, corners, slack, span};
+use crate::bvh::Spans;
 use crate::{Aabb, Axes, Corner, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit};
 
 impl Volume for Obb {
+    type Draft = Spans;
+
     fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, axes: Axes) -> Obb {
         let corners = corners(prims, ids);
         let center = bounds.center();

@@ -11,6 +11,8 @@ use crate::{
 };
 
 impl Volume for Sphere {
+    type Draft = Sphere;
+
     fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Sphere {
         Sphere::around(&corners(prims, ids), bounds)
     }

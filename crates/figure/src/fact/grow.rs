@@ -63,6 +63,7 @@ impl Fact for Grow {
             Grow::Settle { .. } => "a reference is stored",
             Grow::Merge { .. } => "two nodes become one",
             Grow::Move { .. } => "a node moves",
+            Grow::Refit { .. } => "a volume is fitted anew",
             Grow::Renumber { .. } => "a node gets its final number",
             Grow::End { .. } => "the structure is built",
         }

@@ -65,6 +65,7 @@ pub(crate) fn of_grow(event: &Grow) -> String {
             format!("Nodes {left} and {right} become the children of node {node}.")
         }
         Grow::Move { node, parent, .. } => format!("Node {node} moves under node {parent}."),
+        Grow::Refit { node, .. } => format!("The volume of node {node} is fitted to what lies below it now."),
         Grow::Renumber { from, to } => format!("Node {from} gets its final number, {to}."),
         Grow::End { nodes: 0, cells, references } => {
             format!("The grid is built: {} with {}.", count(cells, "cell"), count(references, "reference"))

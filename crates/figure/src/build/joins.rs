@@ -1,0 +1,64 @@
+//! What builders do that put sets together: nodes are joined, moved, fitted anew, and numbered at last.
+
+use raystep_accel::{Aabb, NodeId};
+
+use super::{GrowMoment, GrowNode};
+
+impl GrowMoment {
+    /// Two nodes become the children of a third, which may have stood before with others below it.
+    pub(super) fn join(&mut self, node: NodeId, children: [NodeId; 2], bounds: Aabb) {
+        self.consider(node);
+        let prims = children.iter().filter_map(|child| self.nodes.get(child)).map(|child| child.prims).sum();
+        self.forget_below(node);
+        let fresh = GrowNode { bounds, prims, split: None, children: Vec::new(), leaf: None, settled: Vec::new() };
+        self.nodes.insert(node, fresh);
+        for child in children {
+            self.hang(child, node);
+        }
+    }
+
+    /// A node is taken from where it hangs and put under another.
+    pub(super) fn hang(&mut self, node: NodeId, parent: NodeId) {
+        if let Some(old) = self.parents.insert(node, parent)
+            && let Some(old) = self.nodes.get_mut(&old)
+        {
+            old.children.retain(|child| *child != node);
+        }
+        if let Some(parent) = self.nodes.get_mut(&parent) {
+            parent.children.push(node);
+        }
+    }
+
+    /// A node's volume is another now.
+    pub(super) fn refit(&mut self, node: NodeId, bounds: Aabb) {
+        self.consider(node);
+        if let Some(node) = self.nodes.get_mut(&node) {
+            node.bounds = bounds;
+        }
+    }
+
+    /// A node gets its final number.
+    pub(super) fn renumber(&mut self, from: NodeId, to: NodeId) {
+        let Some(node) = self.nodes.remove(&from) else { return };
+        self.parents.extend(node.children.iter().map(|child| (*child, to)));
+        self.nodes.insert(to, node);
+        if let Some(parent) = self.parents.remove(&from) {
+            self.parents.insert(to, parent);
+            if let Some(parent) = self.nodes.get_mut(&parent) {
+                parent.children.iter_mut().filter(|child| **child == from).for_each(|child| *child = to);
+                parent.children.sort_unstable();
+            }
+        }
+        self.consider(to);
+    }
+
+    /// What lies below a node is gone.
+    pub(super) fn forget_below(&mut self, node: NodeId) {
+        let Some(node) = self.nodes.get_mut(&node) else { return };
+        let mut gone = std::mem::take(&mut node.children);
+        while let Some(child) = gone.pop() {
+            self.parents.remove(&child);
+            gone.extend(self.nodes.remove(&child).into_iter().flat_map(|child| child.children));
+        }
+    }
+}
