@@ -153,7 +153,9 @@ fn the_corners_of_a_hull_are_corners_of_its_set() {
         let bounds = ids().fold(Aabb::EMPTY, |all, prim| all.union(set.as_slice().bounds(prim)));
         let hull = Hull::fit(&set.as_slice(), ids(), &bounds, Axes::Xyz);
         let mut corners = Vec::new();
-        set.iter().for_each(|shape| shape.corners(|corner| corners.push(corner.at)));
+        for shape in &set {
+            shape.corners(|corner| corners.push(corner.at));
+        }
         assert!(hull.corners.iter().all(|corner| corners.contains(corner)));
         for p in set.iter().flat_map(points_of) {
             for (n, offset) in &hull.planes {

@@ -10,7 +10,8 @@ impl GrowMoment {
         self.consider(node);
         let prims = children.iter().filter_map(|child| self.nodes.get(child)).map(|child| child.prims).sum();
         self.forget_below(node);
-        let fresh = GrowNode { bounds, prims, split: None, children: Vec::new(), leaf: None, settled: Vec::new() };
+        let fresh =
+            GrowNode { bounds, prims, depth: 0, split: None, children: Vec::new(), leaf: None, settled: Vec::new() };
         self.nodes.insert(node, fresh);
         for child in children {
             self.hang(child, node);
