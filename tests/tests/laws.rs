@@ -90,7 +90,7 @@ fn the_last_better_hit_is_the_answer() {
                 Visit::Better { prim, t, before } => {
                     assert_eq!(before, best.map_or(f32::INFINITY, |best| best.t));
                     assert!(best.is_none_or(|best| t < best.t || (t == best.t && prim < best.prim)));
-                    best = Some(Hit { t, prim });
+                    best = Some(Hit { t, prim, inner: None });
                 }
                 Visit::End { hit: found, t, .. } => {
                     assert_eq!((found, t), (best.is_some(), best.map_or(f32::INFINITY, |best| best.t)));

@@ -32,10 +32,16 @@ impl Best {
         self.hit.map_or(f32::INFINITY, |hit| hit.t)
     }
 
+    /// Whether any hit will do.
+    #[inline]
+    pub fn wants_any(&self) -> bool {
+        self.want == Want::Any
+    }
+
     /// Whether the walk has its answer already: any hit will do, and there is one.
     #[inline]
     pub fn answered(&self) -> bool {
-        self.want == Want::Any && self.hit.is_some()
+        self.wants_any() && self.hit.is_some()
     }
 
     /// Whether everything from `t_near` on is too far to matter. Strict: at equal t the smaller id wins,
@@ -44,19 +50,23 @@ impl Best {
     pub fn rules_out(&self, t_near: f32) -> bool {
         self.t() < t_near
     }
+
+    /// Keeps the hit if it is better: smaller t, or the same t and the smaller id.
+    #[inline]
+    pub fn offer(&mut self, found: Hit, watch: &mut impl Observer<Visit>) {
+        let better = match self.hit {
+            None => true,
+            Some(hit) => found.t < hit.t || (found.t == hit.t && (found.prim, found.inner) < (hit.prim, hit.inner)),
+        };
+        if better {
+            watch.on(Visit::Better { prim: found.prim, t: found.t, before: self.t() });
+            self.hit = Some(found);
+        }
+    }
 }
 
 /// Tests one primitive and keeps the hit if it is better. Every structure tests through this function.
+#[inline]
 pub fn test(prims: &impl Primitives, prim: PrimId, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) {
-    let found = prims.intersect(prim, ray);
-    watch.on(Visit::Test { prim, t: found.unwrap_or(f32::INFINITY), hit: found.is_some() });
-    let Some(t) = found else { return };
-    let better = match best.hit {
-        None => true,
-        Some(hit) => t < hit.t || (t == hit.t && prim < hit.prim),
-    };
-    if better {
-        watch.on(Visit::Better { prim, t, before: best.t() });
-        best.hit = Some(Hit { t, prim });
-    }
+    prims.test(prim, ray, best, watch);
 }

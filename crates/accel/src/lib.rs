@@ -20,6 +20,7 @@ mod grid;
 mod grow;
 mod halving;
 mod ids;
+mod instancing;
 mod interval;
 mod kd;
 mod list;
@@ -54,6 +55,7 @@ pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice,
 pub use grow::{Grow, LeafReason};
 pub use halving::PlaneTest;
 pub use ids::{CellId, NodeId, Place, PrimId};
+pub use instancing::{Instance, Instances, Model, Transform, TransformError};
 pub use interval::Interval;
 pub use kd::{Kd, KdNode, Upright};
 pub use list::List;

@@ -40,6 +40,8 @@ pub struct Hit {
     pub t: f32,
     /// What is hit there.
     pub prim: PrimId,
+    /// If that is an instance, which primitive of the model that it places.
+    pub inner: Option<PrimId>,
 }
 
 impl Ray {

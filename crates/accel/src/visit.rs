@@ -103,6 +103,10 @@ vocabulary! {
         Better ["better"] { prim: PrimId, t: f32, before: f32 }
         /// The hit found lies beyond the current cell: the walk may not stop yet.
         Beyond ["beyond"] { cell: CellId, t: f32, t_far: f32 }
+        /// The ray was moved into the own space of an instance; what follows happens there.
+        Local ["local"] { instance: PrimId, o_x: f32, o_y: f32, o_z: f32, d_x: f32, d_y: f32, d_z: f32, t_near: f32, t_far: f32 }
+        /// The walk inside an instance is over, and the ray is back in the world: the same t is the same point.
+        World ["world"] { instance: PrimId, t: f32, hit: bool }
         /// The ray starts further away than the structure's margin allows for: brute force answers.
         Distant ["distant"] { reach: f32 }
         /// The walk is over.
@@ -144,6 +148,8 @@ impl Visit {
             Visit::Test { hit: false, .. } => "test.miss",
             Visit::Better { .. } => "better",
             Visit::Beyond { .. } => "beyond",
+            Visit::Local { .. } => "local",
+            Visit::World { .. } => "world",
             Visit::Distant { .. } => "distant",
             Visit::End { hit: true, .. } => "end.hit",
             Visit::End { hit: false, .. } => "end.miss",
@@ -159,7 +165,7 @@ impl Visit {
             | Visit::Narrow { .. }
             | Visit::Roots { .. }
             | Visit::Clip { .. } => Grain::Arithmetic,
-            Visit::Enter { .. } | Visit::End { .. } => Grain::Visit,
+            Visit::Enter { .. } | Visit::Local { .. } | Visit::End { .. } => Grain::Visit,
             _ => Grain::Decision,
         }
     }
@@ -186,6 +192,7 @@ impl Visit {
             | Visit::Probe { cell, .. }
             | Visit::Beyond { cell, .. } => Place::Cell(cell),
             Visit::Skip { prim } | Visit::Test { prim, .. } | Visit::Better { prim, .. } => Place::Prim(prim),
+            Visit::Local { instance, .. } | Visit::World { instance, .. } => Place::Prim(instance),
             Visit::Distant { .. } | Visit::End { .. } => Place::World,
         }
     }

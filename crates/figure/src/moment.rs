@@ -43,6 +43,8 @@ pub struct Moment {
     pub skipped: Vec<PrimId>,
     /// The best hit so far.
     pub best: Option<Hit>,
+    /// The instance in whose own space the walk is. What happens there is counted, but has no place in the world.
+    pub inside: Option<PrimId>,
     /// The cost so far.
     pub cost: Cost,
     /// Why the walk ended, if it has.
@@ -164,6 +166,7 @@ impl Moment {
             tested: Vec::new(),
             skipped: Vec::new(),
             best: None,
+            inside: None,
             cost: Cost::default(),
             ending: None,
             guesses: Vec::new(),
@@ -199,6 +202,9 @@ impl Moment {
         self.step += 1;
         self.event = Some(event);
         self.cost.on(event);
+        if self.inside.is_some() && !matches!(event, Visit::World { .. }) {
+            return;
+        }
         match event {
             Visit::Parallel { place, axis, low, high, inside, .. } => {
                 self.slab(place, axis).cuts.push(SlabCut { axis, low, high, t: None, inside });
@@ -270,6 +276,16 @@ impl Moment {
                 self.enter(Place::Cell(cell), Interval::new(t_near, t_far));
                 self.within.pop();
             }
+            Visit::Local { instance, t_near, t_far, .. } => {
+                self.rest();
+                self.inside = Some(instance);
+                self.live = Interval::new(t_near, t_far);
+            }
+            Visit::World { instance, t, hit } => {
+                self.rest();
+                self.inside = None;
+                self.tested.push(PrimTest { prim: instance, t: hit.then_some(t) });
+            }
             Visit::Probe { .. } | Visit::Beyond { .. } | Visit::Distant { .. } => self.rest(),
             Visit::Skip { prim } => {
                 self.rest();
@@ -279,7 +295,7 @@ impl Moment {
                 self.rest();
                 self.tested.push(PrimTest { prim, t: hit.then_some(t) });
             }
-            Visit::Better { prim, t, .. } => self.best = Some(Hit { t, prim }),
+            Visit::Better { prim, t, .. } => self.best = Some(Hit { t, prim, inner: None }),
             Visit::End { why, hit, t } => {
                 self.leave();
                 self.seen.extend(self.within.drain(..).map(Place::Cell));

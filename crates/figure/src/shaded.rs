@@ -105,7 +105,7 @@ impl Scene<'_> {
         let Ok(ray) = self.camera.ray(page, self.size) else { return nothing };
         let Some(hit) = self.structure.intersect(self.prims, &ray, &mut ()) else { return nothing };
         let depth = self.lens.point(ray.at(hit.t)).map_or(0.0, |(_, depth)| depth);
-        let normal = normal(&self.prims.shape(hit.prim), &ray, hit);
+        let normal = normal(&self.prims.met(&hit), &ray, hit);
         Sample { color: self.theme.surface(light(normal, ray.d)), depth }
     }
 

@@ -9,6 +9,9 @@ use wgpu::util::DeviceExt;
 
 use crate::solid::triangles;
 
+/// Most triangles of instances that are drawn one by one.
+const MOST: u64 = 2_000_000;
+
 /// Corners with their normals, and the triangles between them.
 pub(crate) struct Mesh {
     corners: wgpu::Buffer,
@@ -30,6 +33,12 @@ impl Mesh {
         let (positions, mut indices) = match prims {
             Prims::Mesh(mesh) => (mesh.corners.clone(), mesh.triangles.clone()),
             Prims::Few(_) => weld(prims),
+            Prims::Instances(instances) if instances.triangles() <= MOST => {
+                let flat = instances.flattened();
+                (flat.corners, flat.triangles)
+            }
+            // Too many to draw each: the boxes that stand for them.
+            Prims::Instances(_) => weld(prims),
         };
         let mut corners: Vec<Corner> =
             normals(&positions, &indices).zip(&positions).map(|(normal, p)| corner(*p, normal)).collect();

@@ -6,16 +6,20 @@
 mod error;
 mod flat;
 mod obj;
+mod outdoors;
 mod scene;
 mod shipped;
 mod stadium;
 mod teapot;
+mod tree;
 pub mod trial;
 mod view;
 
 pub use error::SceneError;
 pub use obj::{Loaded, ObjError, read_obj};
+pub use outdoors::MOST_TREES;
 pub use scene::Scene;
 pub use shipped::{UnknownScene, scene_names};
 pub use teapot::{MOST_STEPS, teapot};
+pub use tree::tree;
 pub use view::View;

@@ -6,6 +6,7 @@ use raystep_accel::{Aabb, Prims};
 use thiserror::Error;
 
 use crate::error::nearest;
+use crate::outdoors::{MOST_TREES, forest, grass};
 use crate::stadium::{STADIUM, stadium};
 use crate::{MOST_STEPS, Scene, View, teapot};
 
@@ -13,6 +14,12 @@ static FLAT: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/scenes");
 
 /// The teapot at 10×10 with its floor.
 const TEAPOT: &str = "teapot-6321";
+
+/// Some thousand trees.
+const FOREST: &str = "forest";
+
+/// A meadow.
+const GRASS: &str = "grass";
 
 /// No scene has this name.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
@@ -24,8 +31,8 @@ pub struct UnknownScene {
     pub advice: String,
 }
 
-/// The names of the shipped scenes: the flat ones in alphabetical order, then the meshes. `teapot:NxN`, the teapot
-/// alone at another tessellation, is understood too.
+/// The names of the shipped scenes: the flat ones in alphabetical order, then the solid ones. `teapot:NxN`, the teapot
+/// alone at another tessellation, and `forest:N`, a forest of so many trees, are understood too.
 pub fn scene_names() -> Vec<String> {
     let mut names: Vec<String> = FLAT
         .files()
@@ -33,7 +40,7 @@ pub fn scene_names() -> Vec<String> {
         .filter_map(|file| Some(file.path().file_stem()?.to_str()?.to_owned()))
         .collect();
     names.sort();
-    names.extend([TEAPOT, STADIUM].map(str::to_owned));
+    names.extend([TEAPOT, STADIUM, FOREST, GRASS].map(str::to_owned));
     names
 }
 
@@ -48,6 +55,15 @@ impl Scene {
         }
         if name == STADIUM {
             return Ok(stadium());
+        }
+        if name == GRASS {
+            return Ok(grass());
+        }
+        if let Some(trees) = if name == FOREST { Some("1000") } else { name.strip_prefix("forest:") } {
+            let trees: Option<u32> = trees.parse().ok().filter(|trees| (1..=MOST_TREES).contains(trees));
+            return trees
+                .map(forest)
+                .ok_or_else(|| unknown(name, format!("write forest:N with N from 1 to {MOST_TREES}")));
         }
         if let Some(steps) = name.strip_prefix("teapot:") {
             return tessellation(steps)

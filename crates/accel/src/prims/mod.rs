@@ -25,7 +25,7 @@ pub use triangle::Triangle;
 pub use wall::Wall;
 
 use crate::objects::Watch;
-use crate::{Aabb, Interval, Obb, Place, PrimId, Ray, slab};
+use crate::{Aabb, Best, Hit, Instances, Interval, Obb, Observer, Place, PrimId, Ray, Visit, slab};
 
 /// The primitives that a structure is built over and a ray is tested against.
 ///
@@ -61,6 +61,15 @@ pub trait Primitives {
     fn clip(&self, prim: PrimId, bounds: &Aabb) -> Aabb {
         self.shape(prim).clip(bounds)
     }
+
+    /// Tests a primitive and keeps the hit if it is better.
+    fn test(&self, prim: PrimId, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) {
+        let found = self.intersect(prim, ray);
+        watch.on(Visit::Test { prim, t: found.unwrap_or(f32::INFINITY), hit: found.is_some() });
+        if let Some(t) = found {
+            best.offer(Hit { t, prim, inner: None }, watch);
+        }
+    }
 }
 
 impl<P: Primitives + ?Sized> Primitives for &P {
@@ -72,6 +81,11 @@ impl<P: Primitives + ?Sized> Primitives for &P {
     #[inline]
     fn shape(&self, prim: PrimId) -> Shape<'_> {
         (**self).shape(prim)
+    }
+
+    #[inline]
+    fn test(&self, prim: PrimId, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) {
+        (**self).test(prim, ray, best, watch);
     }
 }
 
@@ -187,6 +201,18 @@ pub enum Prims {
     Mesh(Mesh),
     /// A mixture, for flat scenes and small examples.
     Few(Vec<Shape<'static>>),
+    /// Models, each stored once and placed many times.
+    Instances(Instances),
+}
+
+impl Prims {
+    /// The shape that a hit met, world space: for pictures.
+    pub fn met(&self, hit: &Hit) -> Shape<'_> {
+        match (self, hit.inner) {
+            (Prims::Instances(instances), Some(inner)) => Shape::Triangle(instances.triangle(hit.prim, inner)),
+            _ => self.shape(hit.prim),
+        }
+    }
 }
 
 impl Primitives for Prims {
@@ -195,6 +221,7 @@ impl Primitives for Prims {
         match self {
             Prims::Mesh(mesh) => mesh.len(),
             Prims::Few(shapes) => shapes.len(),
+            Prims::Instances(instances) => instances.len(),
         }
     }
 
@@ -203,6 +230,25 @@ impl Primitives for Prims {
         match self {
             Prims::Mesh(mesh) => mesh.shape(prim),
             Prims::Few(shapes) => shapes[prim.index()],
+            Prims::Instances(instances) => instances.shape(prim),
+        }
+    }
+
+    #[inline]
+    fn intersect(&self, prim: PrimId, ray: &Ray) -> Option<f32> {
+        match self {
+            Prims::Mesh(mesh) => mesh.intersect(prim, ray),
+            Prims::Few(shapes) => shapes.as_slice().intersect(prim, ray),
+            Prims::Instances(instances) => instances.intersect(prim, ray),
+        }
+    }
+
+    #[inline]
+    fn test(&self, prim: PrimId, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) {
+        match self {
+            Prims::Mesh(mesh) => mesh.test(prim, ray, best, watch),
+            Prims::Few(shapes) => shapes.as_slice().test(prim, ray, best, watch),
+            Prims::Instances(instances) => instances.test(prim, ray, best, watch),
         }
     }
 }

@@ -98,6 +98,8 @@ impl Fact for Visit {
             Visit::Test { .. } => "a primitive is missed",
             Visit::Better { .. } => "the best hit so far",
             Visit::Beyond { .. } => "the hit lies beyond the cell",
+            Visit::Local { .. } => "the ray enters an instance",
+            Visit::World { .. } => "the ray leaves the instance",
             Visit::Distant { .. } => "too far away: brute force",
             Visit::End { why: Ending::Outside, .. } => "the box is never met",
             Visit::End { hit: true, .. } => "the nearest hit is found",

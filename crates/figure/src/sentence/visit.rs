@@ -164,6 +164,16 @@ pub(crate) fn of_visit(event: &Visit) -> String {
             number(t),
             number(t_far)
         ),
+        Visit::Local { instance, t_near, t_far, .. } => format!(
+            "The ray is moved into the space of instance {instance}; it walks the model stored there from t = {} to {}.",
+            number(t_near),
+            number(t_far)
+        ),
+        Visit::World { instance, t, hit: true } => format!(
+            "Back in the world: instance {instance} is hit, and t = {} means the same point in both spaces.",
+            number(t)
+        ),
+        Visit::World { instance, .. } => format!("Back in the world: the ray misses what instance {instance} places."),
         Visit::Distant { reach } => {
             format!("The ray starts further away than {}: every primitive is tested instead.", number(reach))
         }

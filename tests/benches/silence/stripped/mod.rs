@@ -87,7 +87,7 @@ pub(crate) fn test(prims: &impl Primitives, prim: PrimId, ray: &Ray, best: &mut 
         Some(hit) => t < hit.t || (t == hit.t && prim < hit.prim),
     };
     if better {
-        best.hit = Some(Hit { t, prim });
+        best.hit = Some(Hit { t, prim, inner: None });
     }
 }
 
