@@ -74,7 +74,7 @@ mod tests {
     #[test]
     fn every_sign_in_use_has_a_glyph() {
         for face in Face::ALL {
-            for letter in "0123456789−∞≤≥×·÷√→←…–‘’“”[](),=?".chars() {
+            for letter in "0123456789−∞≤≥×·÷√→←…–‘’“”[](),=?▼▲◦".chars() {
                 assert!(has_glyph(letter, face), "{face:?} lacks {letter}");
             }
         }
