@@ -103,6 +103,65 @@ fn what_cannot_be_done_is_said_in_a_sentence() {
 }
 
 #[test]
+fn structures_are_verified() {
+    let folder = folder("verify");
+    let output = raystep(&folder, &["verify", "--rays", "10000", "--seed", "5"]);
+    let said = text(&output.stdout);
+    assert!(output.status.success(), "{said}{}", text(&output.stderr));
+    assert!(said.contains("10,000 rays over"), "{said}");
+    // Kind, rules, answers, differences.
+    for kind in ["grid", "kd", "octree", "bvh"] {
+        let row = said.lines().find(|line| line.starts_with(kind)).unwrap_or_else(|| panic!("{said}"));
+        assert!(row.ends_with(" 0"), "{row}");
+    }
+    assert!(std::fs::read_dir(&folder).unwrap().next().is_none(), "nothing differs, so nothing is kept");
+    let output = raystep(&folder, &["verify", "--watertight", "--rays", "400", "--structure", "bvh"]);
+    assert!(output.status.success() && text(&output.stdout).contains(": 0 lost."), "{}", text(&output.stdout));
+    refused(&folder, &["verify", "--structure", "kt"], "did you mean \"kd\"?");
+    refused(&folder, &["verify", "--structure", "list"], "brute force is the judge");
+    refused(&folder, &["verify", "--rays", "0"], "--rays");
+    refused(&folder, &["verify", "--replay", "none.csv"], "none.csv");
+}
+
+/// Lines without what differs from run to run or when a structure is added: figures become `#`, kinds of their own go.
+fn shape_of(page: &str) -> String {
+    let lines = page.lines().filter(|line| !line.is_empty());
+    let plain = lines.take_while(|line| !line.starts_with("Structures that")).map(|line| {
+        let words = line.split_whitespace().map(|word| {
+            let is_figure = word.chars().all(|c| c.is_ascii_digit() || ".,-".contains(c));
+            if is_figure && word != "-" { "#" } else { word }
+        });
+        words.collect::<Vec<_>>().join(" ")
+    });
+    plain.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn the_lectures_tables_are_measured() {
+    let folder = folder("measure");
+    let output = raystep(&folder, &["measure", "--size", "24x18"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    insta::assert_snapshot!(shape_of(&text(&output.stdout)));
+
+    let output = raystep(&folder, &["measure", "--size", "16x16", "--shadows", "--json", "--also", "kd split=median"]);
+    let rows: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let row = |name: &str| rows.as_array().unwrap().iter().find(|row| row["row"] == name).unwrap().clone();
+    assert_eq!(row("list")["printed"], 6321.0);
+    assert_eq!(row("kd-32-2")["printed"], 2.8);
+    assert!(row("kd split=median")["printed"].is_null());
+    assert!(row("kd-8-10")["tests_per_ray"].as_f64().unwrap() > row("kd-32-2")["tests_per_ray"].as_f64().unwrap());
+
+    let output = raystep(&folder, &["measure", "--growth", "--finest", "3", "--size", "16x16"]);
+    let said = text(&output.stdout);
+    assert!(said.contains("tests: exponent 1.00") && said.contains("Needles through one point"), "{said}");
+
+    refused(&folder, &["measure", "--scene", "teapot"], "there is no scene");
+    refused(&folder, &["measure", "--camera", "far"], "write close, scene, or six numbers");
+    refused(&folder, &["measure", "--also", "kd depth=3"], "max_depth");
+    refused(&folder, &["measure", "--csv", "--json"], "cannot be used with");
+}
+
+#[test]
 fn lessons_are_checked() {
     let folder = folder("check");
     let fine = raystep(&folder, &["check"]);

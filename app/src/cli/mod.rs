@@ -5,10 +5,13 @@ mod doctor;
 mod export;
 mod fault;
 pub(crate) mod files;
+mod measure;
 pub mod page;
 mod rays;
+mod spelt;
 mod start;
 mod trace;
+mod verify;
 
 use std::process::ExitCode;
 
@@ -18,8 +21,10 @@ pub use crate::export::{Size, View};
 pub use check::CheckArguments;
 pub use export::ExportArguments;
 pub use fault::Fault;
+pub use measure::MeasureArguments;
 pub use start::StartArguments;
 pub use trace::TraceArguments;
+pub use verify::{VerifyArguments, replay};
 
 /// One ray walks through an acceleration structure, one decision at a time.
 #[derive(Parser, Debug)]
@@ -40,6 +45,10 @@ enum Command {
     Export(ExportArguments),
     /// Walk rays and write hits and counters.
     Trace(TraceArguments),
+    /// Count what rays cost: the lecture's tables, as printed and as measured here.
+    Measure(MeasureArguments),
+    /// Shoot rays at every structure and compare with brute force.
+    Verify(VerifyArguments),
     /// Say what a window needs and what was found.
     Doctor,
 }
@@ -51,6 +60,8 @@ pub fn run(arguments: &Arguments) -> ExitCode {
         Some(Command::Check(arguments)) => check::run(arguments),
         Some(Command::Export(arguments)) => export::run(arguments),
         Some(Command::Trace(arguments)) => trace::run(arguments),
+        Some(Command::Measure(arguments)) => measure::run(arguments),
+        Some(Command::Verify(arguments)) => verify::run(arguments),
         Some(Command::Doctor) => doctor::run(),
     };
     match done {

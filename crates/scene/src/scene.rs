@@ -58,6 +58,6 @@ impl Scene {
     }
 }
 
-fn bounds(prims: &Prims) -> Aabb {
+pub(crate) fn bounds(prims: &Prims) -> Aabb {
     (0..prims.len()).fold(Aabb::EMPTY, |all, i| all.union(prims.bounds(PrimId(i as u32))))
 }

@@ -7,7 +7,9 @@ use thiserror::Error;
 
 use crate::error::nearest;
 use crate::outdoors::{MOST_TREES, forest, grass};
+use crate::scene::bounds;
 use crate::stadium::{STADIUM, stadium};
+use crate::trial::{self, scenes::Case};
 use crate::{MOST_STEPS, Scene, View, teapot};
 
 static FLAT: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/scenes");
@@ -32,7 +34,8 @@ pub struct UnknownScene {
 }
 
 /// The names of the shipped scenes: the flat ones in alphabetical order, then the solid ones. `teapot:NxN`, the teapot
-/// alone at another tessellation, and `forest:N`, a forest of so many trees, are understood too.
+/// alone at another tessellation, `forest:N`, a forest of so many trees, and `trial:NAME:SEED`, what structures are
+/// tried on, are understood too.
 pub fn scene_names() -> Vec<String> {
     let mut names: Vec<String> = FLAT
         .files()
@@ -69,6 +72,9 @@ impl Scene {
             return tessellation(steps)
                 .map(teapot_alone)
                 .ok_or_else(|| unknown(name, format!("write teapot:NxN with one N from 1 to {MOST_STEPS}, twice")));
+        }
+        if let Some(case) = trial::named(name) {
+            return Ok(on_trial(case));
         }
         let Some(text) = FLAT.get_file(format!("{name}.toml")).and_then(|file| file.contents_utf8()) else {
             let names = scene_names();
@@ -133,4 +139,12 @@ fn teapot_alone(steps: u32) -> Scene {
         view: View::fitting(&bounds, FROM, Vec3::Z),
         note: format!("Newell's 32 patches (1975), each cut into {steps}×{steps} quads."),
     }
+}
+
+/// A scene that structures are tried on, to look into what `raystep verify` found.
+fn on_trial(case: Case) -> Scene {
+    let Case { name, prims, flat } = case;
+    let (from, up) = if flat { (Vec3::Z, Vec3::Y) } else { (FROM, Vec3::Z) };
+    let view = View::fitting(&bounds(&prims), from, up);
+    Scene { title: name.clone(), name, prims, flat, view, note: "What structures are tried on.".to_owned() }
 }

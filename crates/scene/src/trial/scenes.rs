@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Cone, Cylinder, Disc, Obb, Polygon, Prims, Prism, Rand
 
 /// A scene with a name to find it by.
 pub struct Case {
-    /// Its name.
+    /// The name by which [`Scene::named`](crate::Scene::named) gives the same scene.
     pub name: String,
     /// What rays meet.
     pub prims: Prims,
@@ -15,42 +15,61 @@ pub struct Case {
 
 type Shapes = Vec<Shape<'static>>;
 
-/// All of them.
+/// All of them, as tests use them.
 pub fn cases() -> Vec<Case> {
+    cases_of(0)
+}
+
+/// All of them, the random ones drawn anew for each seed.
+pub fn cases_of(seed: u64) -> Vec<Case> {
     let mut cases = Vec::new();
     let mut add = |name: &str, flat: bool, shapes: Shapes| {
-        cases.push(Case { name: name.to_owned(), prims: Prims::Few(shapes), flat });
+        let name = format!("trial:{}:{seed}", name.replace(' ', "-"));
+        cases.push(Case { name, prims: Prims::Few(shapes), flat });
     };
+    // Each scene has a generator of its own.
+    let seeded = |own: u64| own + 1000 * seed;
     let half = Vec3::splat(0.5);
 
     add("empty", false, Vec::new());
-    add("one triangle", false, soup(1, 1, 1.0));
+    add("one triangle", false, soup(seeded(1), 1, 1.0));
     add("one axis-aligned triangle", false, vec![triangle(Vec3::ZERO, Vec3::X, Vec3::Y)]);
-    add("small triangles", false, soup(2, 150, 0.15));
-    add("large triangles", false, soup(3, 40, 1.5));
+    add("small triangles", false, soup(seeded(2), 150, 0.15));
+    add("large triangles", false, soup(seeded(3), 40, 1.5));
     add("identical", false, vec![triangle(Vec3::ZERO, Vec3::new(1.0, 0.3, 0.2), Vec3::new(0.2, 1.0, 0.7)); 40]);
-    add("each three times", false, soup(4, 30, 0.4).into_iter().flat_map(|shape| [shape; 3]).collect());
+    add("each three times", false, soup(seeded(4), 30, 0.4).into_iter().flat_map(|shape| [shape; 3]).collect());
     add("in one plane", false, sheet(6, |u, v| Vec3::new(u, v, 0.25)));
     add("in one slanted plane", false, sheet(6, |u, v| Vec3::new(u, v, u + v * 0.5)));
-    add("on a lattice", false, lattice(5, 60));
+    add("on a lattice", false, lattice(seeded(5), 60));
     add("cubes side by side", false, cubes());
     add("closed surface", false, ball(10));
-    add("slivers", false, slivers(6, 60));
-    add("needles through a point", false, needles(7, 50));
-    add("without area", false, without_area(8));
-    add("spheres", false, spheres(9, 40));
-    add("discs", false, discs(10, 40));
-    add("solids", false, solids(20, 40));
+    add("slivers", false, slivers(seeded(6), 60));
+    add("needles through a point", false, needles(seeded(7), 50));
+    add("without area", false, without_area(seeded(8)));
+    add("spheres", false, spheres(seeded(9), 40));
+    add("discs", false, discs(seeded(10), 40));
+    add("solids", false, solids(seeded(20), 40));
     add("one of each", false, one_of_each());
-    add("everything", false, [soup(11, 40, 0.4), spheres(12, 15), discs(13, 15), slivers(14, 10)].concat());
+    add(
+        "everything",
+        false,
+        [soup(seeded(11), 40, 0.4), spheres(seeded(12), 15), discs(seeded(13), 15), slivers(seeded(14), 10)].concat(),
+    );
     for (name, scale, offset) in
         [("far away", 1.0, 1.5e5), ("tiny", 1e-9, 0.0), ("huge", 1e9, 0.0), ("tiny and off", 1e-3, 1.0)]
     {
-        let shapes =
-            [lattice(15, 20), ball(6), soup(16, 20, 0.4), spheres(17, 8), discs(18, 8), solids(21, 10)].concat();
+        let shapes = [
+            lattice(seeded(15), 20),
+            ball(6),
+            soup(seeded(16), 20, 0.4),
+            spheres(seeded(17), 8),
+            discs(seeded(18), 8),
+            solids(seeded(21), 10),
+        ]
+        .concat();
         add(name, false, shapes.iter().map(|shape| moved(shape, scale, Vec3::splat(offset) + half * scale)).collect());
     }
-    add("flat mixture", true, flat(19, 24));
+    add("flat mixture", true, flat(seeded(19), 24));
     add("flat walls on a lattice", true, flat_walls());
     add("flat discs in a row", true, (0..12).map(|i| sphere(Vec3::new(i as f32, 0.5, 0.0), 0.5)).collect());
     cases
@@ -138,7 +157,8 @@ fn slivers(seed: u64, n: usize) -> Shapes {
         .collect()
 }
 
-fn needles(seed: u64, n: usize) -> Shapes {
+/// Needles through one point: every box around it holds them all, so no structure can part them there.
+pub fn needles(seed: u64, n: usize) -> Vec<Shape<'static>> {
     let random = &mut Random::new(seed);
     (0..n)
         .map(|_| {

@@ -1,0 +1,131 @@
+//! `raystep measure`: the lecture's tables, as printed and as measured here.
+
+mod fit;
+mod growth;
+mod look;
+mod rows;
+mod survey;
+mod table;
+
+use std::collections::{HashMap, HashSet};
+use std::io::IsTerminal;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use raystep_accel::{Prims, Structure};
+use raystep_scene::Scene;
+use raystep_scene::trial::rules::rule;
+
+use super::fault::Fault;
+use super::{files, spelt};
+use crate::export::Size;
+use look::{Look, Shot};
+use rows::Row;
+use survey::{Survey, survey, timed};
+
+/// What to measure.
+#[derive(Args, Debug)]
+pub struct MeasureArguments {
+    /// A shipped scene.
+    #[arg(long, value_name = "NAME", default_value = "teapot-6321")]
+    scene: String,
+    /// `close` (the object fills the picture), `scene` (the scene's own view), or EX,EY,EZ,TX,TY,TZ[,DEGREES]:
+    /// the eye, what it looks at, and the vertical angle of view.
+    #[arg(long, value_name = "CAMERA", default_value = "close", allow_hyphen_values = true)]
+    camera: Look,
+    /// The size of the picture: a ray for each pixel.
+    #[arg(long, value_name = "WxH", default_value = "320x240")]
+    size: Size,
+    /// Shoot a shadow ray from each hit, too.
+    #[arg(long)]
+    shadows: bool,
+    /// A structure of your own, beside the lecture's; may be repeated.
+    #[arg(long, value_name = "\"KIND KEY=VALUE ...\"", conflicts_with = "growth")]
+    also: Vec<String>,
+    /// How steps and tests grow with the number of triangles, instead of the tables.
+    #[arg(long, conflicts_with_all = ["scene", "camera", "shadows"])]
+    growth: bool,
+    /// With --growth: cut the teapot's patches into N×N at most.
+    #[arg(long, value_name = "N", default_value_t = 100, requires = "growth",
+          value_parser = clap::value_parser!(u32).range(1..=100))]
+    finest: u32,
+    /// Write comma-separated values.
+    #[arg(long, conflicts_with = "json")]
+    csv: bool,
+    /// Write JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// A row with what was measured.
+struct Measured {
+    row: Row,
+    survey: Survey,
+    build_ms: f64,
+    bytes: usize,
+}
+
+/// Measures and prints.
+pub(crate) fn run(arguments: &MeasureArguments) -> Result<(), Fault> {
+    if arguments.growth {
+        let growth = growth::measure(arguments.finest, arguments.size)?;
+        return files::print(&match (arguments.json, arguments.csv) {
+            (true, _) => growth::json(&growth)?,
+            (_, true) => growth::csv(&growth)?,
+            _ => growth::text(&growth),
+        });
+    }
+    let scene = Scene::named(&arguments.scene).map_err(|error| Fault::new(error.to_string()))?;
+    let shot = Shot::of(&scene, arguments.camera, arguments.size, arguments.shadows);
+    let mut rows = rows::rows();
+    for line in &arguments.also {
+        spelt::rule(line).map_err(|fault| Fault::new(format!("--also \"{line}\": {fault}")))?;
+        rows.push(Row { table: "also", name: line.clone(), line: line.clone(), printed: None });
+    }
+    let measured = measure(&scene, &shot, rows)?;
+    files::print(&match (arguments.json, arguments.csv) {
+        (true, _) => table::json(&measured)?,
+        (_, true) => table::csv(&measured)?,
+        _ => table::text(&scene, &shot, &measured),
+    })
+}
+
+/// Measures each structure once, though several tables show it.
+fn measure(scene: &Scene, shot: &Shot, rows: Vec<Row>) -> Result<Vec<Measured>, Fault> {
+    let rays = survey::rays(&shot.camera, shot.size.into())?;
+    let bounds = scene.bounds();
+    let lines: HashSet<&str> = rows.iter().map(|row| &*row.line).collect();
+    let bar = bar(lines.len() as u64 * rays.len() as u64);
+    let mut known: HashMap<String, (Survey, f64, usize)> = HashMap::new();
+    let mut measured = Vec::new();
+    for mut row in rows {
+        if scene.name != "teapot-6321" {
+            row.printed = None;
+        }
+        if !known.contains_key(&row.line) {
+            let (structure, build_ms) = timed(|| build(&scene.prims, &row.line, scene.flat));
+            let structure = structure?;
+            let survey = survey(&structure, &scene.prims, &bounds, &rays, shot.light, &bar);
+            known.insert(row.line.clone(), (survey, build_ms, structure.bytes()));
+        }
+        let (survey, build_ms, bytes) = known[&row.line];
+        measured.push(Measured { row, survey, build_ms, bytes });
+    }
+    bar.finish_and_clear();
+    Ok(measured)
+}
+
+fn build(prims: &Prims, line: &str, flat: bool) -> Result<Structure, Fault> {
+    let rule = rule(line);
+    let rule = if flat { rule.flat() } else { rule };
+    Structure::build(prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))
+}
+
+/// A bar on a terminal, nothing elsewhere.
+fn bar(rays: u64) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} rays, {eta} left");
+    ProgressBar::new(rays).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}

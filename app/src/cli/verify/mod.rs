@@ -1,0 +1,179 @@
+//! `raystep verify`: every structure against brute force, and brute force against double precision.
+
+mod campaign;
+mod kept;
+mod referee;
+mod tally;
+mod watertight;
+
+use std::io::IsTerminal;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use raystep_accel::Rule;
+use raystep_scene::trial::rules::rules;
+
+use super::fault::Fault;
+use super::files;
+use campaign::Campaign;
+pub use kept::replay;
+use tally::Tally;
+
+/// What to verify.
+#[derive(Args, Debug)]
+pub struct VerifyArguments {
+    /// How many rays to shoot.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
+    rays: u64,
+    /// The kind of structure: grid, kd, bvh ... or all.
+    #[arg(long, value_name = "KIND", default_value = "all")]
+    structure: String,
+    /// Another seed: other scenes and other rays.
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    seed: u64,
+    /// Shoot from inside a closed sphere instead: no ray may leave it.
+    #[arg(long)]
+    watertight: bool,
+    /// Shoot the rays of a file that was kept, or of all files in a folder, once more.
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["watertight", "rays", "seed"])]
+    replay: Option<PathBuf>,
+    /// The folder in which rays are kept that showed a difference.
+    #[arg(long, value_name = "DIR", default_value = "tests/regress")]
+    keep: PathBuf,
+}
+
+/// Whether Ctrl+C was pressed: what runs ends soon, and what is known by then is printed.
+static STOPPED: AtomicBool = AtomicBool::new(false);
+
+/// Shoots the rays.
+pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
+    if let Some(path) = &arguments.replay {
+        let rays = replay(path)?;
+        return files::print(&format!("{}: 0 differences.\n", counted(rays, "kept ray")));
+    }
+    let kinds = kinds(&arguments.structure)?;
+    // Where no handler can be set, Ctrl+C ends the program at once, as usual.
+    let _ = ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed));
+    if arguments.watertight {
+        return watertight::run(arguments.rays, arguments.seed, &kinds);
+    }
+    let rules: Vec<_> = rules().filter(|(_, rule)| kinds.contains(&rule.kind())).collect();
+    let campaign = Campaign { rules, seed: arguments.seed, rays: arguments.rays, keep: &arguments.keep };
+    let threads = rayon::current_num_threads();
+    files::print(&format!(
+        "{} against brute force over {}, seed {}, {}\n",
+        counted(campaign.rules.len() as u64, "structure"),
+        counted(arguments.rays, "ray"),
+        arguments.seed,
+        counted(threads as u64, "thread"),
+    ))?;
+    let begun = Instant::now();
+    let bar = bar(arguments.rays);
+    let tally = campaign.run(&bar);
+    bar.finish_and_clear();
+    files::print(&report(&tally, &kinds, &campaign, begun.elapsed().as_secs_f64()))?;
+    match tally.differences() {
+        0 => Ok(()),
+        n => Err(Fault::new(format!(
+            "{}: a structure does not answer as brute force does; the rays are kept in {}",
+            counted(n, "difference"),
+            arguments.keep.display()
+        ))),
+    }
+}
+
+/// The kinds that are meant; brute force is the judge of all of them.
+fn kinds(structure: &str) -> Result<Vec<&'static str>, Fault> {
+    let judged = || Rule::KINDS.into_iter().filter(|kind| *kind != "list");
+    match structure {
+        "all" => Ok(judged().collect()),
+        "list" => Err(Fault::new(format!(
+            "--structure list: brute force is the judge; there are all, {}",
+            judged().collect::<Vec<_>>().join(", ")
+        ))),
+        kind => {
+            let rule = Rule::default_for(kind).map_err(|error| Fault::new(error.to_string()))?;
+            Ok(judged().filter(|judged| *judged == rule.kind()).collect())
+        }
+    }
+}
+
+/// What was found, as a page of text.
+fn report(tally: &Tally, kinds: &[&str], campaign: &Campaign<'_>, seconds: f64) -> String {
+    let mut page = String::new();
+    if stopped() {
+        page += &format!("Stopped after {} of {}.\n", thousands(tally.rays), counted(campaign.rays, "ray"));
+    }
+    page += &format!(
+        "{} over {}; {} of the rays hit something.\n\n",
+        counted(tally.rays, "ray"),
+        counted(tally.scenes, "scene"),
+        percent(tally.hits, tally.rays)
+    );
+    page += &format!("{:<14}{:>6}{:>18}{:>14}\n", "structure", "rules", "answers", "differences");
+    for kind in kinds {
+        let of_kind = |(_, rule): &&(&str, Rule)| rule.kind() == *kind;
+        let (answers, differences) = tally.kinds.get(kind).copied().unwrap_or_default();
+        let rules = campaign.rules.iter().filter(of_kind).count();
+        page += &format!("{kind:<14}{rules:>6}{:>18}{:>14}\n", thousands(answers), thousands(differences));
+    }
+    page += "\nAn answer is the nearest hit (t to the bit, and the primitive) or whether there is any.\n";
+    page += &tally.referee.to_string();
+    let rate = tally.rays as f64 / seconds.max(1e-9);
+    page += &format!("{seconds:.1} s, {} a second.\n", counted(rate as u64, "ray"));
+    page
+}
+
+fn stopped() -> bool {
+    STOPPED.load(Ordering::Relaxed)
+}
+
+/// A bar on a terminal, nothing elsewhere.
+fn bar(rays: u64) -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} rays, {per_sec}, {eta} left");
+    ProgressBar::new(rays).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// `1 ray`, `12,000 rays`.
+pub(crate) fn counted(n: u64, what: &str) -> String {
+    format!("{} {what}{}", thousands(n), if n == 1 { "" } else { "s" })
+}
+
+/// With a comma between the thousands.
+pub(crate) fn thousands(n: u64) -> String {
+    let digits = n.to_string();
+    let first = digits.len() % 3;
+    let (head, tail) = digits.split_at(first);
+    let groups = tail.as_bytes().chunks(3).map(|group| String::from_utf8_lossy(group).into_owned());
+    let head = (!head.is_empty()).then(|| head.to_owned());
+    head.into_iter().chain(groups).collect::<Vec<_>>().join(",")
+}
+
+/// A share in parts of a hundred.
+fn percent(part: u64, whole: u64) -> String {
+    let share = part as f64 / whole.max(1) as f64 * 100.0;
+    if share != 0.0 && share < 0.1 { format!("{share:.1e} %") } else { format!("{share:.1} %") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn thousands_are_set_apart() {
+        assert_eq!([0, 999, 1000, 123_456_789].map(thousands), ["0", "999", "1,000", "123,456,789"]);
+    }
+
+    #[test]
+    fn every_kind_has_rules_to_try() {
+        for kind in kinds("all").unwrap() {
+            assert!(rules().any(|(_, rule)| rule.kind() == kind), "no rule of {kind} in the list of trials");
+        }
+    }
+}
