@@ -79,7 +79,9 @@ impl Campaign<'_> {
             })
             .collect();
         let mut tally = Tally { scenes: 1, ..Tally::default() };
-        blocks.into_iter().for_each(|block| tally += block);
+        for block in blocks {
+            tally += block;
+        }
         tally
     }
 
