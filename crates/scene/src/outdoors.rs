@@ -74,7 +74,7 @@ fn outdoors(
 ) -> Scene {
     let instances = Instances::new(models, placed).expect("every model is there, and no transform flattens it");
     let bounds = (0..instances.len() as u32).map(|id| instances.bounds(PrimId(id)));
-    let bounds = bounds.fold(Aabb::EMPTY, |all, one| all.union(one));
+    let bounds = bounds.fold(Aabb::EMPTY, Aabb::union);
     Scene {
         name,
         title: title.to_owned(),
