@@ -163,7 +163,7 @@ mod tests {
     fn a_kept_ray_comes_back_to_the_bit() {
         let o = Vec3::new(-0.0, 1e-30, 0.1 + 0.2);
         let ray = Ray::new(o, Vec3::new(0.0, -0.0, 1.0 / 3.0)).unwrap().within(0.0, 16_777_217.0).unwrap();
-        let (right, found) = (Some(Hit { t: 1.5, prim: PrimId(7) }), Found::Nearest(None));
+        let (right, found) = (Some(Hit { t: 1.5, prim: PrimId(7), inner: None }), Found::Nearest(None));
         let difference = Difference { scene: "trial:slivers:2", line: "kd max_depth=8", ray, right, found };
         let file = difference.to_string();
         let [Ok(read)] = &rays::read(file.as_bytes(), "kept.csv").unwrap()[..] else { panic!("{file}") };
