@@ -57,7 +57,7 @@ pub use halving::PlaneTest;
 pub use ids::{CellId, NodeId, Place, PrimId};
 pub use instancing::{Instance, Instances, Model, Transform, TransformError};
 pub use interval::Interval;
-pub use kd::{Kd, KdNode, Upright};
+pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upright, Word};
 pub use list::List;
 pub use margin::Margin;
 pub use mistakes::{Example, Mistake};

@@ -92,7 +92,7 @@ pub struct Halving<N> {
     pub(crate) mailbox: bool,
     pub(crate) nodes: Vec<N>,
     /// The references of all leaves, one leaf after the other.
-    refs: Vec<PrimId>,
+    pub(crate) refs: Vec<PrimId>,
 }
 
 impl<N: Node> Halving<N> {

@@ -1,10 +1,12 @@
 //! The kd-tree, slides 29-41: space cut in two, again and again, by planes across an axis.
 
 mod build;
+mod layout;
 mod node;
 mod reference;
 mod split;
 
+pub use layout::{CacheLines, KdLayout, KdMemory, Machine, NodeField, Word};
 pub use node::{KdNode, Upright};
 
 use crate::halving::Halving;

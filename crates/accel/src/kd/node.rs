@@ -36,8 +36,8 @@ impl Plane for Upright {
 /// the axis or say that the node is a leaf, and thirty bits the first child or the number of references.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct KdNode {
-    place: u32,
-    tag: u32,
+    pub(super) place: u32,
+    pub(super) tag: u32,
 }
 
 impl KdNode {
