@@ -116,11 +116,14 @@ fn a_plane_cuts_a_cell_into_cells_that_share_it() {
 
 #[test]
 fn a_polygon_in_the_way_of_many_is_cut_and_each_fragment_refers_to_it() {
-    // One long wall across a row of short ones.
+    // One long wall from corner to corner, between short ones.
     let wall =
         |from: [f32; 2], to: [f32; 2]| Shape::Wall(Wall { from: Vec2::from(from), to: Vec2::from(to), z: [-0.5, 0.5] });
-    let mut prims = vec![wall([0.0, 0.0], [8.0, 1.0])];
-    prims.extend((0..8).map(|i| wall([i as f32 + 0.5, 2.0], [i as f32 + 0.9, 4.0])));
+    let mut prims = vec![wall([0.0, 0.0], [8.0, 4.0])];
+    for i in 0..8_u8 {
+        let (x, y) = (f32::from(i) + 0.5, f32::from(i) * 0.5 + 0.25);
+        prims.extend([wall([x, y + 0.5], [x + 0.2, y + 0.9]), wall([x, y - 0.5], [x + 0.2, y - 0.9])]);
+    }
     let rule = BspRule {
         planes: BspPlanes::Candidates,
         min_objects: 1,
@@ -129,12 +132,23 @@ fn a_polygon_in_the_way_of_many_is_cut_and_each_fragment_refers_to_it() {
         traversal_cost: 0.0,
         ..BspRule::default()
     };
-    let tree = Bsp::build(&prims.as_slice(), &rule, &mut ()).unwrap();
-    let mut referred = vec![0; prims.len()];
-    for node in (0..tree.node_count() as u32).map(NodeId) {
-        tree.leaf_prims(node).iter().for_each(|prim| referred[prim.index()] += 1);
-    }
-    assert!(referred.iter().all(|&leaves| leaves > 0), "{referred:?}");
+    // The leaves that refer to the long one: how many, and in how many of their cells it lies.
+    let leaves = |straddlers| {
+        let tree = Bsp::build(&prims.as_slice(), &BspRule { straddlers, ..rule }, &mut ()).unwrap();
+        let leaves = || (0..tree.node_count() as u32).map(NodeId);
+        for prim in (0..prims.len() as u32).map(PrimId) {
+            assert!(leaves().any(|leaf| tree.leaf_prims(leaf).contains(&prim)), "nothing refers to {prim}");
+        }
+        let referring: Vec<NodeId> = leaves().filter(|leaf| tree.leaf_prims(*leaf).contains(&PrimId(0))).collect();
+        let lies_in = |leaf: &&NodeId| prims[0].overlaps(&tree.cell(**leaf).bounds().padded(0.02));
+        (referring.len(), referring.iter().filter(lies_in).count())
+    };
+    // Cut, it has a fragment in each cell on its way, and none beside.
+    let (referring, on_its_way) = leaves(Straddlers::Cut);
+    assert!(referring > 1 && on_its_way == referring, "{on_its_way} of {referring}");
+    // Whole, its ends put it on both sides of planes that cut cells beside its way.
+    let (referring, on_its_way) = leaves(Straddlers::Both);
+    assert!(referring > on_its_way && on_its_way > 1, "{on_its_way} of {referring}");
 }
 
 #[test]
