@@ -30,7 +30,7 @@ impl Aabb {
     /// Whether it holds no point.
     #[inline]
     pub fn is_empty(&self) -> bool {
-        Axis::ALL.iter().any(|&axis| self.min[axis] > self.max[axis])
+        self.min.cmpgt(self.max).any()
     }
 
     /// Widened to hold `p`.

@@ -34,7 +34,7 @@ pub(super) fn deal(
     children: &(Aabb, Aabb),
     pad: f32,
 ) -> (Vec<Reference>, Vec<Reference>) {
-    let (mut lower, mut upper) = (Vec::new(), Vec::new());
+    let (mut lower, mut upper) = (Vec::with_capacity(refs.len()), Vec::with_capacity(refs.len()));
     for &reference in refs {
         match reference.sides(axis, plane) {
             (true, false) => lower.push(reference),

@@ -1,5 +1,7 @@
 //! Where to cut a node, slide 30: through the middle, at the median, or where the cost is least.
 
+use std::cmp::Ordering;
+
 use super::reference::Reference;
 use crate::{Aabb, Axis, Grow, KdRule, KdSplit, NodeId, Observer};
 
@@ -109,12 +111,17 @@ impl<O: Observer<Grow>> Scale<'_, O> {
 fn sorted(faces: &mut Vec<f32>, refs: &[Reference], face: impl Fn(&Aabb) -> f32) {
     faces.clear();
     faces.extend(refs.iter().map(|reference| face(&reference.bounds)));
-    faces.sort_unstable_by(f32::total_cmp);
+    faces.sort_unstable_by(by_size);
 }
 
 /// Half of the references have their middle below it.
 fn median(refs: &[Reference], axis: Axis) -> f32 {
     let mut middles: Vec<f32> = refs.iter().map(|reference| reference.bounds.center()[axis]).collect();
     let half = middles.len() / 2;
-    *middles.select_nth_unstable_by(half, f32::total_cmp).1
+    *middles.select_nth_unstable_by(half, by_size).1
+}
+
+/// Which of two numbers comes first; no box has a face at none.
+fn by_size(a: &f32, b: &f32) -> Ordering {
+    a.partial_cmp(b).unwrap_or(Ordering::Equal)
 }

@@ -1,5 +1,7 @@
 //! Clipping a polygon to a box, one plane after the other (Sutherland and Hodgman 1974).
 
+use std::mem::swap;
+
 use glam::{DVec3, Vec3};
 
 use crate::Aabb;
@@ -14,15 +16,21 @@ pub(super) fn clip_polygon(corners: &[Vec3], bounds: &Aabb) -> Aabb {
     if !whole.touches(bounds) || bounds.encloses(&whole) {
         return whole.intersection(*bounds);
     }
-    let mut polygon = Corners::new(corners.iter().map(|p| p.as_dvec3()));
+    let mut polygon = &mut Corners::none();
+    let mut kept = &mut Corners::none();
+    for p in corners {
+        polygon.add(p.as_dvec3());
+    }
     // A plane that the whole polygon is inside of cuts nothing.
     for axis in 0..3 {
         let (min, max) = (bounds.min[axis], bounds.max[axis]);
         if whole.min[axis] < min {
-            polygon = polygon.keep(|p| p[axis] - f64::from(min));
+            polygon.keep(|p| p[axis] - f64::from(min), kept);
+            swap(&mut polygon, &mut kept);
         }
         if whole.max[axis] > max {
-            polygon = polygon.keep(|p| f64::from(max) - p[axis]);
+            polygon.keep(|p| f64::from(max) - p[axis], kept);
+            swap(&mut polygon, &mut kept);
         }
     }
     // Cut corners may stick out by a rounding error.
@@ -35,12 +43,8 @@ struct Corners {
 }
 
 impl Corners {
-    fn new(corners: impl IntoIterator<Item = DVec3>) -> Corners {
-        let mut polygon = Corners { points: [DVec3::ZERO; MOST], len: 0 };
-        for corner in corners {
-            polygon.add(corner);
-        }
-        polygon
+    fn none() -> Corners {
+        Corners { points: [DVec3::ZERO; MOST], len: 0 }
     }
 
     fn add(&mut self, p: DVec3) {
@@ -54,20 +58,21 @@ impl Corners {
         &self.points[..self.len]
     }
 
-    /// The part where `inside` is not negative.
-    fn keep(&self, inside: impl Fn(DVec3) -> f64) -> Corners {
-        let mut kept = Corners::new([]);
+    /// Puts the part where `inside` is not negative into `kept`.
+    fn keep(&self, inside: impl Fn(DVec3) -> f64, kept: &mut Corners) {
+        kept.len = 0;
         clipped(self.list(), inside, |p| kept.add(p));
-        kept
     }
 }
 
 /// Hands on the corners of the part of a polygon where `inside` is not negative.
 #[inline]
 pub(crate) fn clipped(corners: &[DVec3], inside: impl Fn(DVec3) -> f64, mut keep: impl FnMut(DVec3)) {
-    for (i, &p) in corners.iter().enumerate() {
-        let q = corners[(i + 1) % corners.len()];
-        let (a, b) = (inside(p), inside(q));
+    let Some(&first) = corners.first() else { return };
+    let (mut p, mut a) = (first, inside(first));
+    for next in 1..=corners.len() {
+        let q = corners.get(next).copied().unwrap_or(first);
+        let b = inside(q);
         if a >= 0.0 {
             keep(p);
         }
@@ -75,5 +80,6 @@ pub(crate) fn clipped(corners: &[DVec3], inside: impl Fn(DVec3) -> f64, mut keep
         if (a > 0.0 && b < 0.0) || (a < 0.0 && b > 0.0) {
             keep(p + (q - p) * (a / (a - b)));
         }
+        (p, a) = (q, b);
     }
 }
