@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::Vec2;
-use raystep_accel::{Direction, Grow, Place};
+use raystep_accel::{Direction, FreePlane, Grow, Place};
 
 use crate::build::{GrowMoment, Weighed};
 use crate::look::{line, write};
@@ -13,7 +13,8 @@ use crate::{Anchor, Face, Figure, Ink, Look, Role, number, text_width};
 /// Most dots of one curve; of more, evenly spaced ones.
 const MOST: usize = 80;
 
-/// A curve for each axis that was tried: cost over the plane's coordinate. The cheapest so far is ringed,
+/// A curve for each axis that was tried: cost over the plane's coordinate. Planes of all directions share no
+/// coordinate: they stand side by side in the order in which they were weighed. The cheapest so far is ringed,
 /// the one taken filled. While a question asks for it, `hide` shows the planes without their costs.
 pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
@@ -41,9 +42,9 @@ pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure
     let width = (size.x - 2.0 * look.margin() - gap * axes.len() as f32) / axes.len() as f32;
     for (index, axis) in axes.iter().enumerate() {
         let left = look.margin() + gap + (width + gap) * index as f32;
-        let here: Vec<Weighed> = weighed.iter().copied().filter(|w| w.axis == *axis).collect();
+        let here: Vec<Dot> = moment.weighed.iter().enumerate().filter_map(|(i, w)| Dot::of(i, w, *axis)).collect();
         let (low, high) =
-            here.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), w| (a.min(w.plane), b.max(w.plane)));
+            here.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), dot| (a.min(dot.across), b.max(dot.across)));
         // As wide as the node, so that the curve stands as the planes do.
         let node = moment.node.and_then(|node| moment.nodes.get(&node));
         let (low, high) = match (node, axis.axis()) {
@@ -64,20 +65,43 @@ pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure
         if hide {
             plot.planes(&here);
         } else {
-            plot.curve(&here);
+            plot.costs(*axis, &here);
         }
     }
     figure
 }
 
+/// A plane and where it stands in its plot.
+struct Dot {
+    across: f32,
+    weighed: Weighed,
+}
+
+impl Dot {
+    /// The plane that was weighed after `before` others, if it stands across this axis and its cost is a number.
+    fn of(before: usize, weighed: &Weighed, axis: Direction) -> Option<Dot> {
+        let across = if axis == Direction::Normal { before as f32 + 1.0 } else { weighed.plane };
+        (weighed.axis == axis && weighed.cost.is_finite()).then_some(Dot { across, weighed: *weighed })
+    }
+}
+
 /// What was found, in words.
 fn remark(moment: &GrowMoment, hide: bool) -> String {
+    let name = |axis: Direction, plane: f32, free: Option<FreePlane>| {
+        let before = moment.weighed.iter().position(|weighed| weighed.free == free);
+        match before.filter(|_| axis == Direction::Normal) {
+            Some(before) => format!("candidate {}", before + 1),
+            None => format!("{axis} = {}", number(plane)),
+        }
+    };
     let taken = moment.node.and_then(|node| moment.nodes.get(&node)?.split);
     match (taken, moment.cheapest()) {
         _ if hide => format!("{} planes were weighed", moment.weighed.len()),
-        (Some(taken), _) => format!("taken: {} = {}, cost {}", taken.axis, number(taken.plane), number(taken.cost)),
+        (Some(taken), _) => {
+            format!("taken: {}, cost {}", name(taken.axis, taken.plane, taken.free), number(taken.cost))
+        }
         (None, Some(least)) => {
-            format!("cheapest so far: {} = {}, cost {}", least.axis, number(least.plane), number(least.cost))
+            format!("cheapest so far: {}, cost {}", name(least.axis, least.plane, least.free), number(least.cost))
         }
         (None, None) => String::new(),
     }
@@ -101,7 +125,8 @@ impl Plot<'_> {
         let corner = Vec2::new(left, self.bottom);
         self.figure.add(Role::Edge, None, line(corner, Vec2::new(right, self.bottom)));
         self.figure.add(Role::Edge, None, line(corner, Vec2::new(left, self.plot_top)));
-        for plane in self.across.marks(u * 4.0) {
+        let counted = axis == Direction::Normal;
+        for plane in self.across.marks(u * 4.0).into_iter().filter(|at| !counted || at.fract() == 0.0) {
             let at = Vec2::new(self.across.x(plane), self.bottom);
             self.figure.add(Role::Edge, None, line(at, at + Vec2::new(0.0, u * 0.3)));
             let below = at + Vec2::new(0.0, u * 1.0);
@@ -114,17 +139,22 @@ impl Plot<'_> {
             let beside = at - Vec2::new(u * 0.5, 0.0);
             write(self.figure, Role::Quiet, None, beside, &number(cost), small, Face::Regular, Anchor::End);
         }
-        let name = if hide { format!("planes across {axis}") } else { format!("cost of planes across {axis}") };
+        let name = match (counted, hide) {
+            (true, true) => "candidates, in order".to_owned(),
+            (true, false) => "cost of each candidate, in order".to_owned(),
+            (false, true) => format!("planes across {axis}"),
+            (false, false) => format!("cost of planes across {axis}"),
+        };
         let at = Vec2::new(left - u * 2.0, self.plot_top - u * 1.7);
         write(self.figure, Role::Quiet, None, at, &name, small, Face::Regular, Anchor::Start);
     }
 
     /// Where the node's middle lies, and the plane with the most even shares: what one might guess.
-    fn shares(&mut self, axis: Direction, weighed: &[Weighed]) {
+    fn shares(&mut self, axis: Direction, dots: &[Dot]) {
         let u = self.look.text;
         let middle = self.moment.node.and_then(|node| self.moment.nodes.get(&node));
         let middle = middle.and_then(|node| Some(node.bounds.center()[axis.axis()?]));
-        let even = weighed.iter().min_by_key(|w| w.below.abs_diff(w.above)).map(|w| w.plane);
+        let even = dots.iter().min_by_key(|dot| dot.weighed.below.abs_diff(dot.weighed.above)).map(|dot| dot.across);
         let mut taken = f32::NEG_INFINITY;
         let mut notes = [(middle, "middle"), (even, "even")];
         notes.sort_by(|a, b| a.0.unwrap_or(0.0).total_cmp(&b.0.unwrap_or(0.0)));
@@ -140,37 +170,44 @@ impl Plot<'_> {
     }
 
     /// The planes alone.
-    fn planes(&mut self, weighed: &[Weighed]) {
+    fn planes(&mut self, dots: &[Dot]) {
         let place = self.moment.node.map(Place::Node);
-        for weighed in weighed.iter().step_by(weighed.len().div_ceil(MOST).max(1)) {
-            let at = Vec2::new(self.across.x(weighed.plane), self.bottom);
+        for dot in dots.iter().step_by(dots.len().div_ceil(MOST).max(1)) {
+            let at = Vec2::new(self.across.x(dot.across), self.bottom);
             self.figure.add(Role::Candidate, place, line(at, at - Vec2::new(0.0, self.look.text * 0.6)));
         }
     }
 
-    fn curve(&mut self, weighed: &[Weighed]) {
+    /// The planes and their costs: a curve along an axis, else a bar for each.
+    fn costs(&mut self, axis: Direction, dots: &[Dot]) {
         let u = self.look.text;
         let place = self.moment.node.map(Place::Node);
-        let at = |w: &Weighed| Vec2::new(self.across.x(w.plane), self.up.x(w.cost));
-        let mut points: Vec<Vec2> = weighed.iter().step_by(weighed.len().div_ceil(MOST).max(1)).map(at).collect();
+        let at = |dot: &Dot| Vec2::new(self.across.x(dot.across), self.up.x(dot.weighed.cost));
+        let mut points: Vec<Vec2> = dots.iter().step_by(dots.len().div_ceil(MOST).max(1)).map(at).collect();
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
-        self.figure.add(Role::Edge, None, Ink::Line { points: points.clone() });
+        if axis == Direction::Normal {
+            for top in &points {
+                self.figure.add(Role::Edge, None, line(top.with_y(self.bottom), *top));
+            }
+        } else {
+            self.figure.add(Role::Edge, None, Ink::Line { points: points.clone() });
+        }
         for center in &points {
             self.figure.add(Role::Scene, place, Ink::Circle { center: *center, radius: u * 0.2 });
         }
-        let ring = |w: &Weighed| Ink::Circle { center: at(w), radius: u * 0.4 };
-        let inside = |w: &Weighed| weighed.contains(w);
+        let ring = |dot: &Dot| Ink::Circle { center: at(dot), radius: u * 0.4 };
+        let among = |weighed: Weighed| dots.iter().find(|dot| dot.weighed == weighed);
 
         // The one weighed now, the cheapest so far, the one taken.
         let taken = self.moment.node.and_then(|node| self.moment.nodes.get(&node)?.split);
-        let cheapest = self.moment.cheapest().filter(inside);
+        let cheapest = self.moment.cheapest().and_then(among);
         let weighs = matches!(self.moment.event, Some(Grow::Weigh { .. }));
-        if let Some(now) = self.moment.weighed.last().filter(|now| weighs && inside(now)) {
+        if let Some(now) = dots.last().filter(|now| weighs && self.moment.weighed.last() == Some(&now.weighed)) {
             self.figure.add(Role::Candidate, place, ring(now));
         }
         if let Some(cheapest) = cheapest {
             let role = if taken.is_some() { Role::Best } else { Role::Here };
-            self.figure.add(role, place, ring(&cheapest));
+            self.figure.add(role, place, ring(cheapest));
         }
     }
 }

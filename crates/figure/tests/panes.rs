@@ -135,6 +135,14 @@ fn a_build_shows_what_it_weighs() {
 }
 
 #[test]
+fn planes_of_all_directions_are_candidates_side_by_side() {
+    let played = Played::new("bsp", &[("min_objects", "1"), ("samples", "2")]);
+    let step = played.grown.iter().position(|event| matches!(event, Grow::Split { .. })).unwrap() + 1;
+    let moment = GrowMoment::at(&played.grown, step);
+    check("build_candidates", &costs(&moment, false, Vec2::new(440.0, 150.0), &LOOK));
+}
+
+#[test]
 fn the_last_moment_of_a_build_is_the_structure() {
     for kind in ["kd", "bvh"] {
         let played = Played::new(kind, &[]);
