@@ -2,7 +2,9 @@
 
 use glam::Vec2;
 use raystep_accel::{Event, Ray};
-use raystep_figure::{Figure, Look, Reel, Scenery, Still, Theme, TreeView, sentence, short, stage as picture_of, told};
+use raystep_figure::{
+    Figure, Look, Reel, Scenery, Still, Theme, TreeView, VolumeName, sentence, short, stage as picture_of, told,
+};
 use raystep_lesson::{Play, Show, Tape};
 use raystep_print::{Below, Plate, Record, Told, json, plate};
 
@@ -175,7 +177,10 @@ impl<'a> Session<'a> {
         let beat = beat.or_else(|| self.beats().find(here));
         match beat.and_then(|beat| self.ground.beats.get(beat)) {
             Some(beat) => (told(&beat.title, event), told(&beat.text(event), event)),
-            None => (capitalised(short(event)), sentence(event)),
+            None => {
+                let volume = VolumeName::of(&self.play.structure);
+                (capitalised(&short(event, volume)), sentence(event, volume))
+            }
         }
     }
 }

@@ -114,7 +114,9 @@ fn track(
     if pointer.x - rect.left() > track.left - 10.0 && !response.dragged() {
         let at = track.step_at(pointer.x - rect.left());
         let says = match playback.event(at) {
-            Some(event) if state.question().is_none() => format!("step {at}: {}", short(&event)),
+            Some(event) if state.question().is_none() => {
+                format!("step {at}: {}", short(&event, playback.reel().volume()))
+            }
             _ => format!("step {at}"),
         };
         response.on_hover_text_at_pointer(RichText::new(says));

@@ -48,6 +48,7 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
     }
 
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
+    let says = state.playback().zip(event).map(|(playback, event)| sentence(&event, playback.reel().volume()));
     match state.beat() {
         Some((beat, step)) => {
             let at = state.playback().and_then(|playback| playback.event(step));
@@ -60,13 +61,13 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
             }
             // Later events say what they do themselves.
             if state.view.step > step
-                && let Some(event) = event
+                && let Some(says) = says
             {
-                said(ui, theme, &sentence(&event));
+                said(ui, theme, &says);
             }
         }
-        None => match event {
-            Some(event) => said(ui, theme, &sentence(&event)),
+        None => match says {
+            Some(says) => said(ui, theme, &says),
             None => said(ui, theme, beginning(slide.plays)),
         },
     }

@@ -151,7 +151,9 @@ fn said(app: &mut App, ui: &mut Ui, body: f32) -> Option<Command> {
             }
         }
         None => {
-            let says = event.map_or_else(|| opening.to_owned(), |event| sentence(&event));
+            let says = state.playback().zip(event);
+            let says = says.map(|(playback, event)| sentence(&event, playback.reel().volume()));
+            let says = says.unwrap_or_else(|| opening.to_owned());
             Prose { size: body * 1.05, ..prose }.show(ui, &mut app.formulas, &says);
         }
     }

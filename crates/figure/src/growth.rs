@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Plac
 
 use crate::branches::{Tree, TreeView};
 use crate::build::{Build, Fate, GrowMoment, GrowNode};
-use crate::space::convex;
+use crate::space::{convex, outlines};
 use crate::tree::draw_tree;
 use crate::work::counted;
 use crate::{Figure, Form, Look, Role, Space, SpaceMark, number};
@@ -21,7 +21,7 @@ const TICKS: usize = 120;
 
 /// Space at a moment of a build.
 pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
-    let bounds = build.structure.bounds();
+    let bounds = outlines::reach(build.structure);
     let mut drawing = Drawing { build, moment, marks: Vec::new() };
     drawing.the_box();
     drawing.cells();
@@ -164,13 +164,10 @@ impl Drawing<'_> {
             let role = node_role(self.moment, id);
             // Boxes of split nodes only repeat what their children show; the current one stands out.
             let role = if role == Role::Seen && !node.children.is_empty() { Role::Edge } else { role };
-            if let Structure::Bsp(tree) = self.build.structure {
-                for form in convex::cell(&tree.cell(id), self.build.flat) {
-                    self.add(role, Some(Place::Node(id)), form);
-                }
-                continue;
+            // Nodes that are not yet in the tree have numbers beyond its own, and only a box.
+            for form in outlines::node(self.build.structure, id, node.bounds, self.build.flat) {
+                self.add(role, Some(Place::Node(id)), form);
             }
-            self.add(role, Some(Place::Node(id)), Form::Box(node.bounds));
         }
     }
 

@@ -85,6 +85,11 @@ impl Lens {
         (points.len() >= 3).then_some(points)
     }
 
+    /// Where it stands.
+    pub(crate) fn eye(&self) -> Vec3 {
+        self.eye
+    }
+
     /// How many points of the page a length of one has at a point.
     pub(crate) fn scale_at(&self, world: Vec3) -> f32 {
         match self.near {

@@ -5,6 +5,7 @@
 //! colour and which line a role has. A solid scene is a [`Space`]: the same marks in world space, which a
 //! [`Camera`] projects into a figure and `paint` draws on the GPU.
 
+mod body;
 mod branches;
 mod build;
 mod camera;
@@ -16,6 +17,7 @@ mod fact;
 mod figure;
 mod film;
 pub mod fonts;
+mod globe;
 mod growth;
 mod ledger;
 mod legend;
@@ -41,9 +43,11 @@ mod ticks;
 mod tidy;
 mod timeline;
 mod tree;
+mod volume;
 mod walk;
 mod work;
 
+pub use body::{Edge, lines};
 pub use branches::TreeView;
 pub use build::{Build, Fate, GrowMoment, GrowNode, Taken, Tally, Weighed};
 pub use camera::Camera;
@@ -54,6 +58,7 @@ pub use fact::{Answer, Fact, Symbol, sentence, short};
 pub use figure::{Anchor, Face, Figure, Ink, Mark};
 pub use film::Film;
 pub use fonts::text_width;
+pub use globe::{circles, contour};
 pub use growth::{space_of_build, tree_of_build};
 pub use ledger::{cells_of_build, work_of_build};
 pub use listing::{ListingLine, listing};
@@ -72,5 +77,6 @@ pub use still::Still;
 pub use theme::{Color, Dash, Stroke, Style, Theme};
 pub use timeline::{Track, timeline, timeline_of_build};
 pub use tree::tree;
+pub use volume::VolumeName;
 pub use walk::Walk;
 pub use work::work;

@@ -193,6 +193,14 @@ impl Moment {
         self.tested.iter().rev().find(|test| test.prim == prim).copied()
     }
 
+    /// The volume whose test is under way or just finished.
+    pub fn under_test(&self) -> Option<Place> {
+        match self.event {
+            Some(Visit::Roots { place, .. } | Visit::Clip { place, .. }) => Some(place),
+            _ => self.slab.as_ref().map(|slab| slab.place),
+        }
+    }
+
     /// The position of a node on the stack: 0 is opened next.
     pub fn waiting(&self, node: NodeId) -> Option<usize> {
         self.stack.iter().rev().position(|waiting| waiting.node == node)

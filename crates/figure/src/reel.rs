@@ -2,7 +2,7 @@
 
 use raystep_accel::{Aabb, Event, Grow, Place, PrimId, Primitives, Prims, Structure, Visit};
 
-use crate::{Build, GrowMoment, Moment, Still, Walk};
+use crate::{Build, GrowMoment, Moment, Still, VolumeName, Walk};
 
 /// A walk or a build. The views ask this one and need not know which.
 #[derive(Clone, Copy)]
@@ -83,6 +83,11 @@ impl<'a> Reel<'a> {
             Reel::Walk(walk) => walk.structure,
             Reel::Build(build) => build.structure,
         }
+    }
+
+    /// What its structure's volumes are called.
+    pub fn volume(&self) -> VolumeName {
+        VolumeName::of(self.structure())
     }
 
     /// What the structure is built over.

@@ -1,11 +1,14 @@
-//! A slab test as a table: each number appears when the walk has it.
+//! The test of a volume as a table: each number appears when the walk has it.
+
+mod clips;
+mod roots;
 
 use glam::Vec2;
-use raystep_accel::{Axis, Direction, Place, Visit};
+use raystep_accel::{AnyBvh, Axis, Direction, Place, Structure, Visit};
 
 use crate::look::write;
 use crate::table::{Entry, Table};
-use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, number};
+use crate::{Anchor, Face, Figure, Look, Moment, Role, VolumeName, Walk, number};
 
 /// The events of one direction of a slab test, as far as they have happened.
 #[derive(Clone, Copy, Debug)]
@@ -22,22 +25,35 @@ impl Slab {
     }
 }
 
-/// A row for each slab of the box that was tested last: its planes, where they cut the ray, and what is
-/// left of the ray.
+/// Of the volume that was tested last, a row for each of its slabs: its planes, where they cut the ray, and what
+/// is left of the ray. Of a sphere, its equation; of a hull, a row for each face.
 pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let done = &walk.events[..moment.step.min(walk.events.len())];
+    match done
+        .iter()
+        .rfind(|event| matches!(event, Visit::Roots { .. } | Visit::Clip { .. }) || slab_of(event).is_some())
+    {
+        Some(Visit::Roots { .. }) => return roots::table(done, size, look),
+        Some(Visit::Clip { .. }) => return clips::table(walk, done, size, look),
+        _ => {}
+    }
     let last = done.iter().rposition(|event| slab_of(event).is_some());
     let Some((place, mut slabs)) = last.map(|last| test_up_to(done, last)) else {
         let ever = walk.events.iter().any(|event| slab_of(event).is_some());
-        let says = if ever { "No slab has been cut yet." } else { "This walk cuts no slabs." };
-        look.nothing(&mut figure, "Slabs", says);
+        let tested = VolumeName::of(walk.structure);
+        let says = match walk.structure {
+            Structure::Bvh(AnyBvh::Sphere(_) | AnyBvh::Hull(_)) => format!("No {} has been tested yet.", tested.one),
+            _ if ever => "No slab has been cut yet.".to_owned(),
+            _ => "This walk cuts no slabs.".to_owned(),
+        };
+        look.nothing(&mut figure, "Slabs", &says);
         return figure;
     };
 
     let top = look.heading(&mut figure, &format!("Slabs of {place}"), "");
     let now = moment.event.as_ref();
-    slabs.retain(|slab| !(walk.flat && slab.axis == Axis::Z.into()));
+    slabs.retain(|slab| !walk.leaves_out(place, slab.axis));
     let rows = slabs.iter().map(|slab| row(slab, now)).collect();
     let current = now.and_then(slab_of).and_then(|(_, axis)| slabs.iter().position(|slab| slab.axis == axis));
     let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];
@@ -49,11 +65,25 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     let table = Table { heads, rows, current, place: Some(place) };
     let end = table.draw(&mut figure, top, size.y - room, look);
     if let Some((t_near, t_far)) = empty {
-        let says = format!("Empty: {} > {}. The box is missed.", number(t_near), number(t_far));
-        let at = Vec2::new(look.margin(), end + look.line() * 0.4);
-        write(&mut figure, Role::Wrong, Some(place), at, &says, look.text, Face::Medium, Anchor::Start);
+        let what = VolumeName::of(walk.structure).one;
+        let says = format!("Empty: {} > {}. The {what} is missed.", number(t_near), number(t_far));
+        verdict(&mut figure, Some(place), end, &says, look);
     }
     figure
+}
+
+/// What a test that left nothing comes to, below its table.
+fn verdict(figure: &mut Figure, place: Option<Place>, end: f32, says: &str, look: &Look) {
+    let at = Vec2::new(look.margin(), end + look.line() * 0.4);
+    write(figure, Role::Wrong, place, at, says, look.text, Face::Medium, Anchor::Start);
+}
+
+/// What is left of the ray.
+fn left(t_near: f32, t_far: f32, empty: bool, role: Role) -> Entry {
+    if empty {
+        return Entry::new("empty", Role::Wrong);
+    }
+    Entry::new(format!("[{}, {}]", number(t_near), number(t_far)), role)
 }
 
 /// The place and the direction of an event of a slab test.
@@ -90,8 +120,10 @@ fn test_up_to(events: &[Visit], last: usize) -> (Place, Vec<Slab>) {
         earliest = axis;
     }
     slabs.reverse();
-    let missing = Axis::ALL.map(Direction::from).into_iter().skip(slabs.len());
-    slabs.extend(missing.map(Slab::across));
+    // An oriented box has directions of its own.
+    let own = slabs.first().is_some_and(|slab| matches!(slab.axis, Direction::Own(_)));
+    let missing = Axis::ALL.map(|axis| if own { Direction::Own(axis) } else { Direction::Along(axis) });
+    slabs.extend(missing.into_iter().skip(slabs.len()).map(Slab::across));
     (place, slabs)
 }
 
@@ -127,10 +159,7 @@ fn row(slab: &Slab, now: Option<&Visit>) -> Vec<Entry> {
         _ => row.extend(vec![Entry::none(); 7]),
     }
     row.push(match slab.narrow {
-        Some(Visit::Narrow { empty: true, .. }) => Entry::new("empty", Role::Wrong),
-        Some(Visit::Narrow { t_near, t_far, .. }) => {
-            Entry::new(format!("[{}, {}]", number(t_near), number(t_far)), narrow_role)
-        }
+        Some(Visit::Narrow { t_near, t_far, empty, .. }) => left(t_near, t_far, empty, narrow_role),
         _ => Entry::none(),
     });
     row

@@ -18,7 +18,7 @@ pub(crate) struct Span {
 pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
     let span = |name: &str, place, interval, role| Span { name: name.to_owned(), place, interval, role };
     if let Some(slab) = &moment.slab {
-        let cuts = slab.cuts.iter().filter(|cut| !(walk.flat && cut.axis == Axis::Z.into()));
+        let cuts = slab.cuts.iter().filter(|cut| !walk.leaves_out(slab.place, cut.axis));
         let cuts = cuts.map(|cut| {
             let interval = match cut.t {
                 Some([t1, t2]) => Interval::new(t1.min(t2), t1.max(t2)),
@@ -30,6 +30,16 @@ pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
         });
         let name = if slab.place == Place::World { "so far".to_owned() } else { slab.place.to_string() };
         return cuts.chain([span(&name, Some(slab.place), slab.interval, Role::Live)]).collect();
+    }
+    if let Some(event @ (Visit::Roots { place, .. } | Visit::Clip { place, .. })) = moment.event {
+        let (name, cut) = match event {
+            Visit::Clip { face, t, entering: true, .. } => (format!("face {face}"), Interval::new(t, f32::INFINITY)),
+            Visit::Clip { face, t, .. } => (format!("face {face}"), Interval::new(f32::NEG_INFINITY, t)),
+            Visit::Roots { t1, t2, .. } => ("sphere".to_owned(), Interval::new(t1, t2)),
+            _ => return Vec::new(),
+        };
+        let cut = span(&name, Some(place), cut, Role::Plane);
+        return vec![cut, span(&place.to_string(), Some(place), moment.live, Role::Live)];
     }
     if moment.ending.is_some() {
         let role = if moment.best.is_some() { Role::Live } else { Role::Ray };
@@ -92,6 +102,7 @@ pub(crate) fn extent(walk: &Walk<'_>) -> (f32, f32) {
             Visit::Volume { t_near, t_far, verdict: Verdict::Hit, .. } => must.extend([t_near, t_far]),
             Visit::Test { t, hit: true, .. } => must.push(t),
             Visit::Divide { axis, t1, t2, .. } if !(walk.flat && axis == Axis::Z.into()) => may.extend([t1, t2]),
+            Visit::Roots { t1, t2, .. } => may.extend([t1, t2]),
             _ => {}
         }
     }

@@ -6,7 +6,7 @@ use raystep_accel::Place;
 use crate::build::Build;
 use crate::fact::{grow, visit};
 use crate::look::{line, write};
-use crate::{Anchor, Face, Fact, Figure, Ink, Look, Role, Symbol, Walk, text_width};
+use crate::{Anchor, Face, Fact, Figure, Ink, Look, Role, Symbol, VolumeName, Walk, text_width};
 
 /// Most symbols on one track.
 const MOST: usize = 240;
@@ -47,13 +47,15 @@ impl Track {
 /// The track of a walk with a symbol for each event that has one, the current step and what it is. While
 /// a question is open, `hide_ahead` leaves out what is still to come.
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat };
+    let volume = VolumeName::of(walk.structure);
+    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
     draw(&tape, step, hide_ahead, size, look)
 }
 
 /// The track of a build.
 pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-    let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: build.lost, flat: build.flat };
+    let volume = VolumeName::of(build.structure);
+    let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: build.lost, flat: build.flat, volume };
     draw(&tape, step, hide_ahead, size, look)
 }
 
@@ -65,20 +67,24 @@ struct Recorded<'a, E> {
     /// Events that were not recorded.
     lost: u64,
     flat: bool,
+    volume: VolumeName,
 }
 
 fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-    let Recorded { events, symbols, lost, flat } = *tape;
+    let Recorded { events, lost, flat, volume, .. } = *tape;
     let mut figure = Figure::new(size);
     let track = Track::new(events.len(), size, look);
     let (small, u) = (look.small(), look.text);
 
     // What is shown now, in words.
     let count = format!("step {step} of {}", events.len());
-    let says = step.checked_sub(1).and_then(|i| events.get(i)).map_or("at the very beginning", Fact::short);
+    let says = step
+        .checked_sub(1)
+        .and_then(|i| events.get(i))
+        .map_or("at the very beginning".into(), |event| event.short(volume));
     let (above, below) = (Vec2::new(look.margin(), track.y - 0.65 * u), Vec2::new(look.margin(), track.y + 0.75 * u));
     write(&mut figure, Role::Text, None, above, &count, u, Face::Bold, Anchor::Start);
-    write(&mut figure, Role::Quiet, None, below, says, small, Face::Regular, Anchor::Start);
+    write(&mut figure, Role::Quiet, None, below, &says, small, Face::Regular, Anchor::Start);
 
     // The track, its part played so far, and the handle.
     let now = Vec2::new(track.x(step), track.y);
@@ -106,7 +112,7 @@ fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Ve
     } else {
         track.right
     };
-    legend_row(&mut figure, told, symbols, Vec2::new(track.left, track.y + 1.5 * u), right, look);
+    legend_row(&mut figure, told, tape, Vec2::new(track.left, track.y + 1.5 * u), right, look);
     figure
 }
 
@@ -133,18 +139,19 @@ fn crowd<E: Fact>(events: &[E], flat: bool, track: &Track, apart: f32) -> Vec<(f
 }
 
 /// The symbols that occur, with their names.
-fn legend_row<E: Fact>(figure: &mut Figure, events: &[E], symbols: &[Symbol], at: Vec2, right: f32, look: &Look) {
+fn legend_row<E: Fact>(figure: &mut Figure, events: &[E], tape: &Recorded<'_, E>, at: Vec2, right: f32, look: &Look) {
     let (small, mut x) = (look.small(), at.x);
     let occurs = |symbol: &&Symbol| events.iter().any(|event| event.symbol().as_ref() == Some(symbol));
-    for symbol in symbols.iter().filter(occurs) {
-        let width = small * 1.2 + text_width(symbol.name, Face::Regular, small);
+    for symbol in tape.symbols.iter().filter(occurs) {
+        let name = if *symbol == visit::VOLUME { tape.volume.one } else { symbol.name };
+        let width = small * 1.2 + text_width(name, Face::Regular, small);
         if x + width > right {
             break;
         }
         let sign = Vec2::new(x + small * 0.4, at.y);
         write(figure, symbol.role, None, sign, symbol.sign, small, Face::Medium, Anchor::Middle);
         let beside = Vec2::new(x + small * 1.2, at.y);
-        write(figure, Role::Quiet, None, beside, symbol.name, small, Face::Regular, Anchor::Start);
+        write(figure, Role::Quiet, None, beside, name, small, Face::Regular, Anchor::Start);
         x += width + look.text * 1.5;
     }
 }

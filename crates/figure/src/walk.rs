@@ -1,6 +1,6 @@
 //! A walk that was recorded, with what it went through.
 
-use raystep_accel::{Aabb, Place, Primitives, Prims, Ray, Structure, Visit};
+use raystep_accel::{Aabb, AnyBvh, Axis, Direction, Place, Primitives, Prims, Ray, Structure, Visit};
 
 use crate::reel::around;
 
@@ -34,6 +34,17 @@ impl Walk<'_> {
             Place::Prim(prim) if prim.index() < self.prims.len() => self.prims.bounds(prim),
             Place::Prim(_) => Aabb::EMPTY,
         }
+    }
+
+    /// Whether a slab of a volume is that of the z axis in a flat scene, which leaves it out.
+    pub(crate) fn leaves_out(&self, place: Place, across: Direction) -> bool {
+        let level = match (self.structure, place, across) {
+            (Structure::Bvh(AnyBvh::Obb(tree)), Place::Node(node), Direction::Own(axis)) => {
+                tree.volume(node).axes[axis.index()].z.abs() > 0.999
+            }
+            _ => across == Axis::Z.into(),
+        };
+        self.flat && level
     }
 
     /// The box around the structure, or around the primitives where there is none.

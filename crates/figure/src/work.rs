@@ -4,7 +4,7 @@ use glam::Vec2;
 use raystep_accel::{Primitives, Structure};
 
 use crate::look::{block, write};
-use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, text_width};
+use crate::{Anchor, Face, Figure, Look, Moment, Role, VolumeName, Walk, text_width};
 
 /// The primitives tested so far as a number and a bar, the rest of the work in words. `beside` names
 /// another walk and how many it has tested, for a second bar.
@@ -14,8 +14,9 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let (left, u) = (look.margin(), look.text);
     // Where only the box is tested, its test is the work.
     let only_box = matches!(walk.structure, Structure::Slab(_));
+    let volume = VolumeName::of(walk.structure);
     let (tests, all, one, many) = if only_box {
-        (moment.cost.box_tests, 1, "box", "boxes")
+        (moment.cost.box_tests, 1, volume.one, volume.many)
     } else {
         (moment.cost.prim_tests, walk.prims.len() as u64, "primitive", "primitives")
     };
@@ -50,7 +51,7 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
         y += height + u * 0.8;
     }
 
-    let rest = if only_box { Vec::new() } else { sentence(moment) };
+    let rest = if only_box { Vec::new() } else { sentence(moment, volume) };
     for says in wrapped(&rest, size.x - 2.0 * left, u) {
         y += u * 0.4;
         write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
@@ -60,13 +61,14 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
 }
 
 /// What else was done: nodes, cells, planes, boxes. Only what happened.
-fn sentence(moment: &Moment) -> Vec<String> {
+fn sentence(moment: &Moment, volume: VolumeName) -> Vec<String> {
     let cost = &moment.cost;
+    let (one_tested, many_tested) = (format!("{} tested", volume.one), format!("{} tested", volume.many));
     [
         (cost.node_visits, "node entered", "nodes entered"),
         (cost.cell_steps, "cell entered", "cells entered"),
         (cost.plane_tests, "plane crossed", "planes crossed"),
-        (cost.box_tests, "box tested", "boxes tested"),
+        (cost.box_tests, &*one_tested, &*many_tested),
         (cost.pushes, "pushed", "pushed"),
         (cost.drops, "never opened", "never opened"),
         (cost.skips, "test saved", "tests saved"),

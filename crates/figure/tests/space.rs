@@ -64,6 +64,8 @@ fn told(space: &Space) -> String {
         let place = mark.place.map_or_else(String::new, |place| place.to_string());
         let form = match &mark.form {
             Form::Box(b) => format!("box {:.2},{:.2} – {:.2},{:.2}", b.min.x, b.min.y, b.max.x, b.max.y),
+            Form::Sphere(s) => format!("circle {:.2},{:.2}: {:.2}", s.center.x, s.center.y, s.radius),
+            Form::Body(edges) => format!("body of {} edges", edges.len()),
             Form::Polygon(corners) => format!("polygon of {} corners", corners.len()),
             Form::Sheet(b) => format!("sheet {:.2},{:.2} – {:.2},{:.2}", b.min.x, b.min.y, b.max.x, b.max.y),
             Form::Segment(a, b) => format!("segment {:.2},{:.2} – {:.2},{:.2}", a.x, a.y, b.x, b.y),
@@ -90,6 +92,35 @@ fn a_kd_walk_at_its_end() {
     let stand = Stand::new(&kd());
     let moment = Moment::at(&stand.walk(), stand.events.len());
     insta::assert_snapshot!(told(&space(&stand.walk(), &moment)));
+}
+
+#[test]
+fn volumes_are_drawn_as_what_they_are() {
+    for volume in ["sphere", "obb", "kdop18", "hull"] {
+        let mut rule = Rule::default_for("bvh").expect("a kind");
+        rule.set("volume", volume).expect("a volume");
+        let stand = Stand::new(&rule.flat());
+        let moment = Moment::at(&stand.walk(), stand.step("volume.hit", 2));
+        insta::assert_snapshot!(volume, told(&space(&stand.walk(), &moment)));
+    }
+}
+
+#[test]
+fn edges_of_a_body_are_drawn_once() {
+    let mut rule = Rule::default_for("bvh").expect("a kind");
+    rule.set("volume", "obb").expect("a volume");
+    let stand = Stand::new(&rule);
+    let walk = Walk { flat: false, ..stand.walk() };
+    let space = space(&walk, &Moment::start(&walk));
+    let edges: Vec<usize> = space
+        .marks
+        .iter()
+        .filter_map(|mark| match &mark.form {
+            Form::Body(edges) => Some(edges.len()),
+            _ => None,
+        })
+        .collect();
+    assert!(edges.len() > 4 && edges.iter().all(|&count| count == 12), "{edges:?}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 use raystep_accel::Primitives;
-use raystep_figure::Form;
+use raystep_figure::{Form, Role};
 
 use crate::Frame;
 use crate::pen::Pen;
@@ -61,6 +61,8 @@ impl Batch {
             let style = frame.theme.style(mark.role);
             match &mark.form {
                 Form::Box(bounds) | Form::Sheet(bounds) => pen.bounds(bounds, &style),
+                Form::Sphere(sphere) => pen.sphere(sphere, &style, &frame.theme.style(Role::Hidden)),
+                Form::Body(edges) => pen.body(edges, &style, &frame.theme.style(Role::Hidden)),
                 Form::Polygon(corners) => pen.polygon(corners, &style),
                 Form::Segment(from, to) => pen.line(*from, *to, &style, 0.0),
                 Form::Arrow(from, to) => pen.arrow(*from, *to, &style),

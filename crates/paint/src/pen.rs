@@ -1,8 +1,8 @@
 //! Marks turned into triangles, lines and rings.
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Axis, Shape};
-use raystep_figure::{Camera, Color, Stroke, Style};
+use raystep_accel::{Aabb, Axis, Shape, Sphere};
+use raystep_figure::{Camera, Color, Dash, Edge, Stroke, Style, circles, contour, lines};
 
 use crate::Frame;
 use crate::batch::{FaceCorner, Line, Point};
@@ -10,6 +10,9 @@ use crate::solid::{outline, triangles};
 
 /// A form smaller than so many points gets no hatching, and finer lines.
 const SMALL: f32 = 20.0;
+
+/// A part of a curve longer than so many points is not cut into dashes.
+const FAR: f32 = 4096.0;
 
 /// A translucent triangle before it is sorted.
 pub(crate) struct Triangle {
@@ -106,11 +109,7 @@ impl Pen<'_> {
 
     /// The style for a form of this size on the page: a small one is not drowned in its own ink.
     fn fine(&self, bounds: &Aabb, style: &Style) -> Style {
-        let extent = bounds.extent().max_element();
-        let size = match *self.camera {
-            Camera::Flat { .. } => extent * self.scale,
-            Camera::Solid { eye, .. } => extent * self.scale / (bounds.center() - eye).length(),
-        };
+        let size = bounds.extent().max_element() * self.scale_at(bounds.center());
         // Not a number only where the eye is inside: large.
         let part = (size / SMALL).clamp(0.25, 1.0);
         if part.is_nan() || part == 1.0 {
@@ -164,6 +163,84 @@ impl Pen<'_> {
                 (from[v], to[v]) = (at_v, at_v);
                 self.line(from, to, style, 0.0);
             }
+        }
+    }
+
+    /// A circle on a page; in space, what the eye sees as its outline, and two circles around it in a style of theirs.
+    pub(crate) fn sphere(&mut self, sphere: &Sphere, style: &Style, around: &Style) {
+        let circles = circles(sphere);
+        match *self.camera {
+            Camera::Flat { .. } => {
+                let distance = self.distance(sphere.center);
+                for pair in circles[0].windows(2) {
+                    self.face(distance, false, [sphere.center, pair[0], pair[1]], style);
+                }
+                self.curve(&circles[0], style);
+            }
+            Camera::Solid { eye, .. } => {
+                for circle in &circles {
+                    self.curve(circle, around);
+                }
+                if let Some(contour) = contour(sphere, eye) {
+                    self.curve(&contour, style);
+                }
+            }
+        }
+    }
+
+    /// A body: what the eye sees as its outline, and its other edges in a style of theirs.
+    pub(crate) fn body(&mut self, edges: &[Edge], style: &Style, around: &Style) {
+        let eye = match *self.camera {
+            Camera::Flat { center, .. } => center.extend(0.0),
+            Camera::Solid { eye, .. } => eye,
+        };
+        let (rim, faint) = lines(edges, eye);
+        for [from, to] in faint {
+            self.line(from, to, around, 0.0);
+        }
+        for path in rim {
+            self.curve(&path, style);
+        }
+    }
+
+    /// A line around many corners, whose dashes run on from one to the next.
+    fn curve(&mut self, corners: &[Vec3], style: &Style) {
+        let Some(stroke) = style.stroke else { return };
+        let solid = Style { stroke: Some(Stroke { dash: Dash::Solid, ..stroke }), ..*style };
+        let &[dash, gap, ..] = stroke.dash.pattern(stroke.width) else {
+            for pair in corners.windows(2) {
+                self.line(pair[0], pair[1], &solid, 0.0);
+            }
+            return;
+        };
+        // How much of the current dash and gap is drawn, in points.
+        let mut done = 0.0;
+        for pair in corners.windows(2) {
+            let (from, to) = (pair[0], pair[1]);
+            let length = (to - from).length() * self.scale_at((from + to) * 0.5);
+            if length > FAR {
+                self.line(from, to, &solid, 0.0);
+                continue;
+            }
+            let mut at = 0.0;
+            while at < length {
+                let end = if done < dash { dash } else { dash + gap };
+                let step = (end - done).min(length - at);
+                if done < dash {
+                    self.line(from.lerp(to, at / length), from.lerp(to, (at + step) / length), &solid, 0.0);
+                }
+                // Too small a step would never end.
+                at += step.max(0.01);
+                done = if done + step >= dash + gap - 0.01 { 0.0 } else { done + step.max(0.01) };
+            }
+        }
+    }
+
+    /// How many points of the page a length of one has at a point.
+    fn scale_at(&self, at: Vec3) -> f32 {
+        match *self.camera {
+            Camera::Flat { .. } => self.scale,
+            Camera::Solid { eye, .. } => self.scale / (at - eye).length(),
         }
     }
 

@@ -1,9 +1,11 @@
 //! Builds: a symbol for each kind of event, and a few words for each event.
 
+use std::borrow::Cow;
+
 use raystep_accel::{Grow, Place, Value};
 
 use super::{Fact, Symbol};
-use crate::Role;
+use crate::{Role, VolumeName};
 
 const GROWS: Symbol = Symbol { sign: "▷", name: "box grows", role: Role::Here, rank: 0 };
 const WEIGHED: Symbol = Symbol { sign: "|", name: "weighed", role: Role::Candidate, rank: 1 };
@@ -44,8 +46,8 @@ impl Fact for Grow {
         })
     }
 
-    fn short(&self) -> &'static str {
-        match self {
+    fn short(&self, _: VolumeName) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
             Grow::Widen { grown: true, .. } => "the box grows",
             Grow::Widen { .. } => "it fits into the box",
             Grow::Resolve { .. } => "the resolution is chosen",
@@ -66,10 +68,10 @@ impl Fact for Grow {
             Grow::Refit { .. } => "a volume is fitted anew",
             Grow::Renumber { .. } => "a node gets its final number",
             Grow::End { .. } => "the structure is built",
-        }
+        })
     }
 
-    fn sentence(&self) -> String {
+    fn sentence(&self, _: VolumeName) -> String {
         crate::sentence::of_grow(self)
     }
 }

@@ -3,9 +3,11 @@
 pub(crate) mod grow;
 pub(crate) mod visit;
 
+use std::borrow::Cow;
+
 use raystep_accel::{Event, Place, Value};
 
-use crate::Role;
+use crate::{Role, VolumeName};
 
 /// An event of a walk or of a build, as listings, templates and timelines see it.
 pub trait Fact {
@@ -26,11 +28,11 @@ pub trait Fact {
     /// Its symbol on a timeline, if it has one.
     fn symbol(&self) -> Option<Symbol>;
 
-    /// What it is, in a few words.
-    fn short(&self) -> &'static str;
+    /// What it is, in a few words; `volume` is what is tested in its structure.
+    fn short(&self, volume: VolumeName) -> Cow<'static, str>;
 
-    /// What it says, in plain words with its numbers.
-    fn sentence(&self) -> String;
+    /// What it says, in plain words with its numbers; `volume` as above.
+    fn sentence(&self, volume: VolumeName) -> String;
 }
 
 /// A small sign for a kind of event.
@@ -70,17 +72,17 @@ impl Fact for Event {
         }
     }
 
-    fn short(&self) -> &'static str {
+    fn short(&self, volume: VolumeName) -> Cow<'static, str> {
         match self {
-            Event::Walk(visit) => visit.short(),
-            Event::Build(grow) => grow.short(),
+            Event::Walk(visit) => visit.short(volume),
+            Event::Build(grow) => grow.short(volume),
         }
     }
 
-    fn sentence(&self) -> String {
+    fn sentence(&self, volume: VolumeName) -> String {
         match self {
-            Event::Walk(visit) => visit.sentence(),
-            Event::Build(grow) => grow.sentence(),
+            Event::Walk(visit) => visit.sentence(volume),
+            Event::Build(grow) => grow.sentence(volume),
         }
     }
 }
@@ -114,21 +116,21 @@ impl Fact for Answer {
         self.coming.symbol()
     }
 
-    fn short(&self) -> &'static str {
-        self.coming.short()
+    fn short(&self, volume: VolumeName) -> Cow<'static, str> {
+        self.coming.short(volume)
     }
 
-    fn sentence(&self) -> String {
-        self.coming.sentence()
+    fn sentence(&self, volume: VolumeName) -> String {
+        self.coming.sentence(volume)
     }
 }
 
-/// One sentence about what just happened, with its numbers.
-pub fn sentence(event: &impl Fact) -> String {
-    event.sentence()
+/// One sentence about what just happened, with its numbers; `volume` is what is tested in its structure.
+pub fn sentence(event: &impl Fact, volume: VolumeName) -> String {
+    event.sentence(volume)
 }
 
-/// What an event is, in a few words.
-pub fn short(event: &impl Fact) -> &'static str {
-    event.short()
+/// What an event is, in a few words; `volume` is what is tested in its structure.
+pub fn short(event: &impl Fact, volume: VolumeName) -> Cow<'static, str> {
+    event.short(volume)
 }

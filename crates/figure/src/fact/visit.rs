@@ -1,12 +1,15 @@
 //! Walks: a symbol for each kind of event, and a few words for each event.
 
+use std::borrow::Cow;
+
 use raystep_accel::{Ending, Place, Probed, Value, Verdict, Visit};
 
 use super::{Fact, Symbol};
-use crate::Role;
+use crate::{Role, VolumeName};
 
 const SLAB: Symbol = Symbol { sign: "▽", name: "slab", role: Role::Plane, rank: 0 };
-const BOX: Symbol = Symbol { sign: "◇", name: "box", role: Role::Here, rank: 1 };
+/// Each structure has a name of its own for it.
+pub(crate) const VOLUME: Symbol = Symbol { sign: "◇", name: "volume", role: Role::Here, rank: 1 };
 const SKIP: Symbol = Symbol { sign: "○", name: "skip", role: Role::Dropped, rank: 2 };
 const MISS: Symbol = Symbol { sign: "|", name: "miss", role: Role::Missed, rank: 3 };
 const CELL: Symbol = Symbol { sign: "▷", name: "next cell", role: Role::Here, rank: 4 };
@@ -20,7 +23,7 @@ const DROP: Symbol = Symbol { sign: "×", name: "drop", role: Role::Dropped, ran
 const HIT: Symbol = Symbol { sign: "●", name: "hit", role: Role::Hit, rank: 9 };
 
 /// Every symbol of a walk, in the order of a legend.
-pub(crate) const SYMBOLS: &[Symbol] = &[SLAB, PLANE, BOX, CELL, DOWN, UP, PROBE, PUSH, POP, DROP, SKIP, MISS, HIT];
+pub(crate) const SYMBOLS: &[Symbol] = &[SLAB, PLANE, VOLUME, CELL, DOWN, UP, PROBE, PUSH, POP, DROP, SKIP, MISS, HIT];
 
 impl Fact for Visit {
     fn name(&self) -> &'static str {
@@ -43,7 +46,7 @@ impl Fact for Visit {
         Some(match self {
             Visit::Divide { .. } | Visit::Parallel { .. } => SLAB,
             Visit::Plane { .. } => PLANE,
-            Visit::Volume { .. } => BOX,
+            Visit::Volume { .. } => VOLUME,
             Visit::Step { .. } => CELL,
             Visit::Descend { .. } => DOWN,
             Visit::Ascend { .. } => UP,
@@ -58,8 +61,9 @@ impl Fact for Visit {
         })
     }
 
-    fn short(&self) -> &'static str {
-        match self {
+    fn short(&self, volume: VolumeName) -> Cow<'static, str> {
+        let one = volume.one;
+        Cow::Borrowed(match self {
             Visit::Parallel { .. } => "the ray runs along a slab",
             Visit::Divide { .. } => "a slab cuts the ray",
             Visit::Order { swapped: true, .. } => "the two cuts are swapped",
@@ -69,9 +73,9 @@ impl Fact for Visit {
             Visit::Roots { empty: true, .. } | Visit::Clip { empty: true, .. } => "nothing of the interval is left",
             Visit::Roots { .. } => "a sphere cuts the ray",
             Visit::Clip { .. } => "a face cuts the ray",
-            Visit::Volume { verdict: Verdict::Hit, .. } => "the box is met",
-            Visit::Volume { verdict: Verdict::Miss, .. } => "the box is missed",
-            Visit::Volume { verdict: Verdict::Cut, .. } => "the box is too far",
+            Visit::Volume { verdict: Verdict::Hit, .. } => return format!("the {one} is met").into(),
+            Visit::Volume { verdict: Verdict::Miss, .. } => return format!("the {one} is missed").into(),
+            Visit::Volume { verdict: Verdict::Cut, .. } => return format!("the {one} is too far").into(),
             Visit::Enter { .. } => match self.name() {
                 "enter.cell" => "a cell is entered",
                 "enter.leaf" => "a leaf is entered",
@@ -101,13 +105,13 @@ impl Fact for Visit {
             Visit::Local { .. } => "the ray enters an instance",
             Visit::World { .. } => "the ray leaves the instance",
             Visit::Distant { .. } => "too far away: brute force",
-            Visit::End { why: Ending::Outside, .. } => "the box is never met",
+            Visit::End { why: Ending::Outside, .. } => return format!("the {one} is never met").into(),
             Visit::End { hit: true, .. } => "the nearest hit is found",
             Visit::End { .. } => "nothing is hit",
-        }
+        })
     }
 
-    fn sentence(&self) -> String {
-        crate::sentence::of_visit(self)
+    fn sentence(&self, volume: VolumeName) -> String {
+        crate::sentence::of_visit(self, volume)
     }
 }

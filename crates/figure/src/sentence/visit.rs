@@ -3,10 +3,10 @@
 use raystep_accel::{Ending, Place, Probed, Side, Verdict, Visit};
 
 use super::{cells, count};
-use crate::number;
+use crate::{VolumeName, number};
 
 /// One sentence about what just happened, with its numbers.
-pub(crate) fn of_visit(event: &Visit) -> String {
+pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
     let range = |near: f32, far: f32| format!("[{}, {}]", number(near), number(far));
     match *event {
         Visit::Parallel { place, axis, o, low, high, inside } => {
@@ -177,7 +177,9 @@ pub(crate) fn of_visit(event: &Visit) -> String {
         Visit::Distant { reach } => {
             format!("The ray starts further away than {}: every primitive is tested instead.", number(reach))
         }
-        Visit::End { why: Ending::Outside, .. } => "The ray does not meet the box: nothing is hit.".to_owned(),
+        Visit::End { why: Ending::Outside, .. } => {
+            format!("The ray does not meet the {}: nothing is hit.", volume.one)
+        }
         Visit::End { why: Ending::Found, t, .. } => format!("Something is hit, at t = {}: that is enough.", number(t)),
         Visit::End { why: Ending::Settled, t, .. } => {
             format!("The hit at t = {} lies before everything that is left: the walk is over.", number(t))
@@ -194,6 +196,8 @@ mod tests {
     use raystep_accel::{Axis, CellId, NodeId, PrimId};
 
     use super::*;
+
+    const BOX: VolumeName = VolumeName { one: "box", many: "boxes" };
 
     #[test]
     fn events_in_words() {
@@ -235,7 +239,7 @@ mod tests {
             },
             Visit::End { why: Ending::Settled, hit: true, t: 4.2 },
         ];
-        let lines: Vec<String> = events.iter().map(of_visit).collect();
+        let lines: Vec<String> = events.iter().map(|event| of_visit(event, BOX)).collect();
         insta::assert_snapshot!(lines.join("\n"));
     }
 }

@@ -93,7 +93,7 @@ impl Drawing<'_> {
                 self.titled(Role::Seen, tested.place, format!("{node} met: {near} – {far}"));
             }
         }
-        let Some(place) = self.moment.slab.as_ref().map(|slab| slab.place) else { return };
+        let Some(place) = self.moment.under_test() else { return };
         if let (Place::Node(node), false) = (place, matches!(self.moment.event, Some(Visit::Volume { .. }))) {
             self.outline(Role::Plane, place);
             self.titled(Role::Plane, place, format!("{node} tested"));

@@ -3,14 +3,15 @@
 mod boxes;
 mod cells;
 pub(crate) mod convex;
+pub(crate) mod outlines;
 mod prims;
 mod rays;
 mod slabs;
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Axis, Interval, Place, PrimId, Structure};
+use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, PrimId, Sphere, Structure};
 
-use crate::{Moment, Role, Walk};
+use crate::{Edge, Moment, Role, Walk};
 
 /// What space shows at one step: lines, boxes, points and labels, in world coordinates. The primitives
 /// themselves are drawn from the scene; those to which something happened have a [`Form::Prim`] mark.
@@ -42,7 +43,11 @@ pub enum Form {
     Box(Aabb),
     /// A rectangle in a plane: a split, or a slab's face. One of the box's sides has no length.
     Sheet(Aabb),
-    /// A flat convex polygon: a cell of a flat scene, or what of a plane lies in a cell of a solid one.
+    /// A sphere: a circle in a flat scene, its outline and two circles around it in a solid one.
+    Sphere(Sphere),
+    /// A convex body in a solid scene: its outline strong, its other edges faint where they are many.
+    Body(Vec<Edge>),
+    /// A flat convex polygon: a cell or a volume of a flat scene, or what of a plane lies in a cell of a solid one.
     Polygon(Vec<Vec3>),
     /// A straight line.
     Segment(Vec3, Vec3),
@@ -110,14 +115,17 @@ impl Drawing<'_> {
 
     /// The outline of a place.
     fn outline(&mut self, role: Role, place: Place) {
-        if let (Structure::Bsp(tree), Place::Node(node)) = (self.walk.structure, place) {
-            for form in convex::cell(&tree.cell(node), self.walk.flat) {
+        // Around everything in a hierarchy lies the volume of its root.
+        let place = match (place, self.walk.structure) {
+            (Place::World, Structure::Bvh(tree)) if tree.node_count() > 0 => Place::Node(NodeId::ROOT),
+            _ => place,
+        };
+        let bounds = self.walk.bounds(place);
+        if let Place::Node(node) = place {
+            for form in outlines::node(self.walk.structure, node, bounds, self.walk.flat) {
                 self.add(role, Some(place), form);
             }
-            return;
-        }
-        let bounds = self.walk.bounds(place);
-        if !bounds.is_empty() {
+        } else if !bounds.is_empty() {
             self.add(role, Some(place), Form::Box(bounds));
         }
     }
@@ -143,7 +151,7 @@ fn visible(walk: &Walk<'_>) -> Aabb {
     }
     let diagonal = world.extent().length();
     let near = |p: &Vec3| (*p - world.center()).length() <= 2.0 * diagonal;
-    let mut all = world;
+    let mut all = world.union(outlines::reach(walk.structure));
     if near(&walk.ray.o) {
         all = all.with_point(walk.ray.o);
     }

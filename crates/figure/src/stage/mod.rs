@@ -80,6 +80,9 @@ impl Stage<'_> {
         match form {
             Form::Box(bounds) => self.bounds(bounds, role, place),
             Form::Sheet(bounds) => self.sheet(bounds, role, place),
+            Form::Sphere(sphere) if self.flat => self.disc(sphere, role, place),
+            Form::Sphere(sphere) => self.globe(sphere, role, place),
+            Form::Body(edges) => self.body(edges, role, place),
             Form::Polygon(corners) => self.area(corners, role, place),
             Form::Segment(from, to) => self.line(*from, *to, role, place),
             Form::Arrow(from, to) => self.arrow(*from, *to, role, place),
@@ -150,13 +153,33 @@ impl Stage<'_> {
         }
     }
 
-    /// A line; what lies behind a surface is faint.
     fn line(&mut self, from: Vec3, to: Vec3, role: Role, place: Option<Place>) {
-        let Some([from, to]) = self.lens.segment(from, to) else { return };
-        let Some(shaded) = self.depth else {
-            self.figure.add(role, place, Ink::Line { points: vec![from.0, to.0] });
-            return;
-        };
+        self.path(&[from, to], role, place);
+    }
+
+    /// A line around corners; what lies behind a surface is faint.
+    fn path(&mut self, corners: &[Vec3], role: Role, place: Option<Place>) {
+        let mut paths: Vec<(Vec<Vec2>, bool)> = Vec::new();
+        for pair in corners.windows(2) {
+            let Some([from, to]) = self.lens.segment(pair[0], pair[1]) else { continue };
+            for (start, end, hidden) in self.runs(from, to) {
+                match paths.last_mut() {
+                    Some((points, same)) if *same == hidden && points.last().is_some_and(|p| joined(*p, start)) => {
+                        points.push(end);
+                    }
+                    _ => paths.push((vec![start, end], hidden)),
+                }
+            }
+        }
+        for (points, hidden) in paths {
+            let role = if hidden { behind(role) } else { role };
+            self.figure.add(role, place, Ink::Line { points });
+        }
+    }
+
+    /// A straight line on the page with its depths, parted where it goes behind a surface or comes out.
+    fn runs(&self, from: (Vec2, f32), to: (Vec2, f32)) -> Vec<(Vec2, Vec2, bool)> {
+        let Some(shaded) = self.depth else { return vec![(from.0, to.0, false)] };
         // Depth is linear along a projected line.
         let pieces = ((to.0 - from.0).length() / 2.0).ceil().clamp(1.0, 4096.0) as usize;
         let at = |piece: usize| {
@@ -171,14 +194,11 @@ impl Stage<'_> {
         let mut runs = Vec::new();
         for piece in 0..pieces {
             if piece + 1 == pieces || hides(piece) != hides(piece + 1) {
-                runs.push((start, piece + 1, hides(piece)));
+                runs.push((at(start).0, at(piece + 1).0, hides(piece)));
                 start = piece + 1;
             }
         }
-        for (start, end, hidden) in runs {
-            let role = if hidden { behind(role) } else { role };
-            self.figure.add(role, place, Ink::Line { points: vec![at(start).0, at(end).0] });
-        }
+        runs
     }
 }
 
@@ -190,6 +210,11 @@ fn behind(role: Role) -> Role {
         Role::Waiting | Role::Best | Role::Hit => role,
         _ => Role::Hidden,
     }
+}
+
+/// Whether two points of the page are the same but for rounding.
+fn joined(a: Vec2, b: Vec2) -> bool {
+    (a - b).length_squared() < 1e-4
 }
 
 /// The corners of a box: bit 0 of the index is x, bit 1 y, bit 2 z.

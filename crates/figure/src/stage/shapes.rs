@@ -5,14 +5,15 @@ use raystep_accel::{Place, PrimId, Primitives, Prims, Shape, Sphere, Wall};
 
 use super::Stage;
 use crate::faces::{faces, ring};
-use crate::{Ink, Role};
+use crate::globe::{circles, contour};
+use crate::{Edge, Ink, Role, lines};
 
 impl Stage<'_> {
     pub(super) fn prim(&mut self, prims: &Prims, prim: PrimId, role: Role) {
         let place = Some(Place::Prim(prim));
         match prims.shape(prim) {
             Shape::Triangle(triangle) => self.area(&[triangle.a, triangle.b, triangle.c], role, place),
-            Shape::Sphere(sphere) => self.sphere(&sphere, role, place),
+            Shape::Sphere(sphere) => self.disc(&sphere, role, place),
             Shape::Disc(disc) => self.area(&ring(disc.center, disc.normal, disc.radius), role, place),
             Shape::Wall(wall) if self.flat => {
                 let (from, to) = (wall.from.extend(0.0), wall.to.extend(0.0));
@@ -55,7 +56,28 @@ impl Stage<'_> {
         seen.any(|(at, depth)| shaded.hides(at, depth, self.figure.size))
     }
 
-    fn sphere(&mut self, sphere: &Sphere, role: Role, place: Option<Place>) {
+    /// A sphere that is transparent: its outline, and two faint circles around it.
+    pub(super) fn globe(&mut self, sphere: &Sphere, role: Role, place: Option<Place>) {
+        for circle in circles(sphere) {
+            self.path(&circle, Role::Hidden, place);
+        }
+        if let Some(contour) = contour(sphere, self.lens.eye()) {
+            self.path(&contour, role, place);
+        }
+    }
+
+    /// A body that is transparent.
+    pub(super) fn body(&mut self, edges: &[Edge], role: Role, place: Option<Place>) {
+        let (rim, faint) = lines(edges, self.lens.eye());
+        for [from, to] in faint {
+            self.line(from, to, Role::Hidden, place);
+        }
+        for path in rim {
+            self.path(&path, role, place);
+        }
+    }
+
+    pub(super) fn disc(&mut self, sphere: &Sphere, role: Role, place: Option<Place>) {
         if let Some((center, _)) = self.lens.point(sphere.center) {
             let radius = sphere.radius * self.lens.scale_at(sphere.center);
             self.figure.add(role, place, Ink::Circle { center, radius });

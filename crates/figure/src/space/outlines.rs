@@ -1,0 +1,85 @@
+//! What bounds the nodes of a tree, as forms: boxes, spheres, bodies, cells.
+
+use std::collections::BTreeMap;
+
+use glam::Vec3;
+use raystep_accel::{Aabb, AnyBvh, NodeId, Outline, Sphere, Structure};
+
+use super::{Form, convex};
+use crate::Edge;
+
+/// What the outline of a node looks like; `bounds` is the box around it.
+pub(crate) fn node(structure: &Structure, node: NodeId, bounds: Aabb, flat: bool) -> Vec<Form> {
+    let forms = match structure {
+        Structure::Bsp(tree) if node.index() < tree.node_count() => convex::cell(&tree.cell(node), flat),
+        Structure::Bvh(tree) if node.index() < tree.node_count() => volume(&tree.outline(node), flat),
+        _ => Vec::new(),
+    };
+    if forms.is_empty() && !bounds.is_empty() { vec![Form::Box(bounds)] } else { forms }
+}
+
+/// Of a tree with more nodes than this, the picture has room for so many: the uppermost come first.
+const UPPERMOST: u32 = 256;
+
+/// The box around what is drawn of a structure: spheres and oriented boxes reach out of the box of the primitives.
+pub(crate) fn reach(structure: &Structure) -> Aabb {
+    let bounds = structure.bounds();
+    let nodes = (0..UPPERMOST.min(structure.node_count() as u32)).map(NodeId);
+    match structure {
+        Structure::Bvh(AnyBvh::Sphere(tree)) => nodes.fold(bounds, |all, id| all.union(tree.volume(id).bounds())),
+        Structure::Bvh(AnyBvh::Obb(tree)) => nodes.fold(bounds, |all, id| all.union(tree.volume(id).bounds())),
+        _ => bounds,
+    }
+}
+
+/// A volume: in a flat scene, where it meets the plane of the drawing.
+fn volume(outline: &Outline, flat: bool) -> Vec<Form> {
+    match outline {
+        Outline::Box(bounds) if bounds.is_empty() => Vec::new(),
+        Outline::Box(bounds) => vec![Form::Box(*bounds)],
+        Outline::Sphere(sphere) if flat => {
+            let radius = (sphere.radius * sphere.radius - sphere.center.z * sphere.center.z).max(0.0).sqrt();
+            vec![Form::Sphere(Sphere { center: sphere.center.with_z(0.0), radius })]
+        }
+        Outline::Sphere(sphere) => vec![Form::Sphere(*sphere)],
+        Outline::Faces(_) if flat => {
+            let corners = outline.section(0.0);
+            if corners.len() > 2 { vec![Form::Polygon(corners)] } else { Vec::new() }
+        }
+        Outline::Faces(faces) => {
+            let bounds = outline.bounds();
+            vec![Form::Body(edges(faces, bounds.center(), bounds.extent().max_element() * NEAR))]
+        }
+    }
+}
+
+/// Corners that lie so near, in parts of a body's size, are one: each face was cut out by itself.
+const NEAR: f32 = 1e-5;
+
+/// The edges of a body, each once.
+fn edges(faces: &[Vec<Vec3>], middle: Vec3, near: f32) -> Vec<Edge> {
+    let mut corners: Vec<Vec3> = Vec::new();
+    let mut known = |p: Vec3| {
+        corners.iter().position(|q| p.distance_squared(*q) <= near * near).unwrap_or_else(|| {
+            corners.push(p);
+            corners.len() - 1
+        })
+    };
+    let mut edges: BTreeMap<(usize, usize), Vec<Vec3>> = BTreeMap::new();
+    for face in faces {
+        let normal = face.windows(2).map(|pair| (pair[0] - face[0]).cross(pair[1] - face[0])).sum::<Vec3>();
+        let outward = if normal.dot(face[0] - middle) < 0.0 { -normal } else { normal };
+        let around: Vec<usize> = face.iter().map(|&p| known(p)).collect();
+        let next = around.iter().cycle().skip(1);
+        for (&a, &b) in around.iter().zip(next).filter(|(a, b)| a != b) {
+            edges.entry((a.min(b), a.max(b))).or_default().push(outward);
+        }
+    }
+    let normal = |normals: &[Vec3], i: usize| normals.get(i).copied().unwrap_or(Vec3::ZERO);
+    let edge = |((a, b), normals): ((usize, usize), Vec<Vec3>)| Edge {
+        from: corners[a],
+        to: corners[b],
+        normals: [normal(&normals, 0), normal(&normals, 1)],
+    };
+    edges.into_iter().map(edge).collect()
+}

@@ -1,0 +1,27 @@
+//! What the volumes of a structure are called.
+
+use raystep_accel::{AnyBvh, Structure};
+
+/// What a structure bounds things with, in a word: what is tested before anything in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VolumeName {
+    /// One of them.
+    pub one: &'static str,
+    /// Several.
+    pub many: &'static str,
+}
+
+impl VolumeName {
+    /// What is tested in this structure.
+    pub fn of(structure: &Structure) -> VolumeName {
+        let (one, many) = match structure {
+            Structure::Bvh(AnyBvh::Sphere(_)) => ("sphere", "spheres"),
+            Structure::Bvh(AnyBvh::Obb(_)) => ("oriented box", "oriented boxes"),
+            Structure::Bvh(AnyBvh::KDop14(_) | AnyBvh::KDop18(_) | AnyBvh::KDop26(_)) => ("k-DOP", "k-DOPs"),
+            Structure::Bvh(AnyBvh::Hull(_)) => ("hull", "hulls"),
+            // Six planes along the axes are a box, whatever they are called.
+            _ => ("box", "boxes"),
+        };
+        VolumeName { one, many }
+    }
+}
