@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use raystep_accel::{
-    Accel, Axes, Each, Grow, List, Octree, OctreeRule, Place, PrimId, Random, Ray, Shape, Sphere, Triangle, Visit,
+    Accel, Axes, Cost, Each, Grow, List, Octree, OctreeRule, Place, PrimId, Random, Ray, Shape, Sphere, Triangle, Visit,
 };
 
 fn soup(random: &mut Random, n: usize) -> Vec<Shape<'static>> {
@@ -147,6 +147,57 @@ fn folding_the_build_rebuilds_the_tree() {
     for (node, prims) in settled.iter().enumerate() {
         assert_eq!(tree.leaf_prims(raystep_accel::NodeId(node as u32)), prims.as_slice());
     }
+}
+
+/// Two balls of many thin triangles around one point each: every leaf near a point is crowded at any depth.
+fn two_crowds() -> Vec<Shape<'static>> {
+    let mut random = Random::new(47);
+    let mut point = || Vec3::new(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0));
+    (0..400)
+        .map(|i| {
+            let center = Vec3::splat(if i % 2 == 0 { -3.0 } else { 3.0 });
+            let b = center + point();
+            Shape::Triangle(Triangle { a: center, b, c: b + 0.01 * point() })
+        })
+        .collect()
+}
+
+#[test]
+fn one_crowd_does_not_take_the_room_of_another() {
+    let prims = two_crowds();
+    let rule = OctreeRule { max_depth: 16, min_objects: 1, ..OctreeRule::default() };
+    let tree = Octree::build(&prims.as_slice(), &rule, &mut ()).unwrap();
+    let cells = tree.node_bounds();
+    // References on each side of the middle: both crowds are divided as finely.
+    let mut sides = [0.0_f32; 2];
+    for (node, cell) in (0..).map(raystep_accel::NodeId).zip(&cells) {
+        sides[usize::from(cell.center().x > 0.0)] += tree.leaf_prims(node).len() as f32;
+    }
+    assert!((0.5..2.0).contains(&(sides[0] / sides[1])), "{sides:?}");
+}
+
+#[test]
+fn a_ray_tests_few_primitives_of_a_closed_surface() {
+    // A ball of 128 × 64 quads, each two triangles: six of them meet at every corner.
+    let at = |i: u32, j: u32| {
+        let (u, v) = (i as f32 / 128.0 * std::f32::consts::TAU, j as f32 / 64.0 * std::f32::consts::PI);
+        Vec3::new(u.cos() * v.sin(), u.sin() * v.sin(), v.cos())
+    };
+    let quads = (0..128).flat_map(|i| (0..64).map(move |j| (i, j)));
+    let prims: Vec<_> = quads
+        .flat_map(|(i, j)| {
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            [Shape::Triangle(Triangle { a, b, c }), Shape::Triangle(Triangle { a, b: c, c: d })]
+        })
+        .collect();
+    let tree = Octree::build(&prims.as_slice(), &OctreeRule::default(), &mut ()).unwrap();
+    let mut random = Random::new(48);
+    let (mut cost, rays) = (Cost::default(), 500);
+    for _ in 0..rays {
+        let o = Vec3::new(-3.0, random.range(-1.0, 1.0), random.range(-1.0, 1.0));
+        tree.intersect(&prims.as_slice(), &Ray::new(o, Vec3::X).unwrap(), &mut cost);
+    }
+    assert!(cost.prim_tests < 15 * rays, "{} tests by {rays} rays", cost.prim_tests);
 }
 
 #[test]

@@ -44,8 +44,10 @@ impl Octree {
         depth: u32,
         watch: &mut impl Observer<Grow>,
     ) -> Result<(), Cancelled> {
-        let mut open = vec![(from, cell, depth)];
-        while let Some((node, cell, depth)) = open.pop() {
+        // All leaves below may refer to what is still free.
+        let room = self.most_refs.saturating_sub(self.refs - self.leaf_prims(from).len());
+        let mut open = vec![(from, cell, depth, room)];
+        while let Some((node, cell, depth, room)) = open.pop() {
             if watch.cancelled() {
                 return Err(Cancelled);
             }
@@ -53,22 +55,26 @@ impl Octree {
             watch.on(Grow::Open { node, bounds: cell, prims: held, depth });
 
             // Termination criteria: few objects, or deep enough.
-            let few = held <= self.rule.min_objects;
-            if few || depth >= self.rule.max_depth || self.refs >= self.most_refs {
-                let why = match () {
-                    () if few => LeafReason::Few,
-                    () if depth >= self.rule.max_depth => LeafReason::Deep,
-                    () => LeafReason::Crowded,
-                };
-                watch.on(Grow::Leaf { node, prims: held, why });
-                for &prim in self.leaf_prims(node) {
-                    watch.on(Grow::Settle { prim, place: Place::Node(node) });
-                }
+            if held <= self.rule.min_objects {
+                self.settle(node, LeafReason::Few, watch);
+                continue;
+            }
+            if depth >= self.rule.max_depth {
+                self.settle(node, LeafReason::Deep, watch);
                 continue;
             }
 
             // Eight equal cells; a primitive goes to each that it overlaps.
-            let first = self.divide(prims, node, &cell);
+            let dealt = self.deal(prims, node, &cell);
+            let references: usize = dealt.iter().map(Vec::len).sum();
+            if references > room {
+                self.settle(node, LeafReason::Crowded, watch);
+                continue;
+            }
+            // Children share their parent's room, so that one crowded corner does not take it from all others.
+            let share = |held: &Vec<PrimId>| (room as u64 * held.len() as u64 / references.max(1) as u64) as usize;
+            let shares: Vec<usize> = dealt.iter().map(share).collect();
+            let first = self.divide(node, dealt);
             watch.on(Grow::Divide {
                 node,
                 first,
@@ -77,25 +83,40 @@ impl Octree {
                 at_y: cell.center().y,
                 at_z: cell.center().z,
             });
-            for number in (0..self.ways()).rev() {
-                open.push((NodeId(first.0 + number), self.child_cell(&cell, number), depth + 1));
+            for (number, room) in (0..self.ways()).zip(shares).rev() {
+                open.push((NodeId(first.0 + number), self.child_cell(&cell, number), depth + 1, room));
             }
         }
         Ok(())
     }
 
-    /// Makes a leaf an inner node whose children refer to what it referred to.
-    fn divide(&mut self, prims: &impl Primitives, node: NodeId, cell: &Aabb) -> NodeId {
-        let first = self.block();
-        let Node::Leaf(held) = std::mem::replace(&mut self.nodes[node.index()], Node::Inner(first)) else {
-            unreachable!("only leaves are divided")
-        };
-        self.refs -= held.len();
-        for number in 0..self.ways() {
+    /// A node that is to be divided no more.
+    fn settle(&self, node: NodeId, why: LeafReason, watch: &mut impl Observer<Grow>) {
+        let held = self.leaf_prims(node);
+        watch.on(Grow::Leaf { node, prims: held.len() as u32, why });
+        for &prim in held {
+            watch.on(Grow::Settle { prim, place: Place::Node(node) });
+        }
+    }
+
+    /// What of a leaf's primitives would belong to each of its children.
+    fn deal(&self, prims: &impl Primitives, node: NodeId, cell: &Aabb) -> Vec<Vec<PrimId>> {
+        let overlapping = |number| {
             let child = self.child_cell(cell, number);
-            let overlapping: Vec<_> = held.iter().copied().filter(|&prim| self.overlaps(prims, prim, &child)).collect();
-            self.refs += overlapping.len();
-            self.nodes[(first.0 + number) as usize] = Node::Leaf(overlapping);
+            let held = self.leaf_prims(node).iter().copied();
+            held.filter(|&prim| self.overlaps(prims, prim, &child)).collect()
+        };
+        (0..self.ways()).map(overlapping).collect()
+    }
+
+    /// Makes a leaf an inner node whose children refer to what was dealt to them.
+    fn divide(&mut self, node: NodeId, dealt: Vec<Vec<PrimId>>) -> NodeId {
+        let first = self.block();
+        self.refs -= self.leaf_prims(node).len();
+        self.nodes[node.index()] = Node::Inner(first);
+        for (child, held) in self.nodes[first.index()..].iter_mut().zip(dealt) {
+            self.refs += held.len();
+            *child = Node::Leaf(held);
         }
         first
     }

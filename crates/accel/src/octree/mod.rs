@@ -21,7 +21,7 @@ pub struct Octree {
     nodes: Vec<Node>,
     /// How many references all leaves hold.
     refs: usize,
-    /// How many they may hold before nothing is divided any more: what keeps hostile scenes bounded.
+    /// How many they may hold at most: what keeps hostile scenes bounded. Children share their parent's room.
     most_refs: usize,
     /// First nodes of blocks of children that a deletion gave back.
     free: Vec<NodeId>,

@@ -18,7 +18,7 @@ pub struct OctreeRule {
 
 impl Default for OctreeRule {
     fn default() -> OctreeRule {
-        OctreeRule { max_depth: 10, min_objects: 4, mailbox: true, axes: Axes::Xyz }
+        OctreeRule { max_depth: 8, min_objects: 4, mailbox: true, axes: Axes::Xyz }
     }
 }
 
