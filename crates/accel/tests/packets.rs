@@ -84,9 +84,11 @@ fn a_packet_that_divides_is_a_quarter_and_three_quarters_full() {
 
 #[test]
 fn a_packet_of_one_ray_visits_what_the_ray_visits_alone() {
-    for (kind, settings) in
-        [("kd", [("min_objects", "1"), ("max_depth", "8")]), ("bvh", [("leaf_size", "1"), ("bins", "8")])]
-    {
+    for (kind, settings) in [
+        ("kd", [("min_objects", "1"), ("max_depth", "8")]),
+        ("bsp", [("min_objects", "1"), ("max_depth", "8")]),
+        ("bvh", [("leaf_size", "1"), ("bins", "8")]),
+    ] {
         let tree = built(kind, &settings);
         for one in one_left_three_right() {
             let (mut alone, mut together) = (Cost::default(), Fill::default());
