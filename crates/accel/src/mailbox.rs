@@ -33,7 +33,7 @@ impl Mailbox {
 
 /// Tests what a leaf refers to, one after the other, but not what the mailbox holds; stops as soon as a
 /// shadow ray has its answer.
-#[inline]
+#[inline(always)]
 pub(crate) fn test_each(
     refs: &[PrimId],
     mut mailbox: Option<&mut Mailbox>,

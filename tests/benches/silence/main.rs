@@ -16,14 +16,14 @@ use std::hint::black_box;
 
 use criterion::Criterion;
 use raystep_accel::{
-    Accel, Bvh, BvhRule, Cost, Grid, GridRule, Hit, Kd, KdRule, Primitives, Prims, Ray, Trace, Visit, Want,
+    Accel, Bvh, BvhRule, Cost, Grid, GridRule, Hit, Kd, KdRule, Mesh, Primitives, Prims, Ray, Trace, Visit,
 };
 use raystep_scene::Scene;
 use stripped::{bvh::StrippedBvh, grid::StrippedGrid, kd::StrippedKd};
 
 /// The structures, each with its stripped copy.
 struct Stage {
-    prims: Prims,
+    mesh: Mesh,
     rays: Vec<Ray>,
     grid: (Grid, StrippedGrid),
     kd: (Kd, StrippedKd),
@@ -36,42 +36,38 @@ type Walk<'a> = Box<dyn Fn() -> f32 + 'a>;
 impl Stage {
     fn new() -> Stage {
         let scene = Scene::named("teapot-6321").expect("the teapot is shipped");
-        let prims = scene.prims;
-        let (grid_rule, kd_rule) = (GridRule::default(), KdRule::default());
-        let grid = Grid::build(&prims, &grid_rule, &mut ()).expect("() does not cancel");
-        let kd = Kd::build(&prims, &kd_rule, &mut ()).expect("() does not cancel");
-        let bvh = Bvh::build(&prims, &BvhRule::default(), &mut ()).expect("() does not cancel");
+        let Prims::Mesh(mesh) = scene.prims else { unreachable!("the teapot is a mesh") };
+        let (grid_rule, kd_rule, bvh_rule) = (GridRule::default(), KdRule::default(), BvhRule::default());
+        let grid = Grid::build(&mesh, &grid_rule, &mut ()).expect("() does not cancel");
+        let kd = Kd::build(&mesh, &kd_rule, &mut ()).expect("() does not cancel");
+        let bvh = Bvh::build(&mesh, &bvh_rule, &mut ()).expect("() does not cancel");
         let rays = rays(&grid.lattice.bounds);
         Stage {
             rays,
             grid: (grid.clone(), StrippedGrid::of(&grid, grid_rule.mailbox)),
             kd: (kd.clone(), StrippedKd::of(&kd, kd_rule.mailbox)),
-            bvh: (bvh.clone(), StrippedBvh::of(&bvh)),
-            prims,
+            bvh: (bvh.clone(), StrippedBvh::of(&bvh, bvh_rule.order)),
+            mesh,
         }
     }
 
     /// For each structure its name, the stripped walk and the walk observed by `()`.
     fn pairs(&self) -> [(&'static str, Walk<'_>, Walk<'_>); 3] {
-        let Stage { prims, rays, grid, kd, bvh } = self;
+        let Stage { mesh, rays, grid, kd, bvh } = self;
         [
-            (
-                "grid",
-                stripped_walk(rays, |ray| grid.1.walk(prims, ray, Want::Nearest)),
-                silent_walk(&grid.0, prims, rays),
-            ),
-            ("kd", stripped_walk(rays, |ray| kd.1.walk(prims, ray, Want::Nearest)), silent_walk(&kd.0, prims, rays)),
-            ("bvh", stripped_walk(rays, |ray| bvh.1.walk(prims, ray, Want::Nearest)), silent_walk(&bvh.0, prims, rays)),
+            ("grid", stripped_walk(rays, |ray| grid.1.intersect(mesh, ray)), silent_walk(&grid.0, mesh, rays)),
+            ("kd", stripped_walk(rays, |ray| kd.1.intersect(mesh, ray)), silent_walk(&kd.0, mesh, rays)),
+            ("bvh", stripped_walk(rays, |ray| bvh.1.intersect(mesh, ray)), silent_walk(&bvh.0, mesh, rays)),
         ]
     }
 
     /// For each structure its name and the walks observed by `Cost` and by a trace.
     fn watched(&self) -> [(&'static str, Walk<'_>, Walk<'_>); 3] {
-        let Stage { prims, rays, grid, kd, bvh } = self;
+        let Stage { mesh, rays, grid, kd, bvh } = self;
         [
-            ("grid", counting_walk(&grid.0, prims, rays), tracing_walk(&grid.0, prims, rays)),
-            ("kd", counting_walk(&kd.0, prims, rays), tracing_walk(&kd.0, prims, rays)),
-            ("bvh", counting_walk(&bvh.0, prims, rays), tracing_walk(&bvh.0, prims, rays)),
+            ("grid", counting_walk(&grid.0, mesh, rays), tracing_walk(&grid.0, mesh, rays)),
+            ("kd", counting_walk(&kd.0, mesh, rays), tracing_walk(&kd.0, mesh, rays)),
+            ("bvh", counting_walk(&bvh.0, mesh, rays), tracing_walk(&bvh.0, mesh, rays)),
         ]
     }
 }

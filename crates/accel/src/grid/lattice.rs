@@ -61,6 +61,7 @@ impl Lattice {
     }
 
     /// The cell along `axis` in which `p` lies; the first or the last if it lies outside.
+    #[inline]
     pub(super) fn locate(&self, axis: Axis, p: f32) -> u32 {
         let n = self.resolution[axis.index()];
         let (low, high) = (self.bounds.min[axis], self.bounds.max[axis]);

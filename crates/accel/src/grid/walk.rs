@@ -115,10 +115,11 @@ impl<'a> Crossing<'a> {
     /// In the cell where `range` begins.
     #[inline]
     fn over(lattice: &'a Lattice, ray: &'a Ray, range: Interval) -> Crossing<'a> {
-        let place = Axis::ALL.map(|axis| {
+        let begins = |axis: Axis| {
             let (o, d) = (ray.o[axis], ray.d[axis]);
             lattice.locate(axis, if d == 0.0 { o } else { o + range.near * d })
-        });
+        };
+        let place = [begins(Axis::X), begins(Axis::Y), begins(Axis::Z)];
         let mut crossing = Crossing { lattice, ray, place, t: range.near, next: [0.0; 3], range };
         crossing.next = Axis::ALL.map(|axis| crossing.leaves(axis));
         crossing

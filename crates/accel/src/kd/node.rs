@@ -62,14 +62,14 @@ impl Node for KdNode {
     #[inline]
     fn kind(self) -> Kind<Upright> {
         let number = self.tag >> 2;
-        match self.tag & 3 {
-            KdNode::LEAF => Kind::Leaf { first: self.place, count: number },
-            axis => Kind::Inner {
-                plane: Upright { axis: Axis::ALL[axis as usize], at: f32::from_bits(self.place) },
-                below: NodeId(number),
-                above: NodeId(number + 1),
-            },
-        }
+        let axis = match self.tag & 3 {
+            0 => Axis::X,
+            1 => Axis::Y,
+            2 => Axis::Z,
+            _ => return Kind::Leaf { first: self.place, count: number },
+        };
+        let plane = Upright { axis, at: f32::from_bits(self.place) };
+        Kind::Inner { plane, below: NodeId(number), above: NodeId(number + 1) }
     }
 }
 

@@ -48,6 +48,7 @@ pub trait Primitives {
     }
 
     /// The t of the first meeting within the ray's range.
+    #[inline]
     fn intersect(&self, prim: PrimId, ray: &Ray) -> Option<f32> {
         self.shape(prim).intersect(ray)
     }
@@ -63,6 +64,7 @@ pub trait Primitives {
     }
 
     /// Tests a primitive and keeps the hit if it is better.
+    #[inline]
     fn test(&self, prim: PrimId, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) {
         let found = self.intersect(prim, ray);
         watch.on(Visit::Test { prim, t: found.unwrap_or(f32::INFINITY), hit: found.is_some() });

@@ -1,6 +1,6 @@
 //! The ordered walk of the hierarchy of boxes, stripped.
 
-use raystep_accel::{Aabb, Bvh, Hit, Interval, NodeId, PrimId, Primitives, Ray, Verdict, Want};
+use raystep_accel::{Aabb, Bvh, BvhOrder, Hit, Interval, NodeId, PrimId, Primitives, Ray, Verdict, Want};
 
 use super::{Best, slab, test};
 
@@ -8,10 +8,11 @@ use super::{Best, slab, test};
 pub(crate) struct StrippedBvh {
     nodes: Vec<Node>,
     refs: Vec<PrimId>,
+    order: BvhOrder,
 }
 
 struct Node {
-    bounds: Aabb,
+    volume: Aabb,
     first: u32,
     count: u32,
 }
@@ -31,25 +32,33 @@ struct Walk<'a, P> {
 }
 
 impl StrippedBvh {
-    pub(crate) fn of(tree: &Bvh) -> StrippedBvh {
+    pub(crate) fn of(tree: &Bvh, order: BvhOrder) -> StrippedBvh {
         let mut refs: Vec<PrimId> = Vec::new();
         let ids = (0..tree.node_count() as u32).map(NodeId);
-        let nodes = ids.zip(tree.node_bounds()).map(|(node, bounds)| match tree.children(node) {
-            Some([left, _]) => Node { bounds, first: left.0, count: 0 },
+        let nodes = ids.zip(tree.node_bounds()).map(|(node, volume)| match tree.children(node) {
+            Some([left, _]) => Node { volume, first: left.0, count: 0 },
             None => {
                 let prims = tree.leaf_prims(node);
                 let first = refs.len() as u32;
                 refs.extend(prims);
-                Node { bounds, first, count: prims.len() as u32 }
+                Node { volume, first, count: prims.len() as u32 }
             }
         });
-        StrippedBvh { nodes: nodes.collect(), refs }
+        StrippedBvh { nodes: nodes.collect(), refs, order }
     }
 
-    pub(crate) fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
-        let mut walk = Walk { bvh: self, prims, ray, best: Best::new(want), cuts: true };
-        if !self.nodes.is_empty() {
-            walk.ordered();
+    #[inline(never)]
+    pub(crate) fn intersect(&self, prims: &impl Primitives, ray: &Ray) -> Option<Hit> {
+        self.walk(prims, ray, Want::Nearest)
+    }
+
+    #[inline(always)]
+    fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+        let mut walk = Walk { bvh: self, prims, ray, best: Best::new(want), cuts: self.order == BvhOrder::Ordered };
+        match self.order {
+            _ if self.nodes.is_empty() => {}
+            BvhOrder::Printed => walk.printed(NodeId::ROOT, ray.range()),
+            BvhOrder::Ordered => walk.ordered(),
         }
         walk.best.hit
     }
@@ -71,6 +80,16 @@ impl StrippedBvh {
 }
 
 impl<P: Primitives> Walk<'_, P> {
+    fn printed(&mut self, node: NodeId, within: Interval) {
+        let Some(here) = self.volume(node, within) else { return };
+        if let Some([left, right]) = self.open(here) {
+            self.printed(left, here.within);
+            if !self.best.answered() {
+                self.printed(right, here.within);
+            }
+        }
+    }
+
     fn ordered(&mut self) {
         let Some(mut here) = self.root() else { return };
         let mut stack = [here; Bvh::DEEPEST];
@@ -115,7 +134,7 @@ impl<P: Primitives> Walk<'_, P> {
 
     #[inline(never)]
     fn volume(&mut self, node: NodeId, within: Interval) -> Option<Met> {
-        let within = slab(&self.bvh.nodes[node.index()].bounds, self.ray, within);
+        let within = slab(&self.bvh.nodes[node.index()].volume, self.ray, within);
         let verdict = if within.is_empty() {
             Verdict::Miss
         } else if self.cuts && self.best.rules_out(within.near) {

@@ -4,16 +4,25 @@ use raystep_accel::{
     Aabb, Accel, AnyGrid, Axis, CellId, Grid, Hit, Interval, List, Margin, PrimId, Primitives, Ray, Want,
 };
 
-use super::{Best, Mailbox, slab, test};
+use super::{Best, Mailbox, slab, test_each};
 
 /// The grid's own data, laid out as in `raystep-accel`.
 pub(crate) struct StrippedGrid {
-    bounds: Aabb,
-    resolution: [u32; 3],
-    starts: Vec<u32>,
-    refs: Vec<PrimId>,
+    lattice: Lattice,
+    cells: Dense,
     margin: Margin,
     mailbox: bool,
+}
+
+struct Lattice {
+    bounds: Aabb,
+    resolution: [u32; 3],
+    first: CellId,
+}
+
+struct Dense {
+    starts: Vec<u32>,
+    refs: Vec<PrimId>,
 }
 
 impl StrippedGrid {
@@ -23,47 +32,70 @@ impl StrippedGrid {
             refs.extend(grid.cell_prims(cell));
             starts.push(refs.len() as u32);
         }
-        let (bounds, resolution) = (grid.lattice.bounds, grid.lattice.resolution);
-        StrippedGrid { bounds, resolution, starts, refs, margin: Margin::of(&bounds), mailbox }
+        let raystep_accel::Lattice { bounds, resolution, first } = grid.lattice;
+        StrippedGrid {
+            lattice: Lattice { bounds, resolution, first },
+            cells: Dense { starts, refs },
+            margin: Margin::of(&bounds),
+            mailbox,
+        }
     }
 
-    pub(crate) fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+    #[inline(never)]
+    pub(crate) fn intersect(&self, prims: &impl Primitives, ray: &Ray) -> Option<Hit> {
+        self.walk(prims, ray, Want::Nearest)
+    }
+
+    #[inline(always)]
+    fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
         if !self.margin.covers(ray.o) {
             return List.walk(prims, ray, want, &mut ());
         }
         let mut best = Best::new(want);
-        let mut mailbox = Mailbox::new();
-        let mut crossing = Crossing::begin(self, ray)?;
+        if let Some(crossing) = Crossing::begin(&self.lattice, ray) {
+            let mut mailbox = Mailbox::new();
+            self.cross(prims, crossing, &mut best, &mut mailbox);
+        }
+        best.hit
+    }
+
+    #[inline]
+    fn cross(&self, prims: &impl Primitives, mut crossing: Crossing<'_>, best: &mut Best, mailbox: &mut Mailbox) {
         loop {
-            for &prim in crossing.enter() {
-                if self.mailbox && mailbox.holds(prim) {
-                    continue;
-                }
-                mailbox.put(prim);
-                test(prims, prim, ray, &mut best);
-                if best.answered() {
-                    return best.hit;
-                }
+            let refs = self.enter(&crossing);
+            test_each(refs, self.mailbox.then_some(&mut *mailbox), prims, crossing.ray, best);
+            if best.answered() {
+                return;
             }
+            // A uniform grid has no grids within cells.
             let t_far = crossing.t_far();
             if best.t() < t_far {
-                return best.hit;
+                return;
             }
             if !crossing.step() {
-                return best.hit;
+                return;
             }
         }
     }
 
     #[inline]
-    fn cell_prims(&self, cell: CellId) -> &[PrimId] {
+    fn enter(&self, crossing: &Crossing<'_>) -> &[PrimId] {
+        self.cells.look_up(crossing.cell())
+    }
+}
+
+impl Dense {
+    #[inline]
+    fn look_up(&self, cell: CellId) -> &[PrimId] {
         &self.refs[self.starts[cell.index()] as usize..self.starts[cell.index() + 1] as usize]
     }
+}
 
+impl Lattice {
     #[inline]
     fn cell_at(&self, x: u32, y: u32, z: u32) -> CellId {
         let [nx, ny, _] = self.resolution;
-        CellId(x + nx * (y + ny * z))
+        CellId(self.first.0 + x + nx * (y + ny * z))
     }
 
     #[inline]
@@ -78,6 +110,7 @@ impl StrippedGrid {
         }
     }
 
+    #[inline]
     fn locate(&self, axis: Axis, p: f32) -> u32 {
         let n = self.resolution[axis.index()];
         let (low, high) = (self.bounds.min[axis], self.bounds.max[axis]);
@@ -94,7 +127,7 @@ impl StrippedGrid {
 }
 
 struct Crossing<'a> {
-    grid: &'a StrippedGrid,
+    lattice: &'a Lattice,
     ray: &'a Ray,
     place: [u32; 3],
     t: f32,
@@ -104,27 +137,24 @@ struct Crossing<'a> {
 
 impl<'a> Crossing<'a> {
     #[inline]
-    fn begin(grid: &'a StrippedGrid, ray: &'a Ray) -> Option<Crossing<'a>> {
-        if grid.bounds.is_empty() {
+    fn begin(lattice: &'a Lattice, ray: &'a Ray) -> Option<Crossing<'a>> {
+        if lattice.bounds.is_empty() {
             return None;
         }
-        let range = slab(&grid.bounds, ray, ray.range());
-        let t_near = range.near;
-        if range.is_empty() {
-            return None;
-        }
-        let place = Axis::ALL.map(|axis| {
-            let (o, d) = (ray.o[axis], ray.d[axis]);
-            grid.locate(axis, if d == 0.0 { o } else { o + t_near * d })
-        });
-        let mut crossing = Crossing { grid, ray, place, t: t_near, next: [0.0; 3], range };
-        crossing.next = Axis::ALL.map(|axis| crossing.leaves(axis));
-        Some(crossing)
+        let range = slab(&lattice.bounds, ray, ray.range());
+        (!range.is_empty()).then(|| Crossing::over(lattice, ray, range))
     }
 
     #[inline]
-    fn enter(&self) -> &'a [PrimId] {
-        self.grid.cell_prims(self.cell())
+    fn over(lattice: &'a Lattice, ray: &'a Ray, range: Interval) -> Crossing<'a> {
+        let begins = |axis: Axis| {
+            let (o, d) = (ray.o[axis], ray.d[axis]);
+            lattice.locate(axis, if d == 0.0 { o } else { o + range.near * d })
+        };
+        let place = [begins(Axis::X), begins(Axis::Y), begins(Axis::Z)];
+        let mut crossing = Crossing { lattice, ray, place, t: range.near, next: [0.0; 3], range };
+        crossing.next = Axis::ALL.map(|axis| crossing.leaves(axis));
+        crossing
     }
 
     #[inline]
@@ -137,7 +167,7 @@ impl<'a> Crossing<'a> {
     #[inline]
     fn step(&mut self) -> bool {
         let (axis, t) = (self.axis(), self.t_far());
-        let (i, n) = (axis.index(), self.grid.resolution[axis.index()]);
+        let (i, n) = (axis.index(), self.lattice.resolution[axis.index()]);
         let last = if self.ray.d[axis] > 0.0 { self.place[i] + 1 == n } else { self.place[i] == 0 };
         let inside = !last && self.next[i] <= self.range.far && self.next[i] < f32::INFINITY;
         if inside {
@@ -151,7 +181,7 @@ impl<'a> Crossing<'a> {
     #[inline]
     fn cell(&self) -> CellId {
         let [x, y, z] = self.place;
-        self.grid.cell_at(x, y, z)
+        self.lattice.cell_at(x, y, z)
     }
 
     #[inline]
@@ -169,6 +199,6 @@ impl<'a> Crossing<'a> {
     #[inline]
     fn leaves(&self, axis: Axis) -> f32 {
         let (o, d, index) = (self.ray.o[axis], self.ray.d[axis], self.place[axis.index()]);
-        if d == 0.0 { f32::INFINITY } else { (self.grid.plane(axis, index + u32::from(d > 0.0)) - o) / d }
+        if d == 0.0 { f32::INFINITY } else { (self.lattice.plane(axis, index + u32::from(d > 0.0)) - o) / d }
     }
 }

@@ -2,7 +2,7 @@
 
 use raystep_accel::{Aabb, Accel, Axis, Hit, Interval, Kd, List, Margin, NodeId, PrimId, Primitives, Ray, Side, Want};
 
-use super::{Best, Mailbox, slab, test};
+use super::{Best, Mailbox, slab, test_each};
 
 /// The tree's own data, laid out as in `raystep-accel`.
 pub(crate) struct StrippedKd {
@@ -20,8 +20,27 @@ struct Node {
 }
 
 enum Kind {
-    Inner { axis: Axis, plane: f32, below: NodeId, above: NodeId },
+    Inner { plane: Upright, below: NodeId, above: NodeId },
     Leaf { first: u32, count: u32 },
+}
+
+struct Upright {
+    axis: Axis,
+    at: f32,
+}
+
+/// A plane and the ray along the plane's direction.
+struct Crossing {
+    plane: f32,
+    o: f32,
+    d: f32,
+}
+
+impl Upright {
+    #[inline]
+    fn across(self, ray: &Ray) -> Crossing {
+        Crossing { plane: self.at, o: ray.o[self.axis], d: ray.d[self.axis] }
+    }
 }
 
 impl Node {
@@ -30,15 +49,14 @@ impl Node {
     #[inline]
     fn kind(self) -> Kind {
         let number = self.tag >> 2;
-        match self.tag & 3 {
-            Node::LEAF => Kind::Leaf { first: self.place, count: number },
-            axis => Kind::Inner {
-                axis: Axis::ALL[axis as usize],
-                plane: f32::from_bits(self.place),
-                below: NodeId(number),
-                above: NodeId(number + 1),
-            },
-        }
+        let axis = match self.tag & 3 {
+            0 => Axis::X,
+            1 => Axis::Y,
+            2 => Axis::Z,
+            _ => return Kind::Leaf { first: self.place, count: number },
+        };
+        let plane = Upright { axis, at: f32::from_bits(self.place) };
+        Kind::Inner { plane, below: NodeId(number), above: NodeId(number + 1) }
     }
 }
 
@@ -67,7 +85,13 @@ impl StrippedKd {
         StrippedKd { bounds, margin: Margin::of(&bounds), mailbox, nodes, refs }
     }
 
-    pub(crate) fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
+    #[inline(never)]
+    pub(crate) fn intersect(&self, prims: &impl Primitives, ray: &Ray) -> Option<Hit> {
+        self.walk(prims, ray, Want::Nearest)
+    }
+
+    #[inline(always)]
+    fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
         if !self.margin.covers(ray.o) {
             return List.walk(prims, ray, want, &mut ());
         }
@@ -77,15 +101,14 @@ impl StrippedKd {
     }
 
     fn find(&self, prims: &impl Primitives, ray: &Ray, best: &mut Best) {
-        let Some(live) = self.enter(ray) else { return };
-        let mut here = Part { node: NodeId::ROOT, live };
-        let mut stack = Stack::new();
+        let Some(mut here) = Part::root(&self.bounds, ray) else { return };
+        let mut stack = Stack::below(here);
         let mut mailbox = Mailbox::new();
 
         loop {
             match self.nodes[here.node.index()].kind() {
-                Kind::Inner { axis, plane, below, above } => {
-                    here = match split(here, axis, plane, [below, above], ray) {
+                Kind::Inner { plane, below, above } => {
+                    here = match split(here, plane.across(ray), [below, above]) {
                         (near, None) => near,
                         (near, Some(far)) => {
                             stack.push(far);
@@ -95,15 +118,10 @@ impl StrippedKd {
                     continue;
                 }
                 Kind::Leaf { first, count } => {
-                    for &prim in &self.refs[first as usize..(first + count) as usize] {
-                        if self.mailbox && mailbox.holds(prim) {
-                            continue;
-                        }
-                        test(prims, prim, ray, best);
-                        mailbox.put(prim);
-                        if best.answered() {
-                            return;
-                        }
+                    let refs = &self.refs[first as usize..(first + count) as usize];
+                    test_each(refs, self.mailbox.then_some(&mut mailbox), prims, ray, best);
+                    if best.answered() {
+                        return;
                     }
                 }
             }
@@ -113,20 +131,21 @@ impl StrippedKd {
             };
         }
     }
+}
 
+impl Part {
     #[inline]
-    fn enter(&self, ray: &Ray) -> Option<Interval> {
-        if self.bounds.is_empty() {
+    fn root(bounds: &Aabb, ray: &Ray) -> Option<Part> {
+        if bounds.is_empty() {
             return None;
         }
-        let live = slab(&self.bounds, ray, ray.range());
-        (!live.is_empty()).then_some(live)
+        let live = slab(bounds, ray, ray.range());
+        (!live.is_empty()).then_some(Part { node: NodeId::ROOT, live })
     }
 }
 
 #[inline]
-fn split(here: Part, axis: Axis, plane: f32, [below, above]: [NodeId; 2], ray: &Ray) -> (Part, Option<Part>) {
-    let (o, d) = (ray.o[axis], ray.d[axis]);
+fn split(here: Part, Crossing { plane, o, d }: Crossing, [below, above]: [NodeId; 2]) -> (Part, Option<Part>) {
     let Interval { near: t_near, far: t_far } = here.live;
     let t = (plane - o) / d;
     let from_below = if d == 0.0 { o <= plane } else { d > 0.0 };
@@ -142,10 +161,11 @@ fn split(here: Part, axis: Axis, plane: f32, [below, above]: [NodeId; 2], ray: &
     } else {
         (Side::Both, Interval::new(t_near, t), Interval::new(t, t_far))
     };
+    let part = |node: NodeId, live: Interval| Part { node, live };
     match side {
-        Side::Near => (Part { node: near, live: now }, None),
-        Side::Far => (Part { node: far, live: later }, None),
-        Side::Both => (Part { node: near, live: now }, Some(Part { node: far, live: later })),
+        Side::Near => (part(near, now), None),
+        Side::Far => (part(far, later), None),
+        Side::Both => (part(near, now), Some(part(far, later))),
     }
 }
 
@@ -155,8 +175,9 @@ struct Stack {
 }
 
 impl Stack {
-    fn new() -> Stack {
-        Stack { parts: [Part { node: NodeId::ROOT, live: Interval::ALL }; Kd::DEEPEST], len: 0 }
+    #[inline]
+    fn below(root: Part) -> Stack {
+        Stack { parts: [root; Kd::DEEPEST], len: 0 }
     }
 
     #[inline]

@@ -76,23 +76,52 @@ impl Best {
     fn rules_out(&self, t_near: f32) -> bool {
         self.t() < t_near
     }
+
+    #[inline]
+    fn offer(&mut self, found: Hit) {
+        let better = match self.hit {
+            None => true,
+            Some(hit) => found.t < hit.t || (found.t == hit.t && (found.prim, found.inner) < (hit.prim, hit.inner)),
+        };
+        if better {
+            self.hit = Some(found);
+        }
+    }
 }
 
 /// Tests one primitive.
+#[inline]
 pub(crate) fn test(prims: &impl Primitives, prim: PrimId, ray: &Ray, best: &mut Best) {
-    let found = prims.intersect(prim, ray);
-    let Some(t) = found else { return };
-    let better = match best.hit {
-        None => true,
-        Some(hit) => t < hit.t || (t == hit.t && prim < hit.prim),
-    };
-    if better {
-        best.hit = Some(Hit { t, prim, inner: None });
+    if let Some(t) = prims.intersect(prim, ray) {
+        best.offer(Hit { t, prim, inner: None });
+    }
+}
+
+/// Tests what a leaf refers to.
+#[inline(always)]
+pub(crate) fn test_each(
+    refs: &[PrimId],
+    mut mailbox: Option<&mut Mailbox>,
+    prims: &impl Primitives,
+    ray: &Ray,
+    best: &mut Best,
+) {
+    for &prim in refs {
+        if let Some(mailbox) = &mut mailbox {
+            if mailbox.holds(prim) {
+                continue;
+            }
+            mailbox.put(prim);
+        }
+        test(prims, prim, ray, best);
+        if best.answered() {
+            return;
+        }
     }
 }
 
 /// What a ray has tested.
-struct Mailbox {
+pub(crate) struct Mailbox {
     slots: [u32; Mailbox::SLOTS],
 }
 
