@@ -143,7 +143,7 @@ impl<'a, V: Volume, P: Primitives, W: Observer<Visit>> BvhWalk<'a, V, P, W> {
     }
 
     /// Enters a node: its two children, or, from a leaf, nothing once its primitives are tested.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn open(&mut self, here: Met) -> Option<[NodeId; 2]> {
         let bvh = self.bvh;
         let (children, prims) = (bvh.children(here.node), bvh.leaf_prims(here.node));

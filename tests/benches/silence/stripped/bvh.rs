@@ -145,7 +145,7 @@ impl<P: Primitives> Walk<'_, P> {
         (verdict == Verdict::Hit).then_some(Met { node, within })
     }
 
-    #[inline]
+    #[inline(always)]
     fn open(&mut self, here: Met) -> Option<[NodeId; 2]> {
         let bvh = self.bvh;
         let (children, prims) = (bvh.children(here.node), bvh.leaf_prims(here.node));
