@@ -1,6 +1,7 @@
 //! What every walk of every structure keeps to, whatever the scene and the ray.
 
 use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use glam::Vec3;
 use raystep_accel::{
@@ -9,7 +10,10 @@ use raystep_accel::{
 };
 use raystep_tests::rays::Targets;
 use raystep_tests::rules::rules;
-use raystep_tests::scenes::cases;
+use raystep_tests::scenes::{Case, cases};
+
+/// Rays for every structure over every scene.
+const RAYS: u32 = 120;
 
 /// Holds `law` against the walks of every structure over every scene.
 fn check(law: impl Fn(&Structure, &[Visit], Option<Hit>)) {
@@ -22,18 +26,35 @@ fn check(law: impl Fn(&Structure, &[Visit], Option<Hit>)) {
     });
 }
 
+/// A scene with every structure over it, and what rays aim at in each.
+struct Ready {
+    case: Case,
+    structures: Vec<(&'static str, Structure, Targets)>,
+}
+
+/// All of them, built once for all laws.
+static READY: LazyLock<Vec<Ready>> = LazyLock::new(|| cases().into_iter().map(ready).collect());
+
+fn ready(case: Case) -> Ready {
+    let built = rules().map(|(line, rule)| {
+        let rule = if case.flat { rule.flat() } else { rule };
+        let structure = Structure::build(&case.prims, &rule, &mut ()).unwrap();
+        let targets = Targets::of(&case.prims, case.flat, &[&structure]);
+        (line, structure, targets)
+    });
+    let structures = built.collect();
+    Ready { case, structures }
+}
+
 /// Calls `shoot` with rays for every structure over every scene; says where it panicked.
 fn watched(shoot: impl Fn(&Structure, &Prims, &Ray)) {
-    for (case, seed) in cases().iter().zip(1..) {
-        for (line, rule) in rules() {
-            let rule = if case.flat { rule.flat() } else { rule };
-            let structure = Structure::build(&case.prims, &rule, &mut ()).unwrap();
-            let targets = Targets::of(&case.prims, case.flat, &[&structure]);
+    for (Ready { case, structures }, seed) in READY.iter().zip(1..) {
+        for (line, structure, targets) in structures {
             let mut random = Random::new(seed);
-            for i in 0..170 {
+            for i in 0..RAYS {
                 let Some(ray) = targets.ray(&case.prims, i, &mut random) else { continue };
                 let at = At { what: format!("{}, {line}, ray {i}: {ray:?}", case.name) };
-                shoot(&structure, &case.prims, &ray);
+                shoot(structure, &case.prims, &ray);
                 drop(at);
             }
         }

@@ -135,7 +135,8 @@ fn replay_file(path: &Path) -> Result<u64, Fault> {
     let own_rule = spelt::rule(own).map_err(|fault| Fault::new(format!("{file}: {fault}")))?;
     let rays: Result<Vec<Ray>, String> = rays::read(&bytes, &file)?.into_iter().collect();
     let rays = rays.map_err(|why| Fault::new(format!("{file}: {why}")))?;
-    let mut all: Vec<(&str, Rule)> = rules().collect();
+    // All rules of the structure that differed: another kind would have been kept by a ray of its own.
+    let mut all: Vec<(&str, Rule)> = rules().filter(|(_, rule)| rule.kind() == own_rule.kind()).collect();
     all.push((own, own_rule));
     for (line, rule) in all {
         let rule = if scene.flat { rule.flat() } else { rule };
