@@ -1,5 +1,6 @@
 //! The scene's primitives as one mesh on the GPU, uploaded once.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use bytemuck::{Pod, Zeroable};
@@ -30,23 +31,25 @@ pub(crate) struct Corner {
 
 impl Mesh {
     pub(crate) fn new(device: &wgpu::Device, prims: &Prims) -> Mesh {
-        let (positions, mut indices) = match prims {
-            Prims::Mesh(mesh) => (mesh.corners.clone(), mesh.triangles.clone()),
-            Prims::Few(_) => weld(prims),
+        let (positions, mut indices): (Cow<'_, [Vec3]>, Cow<'_, [[u32; 3]]>) = match prims {
+            Prims::Mesh(mesh) => (Cow::from(&mesh.corners), Cow::from(&mesh.triangles)),
             Prims::Instances(instances) if instances.triangles() <= MOST => {
                 let flat = instances.flattened();
-                (flat.corners, flat.triangles)
+                (Cow::from(flat.corners), Cow::from(flat.triangles))
             }
-            // Too many to draw each: the boxes that stand for them.
-            Prims::Instances(_) => weld(prims),
+            // A few; or too many to draw each: the boxes that stand for them.
+            Prims::Few(_) | Prims::Instances(_) => {
+                let (positions, indices) = weld(prims);
+                (Cow::from(positions), Cow::from(indices))
+            }
         };
         let mut corners: Vec<Corner> =
-            normals(&positions, &indices).zip(&positions).map(|(normal, p)| corner(*p, normal)).collect();
+            normals(&positions, &indices).zip(positions.iter()).map(|(normal, p)| corner(*p, normal)).collect();
         let limit = device.limits().max_buffer_size as usize;
         if size_of_val(&corners[..]) > limit || size_of_val(&indices[..]) > limit {
             // More than the device can hold: the marks alone are drawn.
             corners.clear();
-            indices.clear();
+            indices = Cow::default();
         }
         let buffer = |label, contents, usage| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
@@ -54,7 +57,7 @@ impl Mesh {
         Mesh {
             count: indices.len() as u32 * 3,
             corners: buffer("raystep corners", bytemuck::cast_slice(&corners), wgpu::BufferUsages::VERTEX),
-            indices: buffer("raystep triangles", bytemuck::cast_slice(&indices), wgpu::BufferUsages::INDEX),
+            indices: buffer("raystep triangles", bytemuck::cast_slice(&indices[..]), wgpu::BufferUsages::INDEX),
         }
     }
 
