@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use egui::Ui;
-use raystep_accel::{Cancelled, Primitives, Ray, Rule};
+use raystep_accel::{Cancelled, Cost, Primitives, Ray, Rule};
+use raystep_figure::Space;
 use raystep_lesson::Plays;
 
 use super::app::App;
 use super::bench::Bench;
-use super::playback::{Built, Playback};
+use super::playback::{Built, Playback, cost};
 use super::state::{Beside, Pace};
 use super::task::Task;
 use super::view::{RayChoice, View};
@@ -17,8 +18,21 @@ use super::workshop::{Failure, build, builds_quickly, walks_quickly};
 /// The second walk, and the search for a ray on which a mistake shows.
 pub(super) struct Second {
     shown: Option<Arc<Playback>>,
+    /// Its picture at the step of last time.
+    drawn: Option<Drawn>,
     bench: Bench<(View, Beside), Result<Playback, Failure>>,
     search: Bench<usize, Result<Shows, Cancelled>>,
+}
+
+/// A walk beside at a step.
+#[derive(Clone)]
+pub(super) struct Drawn {
+    walk: usize,
+    step: usize,
+    /// What space shows.
+    pub(super) space: Arc<Space>,
+    /// What it has cost so far.
+    pub(super) cost: Option<Cost>,
 }
 
 /// Where a mistake shows.
@@ -33,12 +47,25 @@ enum Shows {
 
 impl Second {
     pub(super) fn new(context: &egui::Context) -> Second {
-        Second { shown: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()) }
+        Second { shown: None, drawn: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()) }
     }
 
     /// The second walk, once it is there.
     pub(super) fn shown(&self) -> Option<&Arc<Playback>> {
         self.shown.as_ref()
+    }
+
+    /// A walk beside at a step: folded once, and kept while nothing has moved.
+    pub(super) fn at(&mut self, beside: &Arc<Playback>, step: usize) -> Drawn {
+        let walk = Arc::as_ptr(beside) as usize;
+        if let Some(drawn) = self.drawn.as_ref().filter(|drawn| (drawn.walk, drawn.step) == (walk, step)) {
+            return drawn.clone();
+        }
+        let instant = beside.instant(step);
+        let space = Arc::new(beside.reel().still(&instant).space());
+        let drawn = Drawn { walk, step, space, cost: cost(&instant) };
+        self.drawn = Some(drawn.clone());
+        drawn
     }
 
     /// What is being made.

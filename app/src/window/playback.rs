@@ -165,10 +165,7 @@ impl Playback {
 
     /// What a walk has cost after so many events.
     pub fn cost(&self, step: usize) -> Option<Cost> {
-        match self.instant(step) {
-            Instant::Walk(moment) => Some(moment.cost),
-            Instant::Build(_) => None,
-        }
+        cost(&self.instant(step))
     }
 
     /// How many primitives a walk has tested after so many events.
@@ -220,6 +217,14 @@ impl Playback {
         // One question at a time.
         posed.dedup_by_key(|posed| posed.step);
         posed
+    }
+}
+
+/// What a walk has cost so far; a build costs no ray anything.
+pub(super) fn cost(instant: &Instant) -> Option<Cost> {
+    match instant {
+        Instant::Walk(moment) => Some(moment.cost),
+        Instant::Build(_) => None,
     }
 }
 

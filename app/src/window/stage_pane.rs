@@ -3,16 +3,17 @@
 use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
-use raystep_accel::Place;
+use raystep_accel::{Cost, Place};
 use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 
 use super::app::App;
+use super::beside::Drawn;
 use super::columns::strip;
 use super::eye;
 use super::outline::scaled;
 use super::painter::{caption, paint_figure};
 use super::pictures::Pane;
-use super::playback::Playback;
+use super::playback::{Playback, cost};
 use super::rival;
 use super::space_pane::{Happened, Picture, glam_size};
 use super::state::Beside;
@@ -32,7 +33,8 @@ pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     if let Some(playback) = app.state.playback().cloned() {
         label(app, ui, name, super::top::kind_name(playback.rule.kind()));
         under = stage(app, ui, picture, false, 1.0);
-        bill(app, ui, picture, &playback, app.state.view.step);
+        let so_far = app.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
+        bill(app, ui, picture, &playback, so_far);
     }
     let (name, picture) = strip(right, STRIP);
     rival::choice(app, ui, name);
@@ -96,7 +98,7 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
 /// Another walk of the same ray, at the same step.
 fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
     let step = app.beside_step(beside);
-    let shown: Space = beside.reel().still(&beside.instant(step)).space();
+    let Drawn { space: shown, cost, .. } = app.second.at(beside, step);
     let camera = camera(app, &shown, rect);
     let figure: Figure = super::pictures::drawn(&shown, beside, &camera, glam_size(rect), false);
     let ray = beside.play.tape.ray();
@@ -113,13 +115,13 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     };
     let mut none = None;
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
-    bill(app, ui, rect, beside, step);
+    bill(app, ui, rect, beside, cost);
     happened.hovered
 }
 
 /// What a walk has cost so far, at the foot of its picture.
-fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, step: usize) {
-    let Some(cost) = playback.cost(step) else { return };
+fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, cost: Option<Cost>) {
+    let Some(cost) = cost else { return };
     let all = raystep_accel::Primitives::len(&playback.play.scene.prims);
     let mut says = format!("{} of {all} tested", cost.prim_tests);
     match (cost.node_visits, cost.cell_steps) {
