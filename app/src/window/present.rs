@@ -71,9 +71,9 @@ fn heading(app: &App, ui: &Ui, rect: Rect, body: f32) {
 }
 
 fn footer(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) {
-    let Some(playback) = app.state.playback() else { return };
-    let step = app.state.view.step;
-    let tally = playback.reel().still(&playback.instant(step)).tally();
+    let Some(pictures) = &app.pictures else { return };
+    let (playback, step) = (&pictures.playback, app.state.view.step);
+    let tally = playback.reel().still(&pictures.instant).tally();
     let says = format!("step {step} of {} · {tally}", playback.steps().last());
     caption(
         ui.painter(),
@@ -107,7 +107,7 @@ fn footer(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) {
 fn side_page(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) -> Option<Place> {
     let has_stack = app.pictures.as_ref().is_some_and(|pictures| pictures.has(Pane::StackHere));
     let stack = if has_stack { body * 0.62 * 1.7 * 4.6 } else { 0.0 };
-    let text = Rect::from_min_max(rect.min, rect.max - vec2(0.0, stack));
+    let text = Rect::from_min_max(rect.min, rect.max - vec2(0.0, if has_stack { stack + body * 0.4 } else { 0.0 }));
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(text));
     child.set_clip_rect(text.expand(4.0));
     let asked = egui::ScrollArea::vertical().id_salt("presented").show(&mut child, |ui| said(app, ui, body)).inner;
@@ -180,7 +180,7 @@ fn big_answers(
             .fill(fill(app.theme, Role::Panel))
             .stroke(egui::Stroke::new(2.0, ink(app.theme, role)))
             .corner_radius(body * 0.3)
-            .min_size(vec2(ui.available_width(), body * 1.9));
+            .min_size(vec2(ui.available_width(), body * 1.65));
         if Frame::new().show(ui, |ui| ui.add(button)).inner.clicked() {
             asked = Some(Command::Answer(index as u8));
         }
