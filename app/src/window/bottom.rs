@@ -7,7 +7,7 @@ use raystep_figure::{Look, Theme, Track, TreeView, short};
 use super::command::Command;
 use super::controls;
 use super::icons::{Icon, icon_button};
-use super::painter::{paint_figure, place_at};
+use super::painter::{paint_figure, paint_nearest_lit, place_at};
 use super::pictures::{Pane, Pictures};
 use super::state::State;
 use super::steps::grain_name;
@@ -102,10 +102,11 @@ fn track(
     };
     let size = glam::Vec2::new(rect.width(), rect.height());
     let figure = pictures.pane(Pane::Timeline, size, &Look::WINDOW, None, &TreeView::default(), None);
-    paint_figure(ui.painter(), rect.min, figure, theme, hovered);
     let track = Track::new(playback.steps().last(), size, &Look::WINDOW);
-    let step = state.view.step as f64;
-    response.widget_info(|| egui::WidgetInfo::slider(true, step, "Timeline"));
+    let step = state.view.step;
+    paint_figure(ui.painter(), rect.min, figure, theme, None);
+    paint_nearest_lit(ui.painter(), rect.min, figure, theme, hovered, track.x(step));
+    response.widget_info(|| egui::WidgetInfo::slider(true, step as f64, "Timeline"));
 
     if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked()) {
         *asked = Some(Asked::Step(track.step_at(pointer.x - rect.left())));

@@ -19,17 +19,40 @@ pub(super) fn paint_figure(painter: &Painter, origin: Pos2, figure: &Figure, the
     for mark in &figure.marks {
         paint_mark(painter, origin, mark, mark.role, theme);
     }
-    let lit = |mark: &&Mark| hovered.is_some() && mark.place == hovered && hovered != Some(Place::World);
-    for mark in figure.marks.iter().filter(lit) {
+    for mark in figure.marks.iter().filter(|mark| is_lit(mark, hovered)) {
         paint_lit(painter, origin, mark, theme);
     }
+}
+
+/// Lights up one sign of a place on a timeline: the one nearest to `x`. All of them would be a bar of light.
+pub(super) fn paint_nearest_lit(
+    painter: &Painter,
+    origin: Pos2,
+    figure: &Figure,
+    theme: &Theme,
+    hovered: Option<Place>,
+    x: f32,
+) {
+    let signs = figure.marks.iter().filter_map(|mark| match mark.ink {
+        Ink::Text { at, .. } if mark.place == hovered && hovered.is_some() => Some((mark, (at.x - x).abs())),
+        _ => None,
+    });
+    if let Some((mark, _)) = signs.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        paint_lit(painter, origin, mark, theme);
+    }
+}
+
+/// Whether a mark lights up with a place. Splits that were weighed stay quiet: a node has dozens of them.
+fn is_lit(mark: &Mark, lit: Option<Place>) -> bool {
+    let crowd = mark.role == Role::Candidate && !matches!(mark.ink, Ink::Text { .. });
+    lit.is_some() && mark.place == lit && lit != Some(Place::World) && !crowd
 }
 
 /// Draws only the labels of a figure: the rest lies in a picture below.
 pub(super) fn paint_labels(painter: &Painter, origin: Pos2, figure: &Figure, theme: &Theme, hovered: Option<Place>) {
     for mark in figure.marks.iter().filter(|mark| matches!(mark.ink, Ink::Text { .. })) {
         paint_mark(painter, origin, mark, mark.role, theme);
-        if hovered.is_some() && mark.place == hovered {
+        if is_lit(mark, hovered) {
             paint_lit(painter, origin, mark, theme);
         }
     }
@@ -109,6 +132,9 @@ fn paint_lit(painter: &Painter, origin: Pos2, mark: &Mark, theme: &Theme) {
     match &mark.ink {
         Ink::Text { at, text, size, face, anchor, .. } => {
             let at = origin + vec2(at.x, at.y);
+            // The light is translucent: the ground first, or the text below would show through.
+            let ground = Style { fill: theme.style(Role::Panel).fill, ..style };
+            paint_box(painter, at, text, *size, *face, *anchor, &ground);
             paint_box(painter, at, text, *size, *face, *anchor, &style);
             let plain = Style { text: theme.style(Role::Text).text, ..style };
             write(painter, at, text, *size, *face, *anchor, &plain);

@@ -70,7 +70,8 @@ impl Solid {
 fn with_lit(space: &Space, lit: Option<Place>) -> Space {
     let mut space = space.clone();
     let Some(lit) = lit.filter(|lit| *lit != Place::World) else { return space };
-    let again: Vec<SpaceMark> = space.marks.iter().filter(|mark| mark.place == Some(lit)).cloned().collect();
+    let again = |mark: &&SpaceMark| mark.place == Some(lit) && mark.role != Role::Candidate;
+    let again: Vec<SpaceMark> = space.marks.iter().filter(again).cloned().collect();
     space.marks.extend(again.into_iter().map(|mark| SpaceMark { role: Role::Hover, ..mark }));
     space
 }
