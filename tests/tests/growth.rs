@@ -90,7 +90,7 @@ impl Told {
         let bounds = self.boxes.remove(&from).expect("a node that came to be");
         assert!(self.boxes.insert(to, bounds).is_none(), "{to} is taken");
         if let Some(children) = self.children.remove(&from) {
-            children.iter().for_each(|&child| drop(self.parents.insert(child, to)));
+            self.parents.extend(children.iter().map(|&child| (child, to)));
             self.children.insert(to, children);
         }
         if let Some(parent) = self.parents.remove(&from) {
