@@ -20,11 +20,13 @@ pub(super) struct Campaign<'a> {
     pub(super) seed: u64,
     /// How many rays in all.
     pub(super) rays: u64,
+    /// Whether each ray is asked of one structure of each kind only: of another one for the next ray.
+    pub(super) in_turn: bool,
     /// Where rays that show a difference are kept.
     pub(super) keep: &'a Path,
 }
 
-/// After so many rays the random scenes are drawn anew.
+/// After so many rays the scenes of a seed are drawn anew.
 const ROUND: u64 = 2_000_000;
 /// So many rays are one piece of work for a thread.
 const BLOCK: u64 = 1020;
@@ -43,18 +45,49 @@ struct Stage<'a> {
     seed: u64,
 }
 
+impl Stage<'_> {
+    /// All structures, or only the one of each kind whose turn it is.
+    fn asked(&self, turn: Option<usize>) -> impl Iterator<Item = &(&'static str, Structure)> {
+        let kinds = self.structures.chunk_by(|(a, _), (b, _)| kind_of(a) == kind_of(b));
+        kinds.flat_map(move |kind| match turn {
+            Some(turn) => std::slice::from_ref(&kind[turn % kind.len()]),
+            None => kind,
+        })
+    }
+}
+
+/// The kind of structure that a line spells.
+fn kind_of(line: &'static str) -> &'static str {
+    line.split_whitespace().next().unwrap_or_default()
+}
+
 impl Campaign<'_> {
     /// Shoots all rays, or as many as there is time for before Ctrl+C.
     pub(super) fn run(&self, bar: &ProgressBar) -> Tally {
         let mut tally = Tally::default();
+        let standing = standing();
+        let mut owed = vec![0; standing.len()];
         for round in 0..self.rays.div_ceil(ROUND) {
             let rays = ROUND.min(self.rays - round * ROUND);
-            let scenes = scenes(self.seed.wrapping_add(round));
-            for (i, (scene, share)) in scenes.iter().zip(shares(&scenes, rays)).enumerate() {
-                if share > 0 && !stopped() {
-                    let seed = mixed([self.seed, round, i as u64]);
-                    tally += self.shoot(scene, seed, share, bar);
-                }
+            let drawn = drawn(self.seed.wrapping_add(round));
+            let all: Vec<&Scene> = drawn.iter().chain(&standing).collect();
+            let mut shares = shares(&all, rays);
+            for (owed, share) in owed.iter_mut().zip(shares.split_off(drawn.len())) {
+                *owed += share;
+            }
+            tally += self.shoot_all(&drawn, &shares, round, bar);
+        }
+        // Scenes that stay the same get what all rounds left to them at once: some take long to build.
+        tally += self.shoot_all(&standing, &owed, u64::MAX, bar);
+        tally
+    }
+
+    /// Shoots at each scene its share of a round's rays.
+    fn shoot_all(&self, scenes: &[Scene], shares: &[u64], round: u64, bar: &ProgressBar) -> Tally {
+        let mut tally = Tally::default();
+        for (i, (scene, &share)) in scenes.iter().zip(shares).enumerate() {
+            if share > 0 && !stopped() {
+                tally += self.shoot(scene, mixed([self.seed, round, i as u64]), share, bar);
             }
         }
         tally
@@ -86,7 +119,8 @@ impl Campaign<'_> {
     }
 
     fn block(&self, stage: &Stage<'_>, block: u64, numbers: std::ops::Range<u64>) -> Tally {
-        let (mut tally, mut random) = (Tally::default(), Random::new(mixed([stage.seed, block, 0])));
+        let [mut random, mut turns] = [0, 1].map(|own| Random::new(mixed([stage.seed, block, own])));
+        let mut tally = Tally::default();
         let prims = &stage.scene.prims;
         for number in numbers {
             // A few make no ray, as their direction is zero: then it is the next one's turn.
@@ -94,9 +128,10 @@ impl Campaign<'_> {
             let right = List.intersect(prims, &ray, &mut ());
             tally.rays += 1;
             tally.hits += u64::from(right.is_some());
-            for (line, structure) in &stage.structures {
+            let turn = self.in_turn.then(|| turns.bits() as usize);
+            for (line, structure) in stage.asked(turn) {
                 let found = kept::compare(structure, prims, &ray, right);
-                let kind = line.split_whitespace().next().unwrap_or_default();
+                let kind = kind_of(line);
                 let (answers, differences) = tally.kinds.entry(kind).or_default();
                 *answers += 2;
                 if let Err(found) = found {
@@ -117,20 +152,29 @@ fn has_no_end(ray: &Ray) -> bool {
     ray.t_min == 0.0 && ray.t_max == f32::INFINITY
 }
 
-/// The random scenes of a seed, then the spheres and what is shipped and not too large.
-fn scenes(seed: u64) -> Vec<Scene> {
-    let random = cases_of(seed).into_iter().map(|case| case.name);
-    let fixed = sphere::NAMES.map(str::to_owned).into_iter().chain(scene_names());
-    let scenes = random.chain(fixed).filter_map(|name| Scene::named(&name).ok());
+/// The scenes that a seed draws by lot.
+fn drawn(seed: u64) -> Vec<Scene> {
+    named(cases_of(seed).into_iter().map(|case| case.name))
+}
+
+/// The scenes that are the same for every seed: the spheres and what is shipped.
+fn standing() -> Vec<Scene> {
+    named(sphere::NAMES.map(str::to_owned).into_iter().chain(scene_names()))
+}
+
+/// The scenes of these names that are not too large.
+fn named(names: impl Iterator<Item = String>) -> Vec<Scene> {
+    let scenes = names.filter_map(|name| Scene::named(&name).ok());
     scenes.filter(|scene| scene.prims.len() <= LARGEST).collect()
 }
 
 /// How many rays each scene gets: brute force takes about the same time in each, so that a hundred small
 /// scenes weigh as much as a hundred large ones.
-fn shares(scenes: &[Scene], rays: u64) -> Vec<u64> {
-    let weight = |scene: &Scene| 1.0 / (scene.prims.len() as f64 + 40.0);
-    let all: f64 = scenes.iter().map(weight).sum();
-    let mut shares: Vec<u64> = scenes.iter().map(|scene| (rays as f64 * weight(scene) / all) as u64).collect();
+fn shares(scenes: &[&Scene], rays: u64) -> Vec<u64> {
+    let weight = |scene: &&Scene| 1.0 / (scene.prims.len() as f64 + 40.0);
+    let weights: Vec<f64> = scenes.iter().map(weight).collect();
+    let all: f64 = weights.iter().sum();
+    let mut shares: Vec<u64> = weights.iter().map(|weight| (rays as f64 * weight / all) as u64).collect();
     shares.iter_mut().filter(|share| **share < FEWEST).for_each(|share| *share = 0);
     // What is left over goes to the first scenes.
     let spent: u64 = shares.iter().sum();
@@ -159,7 +203,8 @@ mod tests {
 
     #[test]
     fn every_ray_goes_to_a_scene() {
-        let scenes = scenes(0);
+        let (drawn, standing) = (drawn(0), standing());
+        let scenes: Vec<&Scene> = drawn.iter().chain(&standing).collect();
         for rays in [1, 100, 10_000, 12_345_678] {
             assert_eq!(shares(&scenes, rays).iter().sum::<u64>(), rays);
         }
@@ -169,12 +214,18 @@ mod tests {
     #[test]
     fn a_seed_decides_everything() {
         let rules: Vec<_> = raystep_scene::trial::rules::rules().step_by(4).collect();
-        let tally = |seed, threads| {
+        let tally = |seed, threads, in_turn| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            let campaign = Campaign { rules: rules.clone(), seed, rays: 4000, keep: Path::new("unused") };
+            let campaign = Campaign { rules: rules.clone(), seed, rays: 4000, in_turn, keep: Path::new("unused") };
             pool.install(|| campaign.run(&ProgressBar::hidden()))
         };
-        assert_eq!(tally(7, 1), tally(7, 3));
-        assert_ne!(tally(7, 3), tally(8, 3));
+        for in_turn in [false, true] {
+            assert_eq!(tally(7, 1, in_turn), tally(7, 3, in_turn));
+            assert_ne!(tally(7, 3, in_turn), tally(8, 3, in_turn));
+        }
+        let answers =
+            |in_turn| tally(7, 2, in_turn).kinds.into_values().map(|(answers, _)| answers).collect::<Vec<_>>();
+        assert!(answers(true).iter().all(|&answers| answers == 2 * tally(7, 2, true).rays));
+        assert!(answers(false).iter().sum::<u64>() > answers(true).iter().sum());
     }
 }

@@ -34,11 +34,14 @@ pub struct VerifyArguments {
     /// Another seed: other scenes and other rays.
     #[arg(long, value_name = "S", default_value_t = 0)]
     seed: u64,
+    /// Ask each ray of one structure of each kind only, of another one for the next ray: more rays in the same time.
+    #[arg(long)]
+    in_turn: bool,
     /// Shoot from inside a closed sphere instead: no ray may leave it.
     #[arg(long)]
     watertight: bool,
     /// Shoot the rays of a file that was kept, or of all files in a folder, once more.
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["watertight", "rays", "seed"])]
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["watertight", "rays", "seed", "in_turn"])]
     replay: Option<PathBuf>,
     /// The folder in which rays are kept that showed a difference.
     #[arg(long, value_name = "DIR", default_value = "tests/regress")]
@@ -61,17 +64,18 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
         return watertight::run(arguments.rays, arguments.seed, &kinds);
     }
     let rules: Vec<_> = rules().filter(|(_, rule)| kinds.contains(&rule.kind())).collect();
-    let campaign = Campaign { rules, seed: arguments.seed, rays: arguments.rays, keep: &arguments.keep };
+    let &VerifyArguments { seed, rays, in_turn, ref keep, .. } = arguments;
+    let campaign = Campaign { rules, seed, rays, in_turn, keep };
     let threads = rayon::current_num_threads();
     files::print(&format!(
-        "{} against brute force over {}, seed {}, {}\n",
+        "{} {}against brute force over {}, seed {seed}, {}\n",
         counted(campaign.rules.len() as u64, "structure"),
-        counted(arguments.rays, "ray"),
-        arguments.seed,
+        if in_turn { "in turn " } else { "" },
+        counted(rays, "ray"),
         counted(threads as u64, "thread"),
     ))?;
     let begun = Instant::now();
-    let bar = bar(arguments.rays);
+    let bar = bar(rays);
     let tally = campaign.run(&bar);
     bar.finish_and_clear();
     files::print(&report(&tally, &kinds, &campaign, begun.elapsed().as_secs_f64()))?;
@@ -80,7 +84,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
         n => Err(Fault::new(format!(
             "{}: a structure does not answer as brute force does; the rays are kept in {}",
             counted(n, "difference"),
-            arguments.keep.display()
+            keep.display()
         ))),
     }
 }
