@@ -7,7 +7,7 @@ use std::sync::Arc;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use raystep::window::{App, Remembered, Wishes};
+use raystep::window::{App, Playback, Remembered, Wishes};
 use raystep_lesson::Library;
 
 fn window(slide: &str) -> Harness<'static, App> {
@@ -139,6 +139,64 @@ fn cancel_keeps_the_old_structure() {
     assert!(Arc::ptr_eq(&old, harness.state().state.playback().unwrap()));
     harness.run_steps(20);
     assert!(Arc::ptr_eq(&old, harness.state().state.playback().unwrap()), "what was cancelled does not arrive later");
+}
+
+/// What the window says and shows at one moment.
+fn moment(harness: &Harness<'static, App>, old: &Arc<Playback>) -> (&'static str, &'static str) {
+    let app = harness.state();
+    let built = match (app.state.wanted().is_some(), app.is_idle()) {
+        (true, _) if harness.query_by_label_contains("Building the structure").is_some() => "building",
+        (true, _) => "wanted",
+        (false, false) => "given up",
+        (false, true) => "at rest",
+    };
+    let same = app.state.playback().is_some_and(|shown| Arc::ptr_eq(shown, old));
+    let told = harness.query_by_label_contains("Your own mesh").is_none();
+    (built, if same && told { "the old page" } else { "another page" })
+}
+
+/// The order of what happens is asserted; how long it took is printed.
+#[test]
+fn cancelling_a_build_of_a_million_triangles_keeps_the_old_page() {
+    let mut harness = window("5/33");
+    let old = harness.state().state.playback().unwrap().clone();
+    let (before, undoable) = (harness.state().state.view.clone(), harness.state().state.undoable());
+    let mesh = Arc::new(raystep_scene::Scene::named("teapot:126x126").unwrap());
+    assert!(raystep_accel::Primitives::len(&mesh.prims) >= 1_000_000);
+    let ray = raystep_accel::Ray::new(glam::Vec3::new(-6.0, -3.0, 3.6), glam::Vec3::new(6.1, 2.7, -2.0)).unwrap();
+    let (mut free, mut gone) = (Vec::new(), Vec::new());
+    for wait in [0, 200, 400, 800, 1600] {
+        let mut order = vec![moment(&harness, &old)];
+        let mut note = |harness: &Harness<'static, App>| {
+            let now = moment(harness, &old);
+            if order.last() != Some(&now) {
+                order.push(now);
+            }
+        };
+        harness.state_mut().state.show_mesh(mesh.clone(), ray);
+        harness.run_steps(2);
+        note(&harness);
+        std::thread::sleep(std::time::Duration::from_millis(wait));
+        harness.run_steps(1);
+        note(&harness);
+        let start = std::time::Instant::now();
+        harness.key_press(Key::Escape);
+        harness.run_steps(1);
+        free.push(start.elapsed().as_millis());
+        note(&harness);
+        until(&mut harness, App::is_idle);
+        gone.push(start.elapsed().as_millis());
+        harness.run_steps(2);
+        note(&harness);
+        // The builder may be gone before anybody looks.
+        order.retain(|(built, _)| *built != "given up");
+        assert_eq!(order, ["at rest", "building", "at rest"].map(|built| (built, "the old page")));
+        assert!(harness.state().state.view.same_page(&before), "the same step of the same walk");
+        assert_eq!(harness.state().state.undoable(), undoable, "nothing is there to be undone");
+    }
+    free.sort_unstable();
+    gone.sort_unstable();
+    println!("cancelled after (median of 5): the page {} ms, the builder {} ms", free[2], gone[2]);
 }
 
 #[test]

@@ -24,6 +24,7 @@ pub use fault::Fault;
 pub use measure::MeasureArguments;
 pub use start::StartArguments;
 pub use trace::TraceArguments;
+pub(crate) use verify::thousands;
 pub use verify::{VerifyArguments, replay};
 
 /// One ray walks through an acceleration structure, one decision at a time.

@@ -46,7 +46,7 @@ pub fn write(library: &Library, folder: &Path) -> Result<(), Fault> {
     let draw = |picture: &Picture<'_>| {
         bar.inc(1);
         let size = Vec2::new(1600.0, 1000.0);
-        let (figure, _) = picture.session.figure(View::Plate, picture.step, Some(picture.beat), size, &Theme::LIGHT);
+        let (figure, _) = picture.session.figure(View::Plate, picture.step, Some(picture.beat), size, &Theme::LIGHT)?;
         files::write(&folder.join(&picture.file), svg(&figure, &Theme::LIGHT).as_bytes())
     };
     pictures.par_iter().try_for_each(draw)?;

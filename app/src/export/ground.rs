@@ -1,7 +1,7 @@
 //! What walks are drawn on: a slide's stage, or the window as it stands, with the structure already built.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::Vec2;
 use raystep_accel::{Aabb, Ray, Rule};
@@ -30,6 +30,8 @@ pub(crate) struct Ground<'a> {
     seen: Option<Seen>,
     /// The solid scene as it is seen in pictures of these sizes: the same at every step.
     scenery: Mutex<BTreeMap<[u32; 2], Arc<Shaded>>>,
+    /// Whether somebody still waits for the pictures.
+    go_on: &'a (dyn Fn() -> bool + Sync),
 }
 
 /// What differs from the slide's own stage.
@@ -52,7 +54,7 @@ impl<'a> Ground<'a> {
         let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
         let node_bounds = Arc::new(built.structure.node_bounds());
         let own = Changes { scene: None, settings: Vec::new(), seen: None, told: true };
-        Ok(Ground::new(library, slide, stage, built, rule, node_bounds, own))
+        Ok(Ground::new(library, slide, stage, built, rule, node_bounds, own, &|| true))
     }
 
     /// What is built, with what differs from the stage.
@@ -64,6 +66,7 @@ impl<'a> Ground<'a> {
         rule: Rule,
         node_bounds: Arc<Vec<Aabb>>,
         changes: Changes,
+        go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Ground<'a> {
         let Changes { scene: other, settings, seen, told } = changes;
         let look = stage.camera.filter(|_| other.is_none());
@@ -93,6 +96,7 @@ impl<'a> Ground<'a> {
             look,
             seen,
             scenery: Mutex::default(),
+            go_on,
         }
     }
 
@@ -124,16 +128,24 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// The solid scene in a picture of so many pixels.
-    pub(super) fn scenery(&self, camera: &Camera, size: Vec2, theme: &Theme) -> Arc<Shaded> {
+    /// An error once nobody waits for the pictures any more.
+    pub(super) fn goes_on(&self) -> Result<(), Fault> {
+        if (self.go_on)() { Ok(()) } else { Err(Fault::new("the export was cancelled")) }
+    }
+
+    /// The solid scene in a picture of so many pixels; nothing if it is given up.
+    pub(super) fn scenery(&self, camera: &Camera, size: Vec2, theme: &Theme) -> Option<Arc<Shaded>> {
         let pixels = size.to_array().map(|side| (side.round() as u32).clamp(1, MOST_PIXELS));
-        let made =
-            || Arc::new(shaded(&self.built.structure, &self.built.scene.prims, camera, pixels[0], pixels[1], theme));
-        match self.scenery.lock() {
-            // Whoever comes second waits for the first, and finds the image ready.
-            Ok(mut known) => Arc::clone(known.entry(pixels).or_insert_with(made)),
-            Err(_) => made(),
+        // Whoever comes second waits for the first, and finds the image ready.
+        let mut known = self.scenery.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(shaded) = known.get(&pixels) {
+            return Some(Arc::clone(shaded));
         }
+        let Built { structure, scene, .. } = &self.built;
+        let made = shaded(structure, &scene.prims, camera, pixels[0], pixels[1], theme, &self.go_on)?;
+        let made = Arc::new(made);
+        known.insert(pixels, Arc::clone(&made));
+        Some(made)
     }
 }
 

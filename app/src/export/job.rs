@@ -171,7 +171,8 @@ impl Job<'_> {
             if !go_on() {
                 return Err(stopped());
             }
-            let (figure, to_pixels) = self.session.figure(order.view, *step, *beat, order.size.into(), order.theme);
+            let size = order.size.into();
+            let (figure, to_pixels) = self.session.figure(order.view, *step, *beat, size, order.theme)?;
             scale = to_pixels;
             drawings.push(svg(&figure, order.theme));
         }

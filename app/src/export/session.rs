@@ -9,6 +9,7 @@ use raystep_lesson::{Play, Show, Tape};
 use raystep_print::{Below, Plate, Record, Told, json, plate};
 
 use super::ground::Ground;
+use crate::cli::Fault;
 use crate::reel::{beginning, lines, reel};
 
 /// A walk or a build and what it is drawn on.
@@ -83,7 +84,7 @@ impl<'a> Session<'a> {
         beat: Option<usize>,
         pixels: Vec2,
         theme: &Theme,
-    ) -> (Figure, f32) {
+    ) -> Result<(Figure, f32), Fault> {
         // Everything is laid out on a page of one size, so that a larger picture is the same picture.
         let page = match view {
             View::Plate => PLATE,
@@ -103,7 +104,7 @@ impl<'a> Session<'a> {
                 self.plate(&still, step, beat, size, &picture)
             }
         };
-        (figure, scale)
+        self.ground.goes_on().map(|()| (figure, scale))
     }
 
     /// The walk or the build as JSON.
@@ -133,8 +134,10 @@ impl<'a> Session<'a> {
         if self.play.scene.flat {
             return picture_of(&shown, prims, &camera, size, Scenery::Drawn);
         }
-        let scenery = self.ground.scenery(&camera, size * scale, theme);
-        picture_of(&shown, prims, &camera, size, Scenery::Shaded(&scenery))
+        match self.ground.scenery(&camera, size * scale, theme) {
+            Some(scenery) => picture_of(&shown, prims, &camera, size, Scenery::Shaded(&scenery)),
+            None => picture_of(&shown, prims, &camera, size, Scenery::Left),
+        }
     }
 
     fn plate(

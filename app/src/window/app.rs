@@ -92,6 +92,11 @@ impl App {
         self.errands.load(path);
     }
 
+    /// Whether nothing is built beside the UI thread, not even what was given up.
+    pub fn is_idle(&self) -> bool {
+        self.workshop.is_idle()
+    }
+
     /// Does what a command says.
     pub fn run(&mut self, ui: &Ui, command: Command) {
         let context = ui.ctx();
@@ -126,9 +131,14 @@ impl App {
     /// Makes the walk that the state asks for, as far as it is not there.
     fn catch_up(&mut self, ui: &Ui) {
         self.collect(ui);
-        if !self.state.is_current() {
-            self.workshop.ask(&self.state.view, &self.state.library);
-            self.collect(ui);
+        match self.state.wanted() {
+            Some(wanted) => {
+                self.workshop.ask(wanted, &self.state.library);
+                self.collect(ui);
+            }
+            None => {
+                self.workshop.cancel();
+            }
         }
         self.errands_done(ui);
         self.catch_up_beside(ui);
@@ -300,6 +310,7 @@ impl eframe::App for App {
             ui.ctx().request_repaint_after_secs(wait.min(0.1));
         }
         self.pictures = Pictures::of(self.pictures.take(), &self.state);
+        let drawn = self.state.stamp();
         if self.state.present {
             present::page(self, ui);
         } else {
@@ -307,5 +318,9 @@ impl eframe::App for App {
         }
         self.dialogs(ui);
         self.remember(ui);
+        if self.state.stamp() != drawn {
+            // What was clicked shows without waiting for the pointer to move again.
+            ui.ctx().request_repaint();
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! A place beside the UI thread where one piece of work is done at a time; the last one asked for counts.
 
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Weak};
 
 use super::task::Task;
 
@@ -11,12 +11,14 @@ pub(super) struct Bench<K, T> {
     sender: Sender<(Arc<Task>, T)>,
     answers: Receiver<(Arc<Task>, T)>,
     underway: Option<(K, Arc<Task>)>,
+    /// Work that was given up; its thread may take a moment to see it.
+    given_up: Vec<Weak<Task>>,
 }
 
 impl<K, T: Send + 'static> Bench<K, T> {
     pub(super) fn new(context: egui::Context) -> Bench<K, T> {
         let (sender, answers) = channel();
-        Bench { context, sender, answers, underway: None }
+        Bench { context, sender, answers, underway: None, given_up: Vec::new() }
     }
 
     /// Begins this work in the place of any other. Work of less than a frame may be done at once.
@@ -68,7 +70,14 @@ impl<K, T: Send + 'static> Bench<K, T> {
         let underway = self.underway.take();
         if let Some((_, task)) = &underway {
             task.stop();
+            self.given_up.retain(|task| task.strong_count() > 0);
+            self.given_up.push(Arc::downgrade(task));
         }
         underway.is_some()
+    }
+
+    /// Whether no thread is at work any more.
+    pub(super) fn is_idle(&self) -> bool {
+        self.underway.is_none() && self.given_up.iter().all(|task| task.strong_count() == 0)
     }
 }

@@ -5,7 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
+use glam::Vec3;
 use notify::{RecursiveMode, Watcher};
+use raystep_accel::{Ray, RayError};
 use raystep_lesson::Library;
 use raystep_scene::Scene;
 
@@ -15,8 +17,8 @@ use super::task::Task;
 pub(super) enum News {
     /// The user has chosen a mesh.
     Chosen(PathBuf),
-    /// A mesh was read.
-    Mesh(Arc<Scene>),
+    /// A mesh was read; a ray through its middle.
+    Mesh(Arc<Scene>, Ray),
     /// Pictures were written, or a sentence why not.
     Written(String),
     /// A folder was chosen to write to.
@@ -140,7 +142,20 @@ fn read(path: &Path, name: &str, task: &Task) -> News {
         !task.is_stopped()
     };
     match Scene::from_obj(&bytes, name, &mut progress) {
-        Ok(scene) => News::Mesh(Arc::new(scene)),
+        Ok(scene) => match ray_through(&scene) {
+            Ok(ray) => News::Mesh(Arc::new(scene), ray),
+            Err(error) => News::Failed(format!("No ray can be shot at this mesh: {error}.")),
+        },
         Err(error) => News::Failed(error.to_string()),
     }
+}
+
+/// A ray through the middle of a scene, from beside the eye.
+fn ray_through(scene: &Scene) -> Result<Ray, RayError> {
+    let bounds = scene.bounds();
+    let away = (scene.view.eye - bounds.center()).normalize_or(Vec3::Z);
+    let side = away.cross(scene.view.up).normalize_or(Vec3::X);
+    let from = bounds.center() + (away * 0.4 + side).normalize() * bounds.extent().length() * 0.9;
+    let along = bounds.center() - from;
+    Ray::new(from, along.normalize_or(Vec3::X))
 }

@@ -26,7 +26,7 @@ struct Window {
 
 impl Window {
     /// The ground that its ray walks on.
-    fn ground(&self) -> Result<Ground<'_>, Fault> {
+    fn ground<'a>(&'a self, go_on: &'a (dyn Fn() -> bool + Sync)) -> Result<Ground<'a>, Fault> {
         let gone = || Fault::new("The slide is not there any more.");
         let view = &self.playback.view;
         let slide = self.library.slides.get(view.slide).ok_or_else(gone)?;
@@ -40,7 +40,7 @@ impl Window {
             seen: self.seen,
             told: view.example.is_none(),
         };
-        Ok(Ground::new(&self.library, slide, stage, built, rule, node_bounds, changes))
+        Ok(Ground::new(&self.library, slide, stage, built, rule, node_bounds, changes, go_on))
     }
 
     /// The walks to draw: that of its ray, or of all rays that the slide's beats are told on.
@@ -56,7 +56,8 @@ impl Window {
 
     /// Writes files; says which.
     fn write(&self, order: &Order, which: &Which, all: bool, folder: &Path, task: &Task) -> Result<String, Fault> {
-        let ground = self.ground()?;
+        let waits = || !task.is_stopped();
+        let ground = self.ground(&waits)?;
         let sessions = self.sessions(&ground, all);
         // A beat that is told on another ray is drawn where an own ray reaches it.
         let own = matches!(self.playback.view.ray, RayChoice::Own(_));
@@ -97,8 +98,8 @@ impl App {
     pub(super) fn copy(&mut self) {
         let (theme, step, size) = (self.theme, self.state.view.step, self.space_size * 2.0);
         let window = self.window();
-        self.errands.run(Task::new("Drawing the picture", ""), move |_| {
-            match window.and_then(|window| picture(&window, step, size, theme)) {
+        self.errands.run(Task::new("Drawing the picture", ""), move |task| {
+            match window.and_then(|window| picture(&window, step, size, theme, task)) {
                 Ok(image) => News::Copied(image),
                 Err(fault) => News::Failed(fault.to_string()),
             }
@@ -106,12 +107,19 @@ impl App {
     }
 }
 
-fn picture(window: &Window, step: usize, size: glam::Vec2, theme: &'static Theme) -> Result<egui::ColorImage, Fault> {
-    let ground = window.ground()?;
+fn picture(
+    window: &Window,
+    step: usize,
+    size: glam::Vec2,
+    theme: &'static Theme,
+    task: &Task,
+) -> Result<egui::ColorImage, Fault> {
+    let waits = || !task.is_stopped();
+    let ground = window.ground(&waits)?;
     let sessions = window.sessions(&ground, false);
     let session = sessions.first().ok_or_else(|| Fault::new("There is no picture yet."))?;
     let size = size.clamp(glam::Vec2::splat(64.0), glam::Vec2::splat(4096.0));
-    let (figure, scale) = session.figure(View::Space, step, None, size, theme);
+    let (figure, scale) = session.figure(View::Space, step, None, size, theme)?;
     let png = raystep_print::png(&raystep_print::svg(&figure, theme), scale);
     let png = png.map_err(|error| Fault::new(error.to_string()))?;
     decoded(&png).ok_or_else(|| Fault::new("The picture cannot be made."))

@@ -1,54 +1,140 @@
-//! The page of keys and of what the mouse does.
+//! The page of keys and of what the mouse does, in two columns that fit the window.
 
 use egui::{Grid, RichText, ScrollArea, Ui};
 use raystep_figure::{Face, Role, Theme};
 
-use super::command::{Command, ENTRIES};
+use super::command::{Command, Entry};
 use super::controls;
 use super::fonts::font;
 use super::visuals::ink;
 
+/// Some commands under a heading.
+type Group = (&'static str, &'static [Command]);
+
+/// The left column, then the right one. The nine speeds and the four answers share a line each.
+const COLUMNS: [&[Group]; 2] = [
+    &[
+        (
+            "The walk",
+            &[
+                Command::Play,
+                Command::Speed(1),
+                Command::Next,
+                Command::Previous,
+                Command::NextCoarse,
+                Command::PreviousCoarse,
+                Command::First,
+                Command::Last,
+            ],
+        ),
+        ("Questions", &[Command::Predict, Command::Answer(0), Command::Skip]),
+        ("Slides", &[Command::NextSlide, Command::PreviousSlide, Command::Restore, Command::Undo, Command::Redo]),
+    ],
+    &[
+        ("The picture", &[Command::Compare, Command::Frame, Command::ResetCamera, Command::Export, Command::Copy]),
+        (
+            "The window",
+            &[
+                Command::Present,
+                Command::FullScreen,
+                Command::Open,
+                Command::Cancel,
+                Command::Palette,
+                Command::ZoomIn,
+                Command::ZoomOut,
+                Command::ZoomReset,
+                Command::Help,
+            ],
+        ),
+    ],
+];
+
 /// What the mouse does.
 const MOUSE: &[(&str, &str)] = &[
     ("Hover", "lights up the same place in every view"),
-    ("Click", "picks a node, a cell or a primitive and goes to where the walk meets it"),
-    ("Drag the ray's ends", "moves the ray"),
-    ("Shift + drag", "shoots a ray of your own"),
-    ("Drag", "turns the view; in a flat scene it shifts it"),
-    ("Right or middle drag", "shifts the view"),
+    ("Click", "goes to where the walk meets a place"),
+    ("Double click", "puts a node of the tree on top"),
+    ("Ray's ends", "move the ray"),
+    ("Shift+drag", "shoots a ray of your own"),
+    ("Drag", "turns the view, or shifts a flat one"),
+    ("Right drag", "shifts the view, as does the middle"),
     ("Wheel", "comes nearer"),
 ];
 
 /// Shows the page; says whether it shall close.
 pub(super) fn page(ui: &Ui, theme: &Theme) -> bool {
     let modal = controls::modal(ui, "help").show(ui.ctx(), |ui| {
-        ui.set_width(620.0);
+        ui.set_width(COLUMN * 2.0 + 28.0);
         ui.label(RichText::new(Command::Help.name()).font(font(Face::Bold, 20.0)));
-        let height = (ui.ctx().content_rect().height() - 170.0).clamp(200.0, 640.0);
+        let height = (ui.ctx().content_rect().height() - 130.0).max(200.0);
         ScrollArea::vertical().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
-            Grid::new("keys").num_columns(2).spacing([24.0, 6.0]).show(ui, |ui| {
-                let row = |ui: &mut Ui, left: &str, right: &str| {
-                    ui.label(RichText::new(left).font(font(Face::Mono, 12.5)).color(ink(theme, Role::Here)));
-                    ui.label(right);
-                    ui.end_row();
-                };
-                // The nine speeds and the four answers share a line each.
-                let single = |entry: &&super::command::Entry| {
-                    !entry.keys.is_empty() && !matches!(entry.command, Command::Speed(_) | Command::Answer(_))
-                };
-                for entry in ENTRIES.iter().filter(single) {
-                    row(ui, &entry.keys_text(), entry.name);
-                }
-                row(ui, "1 … 9", "Speed of playing");
-                row(ui, "A B C D", "Answer the open question");
-                row(ui, "Esc", "Let go of a field, close what is open");
-                for (left, right) in MOUSE {
-                    row(ui, left, right);
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = 28.0;
+                for (index, groups) in COLUMNS.into_iter().enumerate() {
+                    ui.vertical(|ui| {
+                        ui.set_width(COLUMN);
+                        column(ui, groups, theme);
+                        if index == 1 {
+                            let rows = MOUSE.iter().map(|(left, right)| (*left, *right));
+                            group(ui, "The mouse", rows, theme);
+                        }
+                    });
                 }
             });
         });
-        ui.add_space(6.0);
+        ui.add_space(4.0);
         ui.button("Close").clicked()
     });
     modal.should_close() || modal.inner
+}
+
+/// The width of a column.
+const COLUMN: f32 = 410.0;
+
+fn column(ui: &mut Ui, groups: &[Group], theme: &Theme) {
+    for (heading, commands) in groups {
+        let rows: Vec<(String, &str)> = commands.iter().filter_map(|command| Some(row(command.entry()?))).collect();
+        group(ui, heading, rows.iter().map(|(keys, name)| (keys.as_str(), *name)), theme);
+    }
+}
+
+/// A command's keys and name.
+fn row(entry: &Entry) -> (String, &'static str) {
+    match entry.command {
+        Command::Speed(_) => ("1 … 9".to_owned(), "Speed of playing"),
+        Command::Answer(_) => ("A B C D".to_owned(), "Answer the open question"),
+        Command::Cancel => (entry.keys_text(), "Cancel, close, let go of a field"),
+        _ => (entry.keys_text(), entry.name),
+    }
+}
+
+fn group<'a>(ui: &mut Ui, heading: &str, rows: impl Iterator<Item = (&'a str, &'a str)>, theme: &Theme) {
+    ui.add_space(6.0);
+    ui.label(RichText::new(heading).font(font(Face::Bold, 13.0)).color(ink(theme, Role::Quiet)));
+    Grid::new(heading).num_columns(2).min_col_width(112.0).min_row_height(18.0).spacing([16.0, 4.0]).show(ui, |ui| {
+        for (left, right) in rows {
+            ui.label(RichText::new(left).font(font(Face::Mono, 12.5)).color(ink(theme, Role::Here)));
+            ui.label(RichText::new(right).font(font(Face::Regular, 13.5)));
+            ui.end_row();
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::window::command::ENTRIES;
+
+    #[test]
+    fn every_key_stands_on_the_page_once() {
+        let listed: Vec<&Command> = COLUMNS.iter().flat_map(|groups| groups.iter().flat_map(|(_, all)| *all)).collect();
+        for entry in ENTRIES.iter().filter(|entry| !entry.keys.is_empty()) {
+            let shown = match entry.command {
+                Command::Speed(_) => Command::Speed(1),
+                Command::Answer(_) => Command::Answer(0),
+                other => other,
+            };
+            assert_eq!(listed.iter().filter(|command| ***command == shown).count(), 1, "{}", entry.name);
+        }
+    }
 }

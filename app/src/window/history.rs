@@ -13,13 +13,21 @@ pub(super) struct History {
 }
 
 impl History {
-    /// Remembers a view that is about to change.
-    pub(super) fn keep(&mut self, view: View) {
+    /// Remembers a view that is about to change; once is enough.
+    pub(super) fn keep(&mut self, view: &View) {
         self.future.clear();
+        if self.past.last().is_some_and(|last| last.same_page(view)) {
+            return;
+        }
         if self.past.len() == MOST {
             self.past.remove(0);
         }
-        self.past.push(view);
+        self.past.push(view.clone());
+    }
+
+    /// Nothing has changed after all.
+    pub(super) fn forget(&mut self, view: &View) {
+        self.past.pop_if(|last| last.same_page(view));
     }
 
     /// The view before the last change; `now` can be brought back by [`History::redo`].

@@ -3,10 +3,7 @@
 use std::sync::Arc;
 
 use egui::Ui;
-use glam::Vec3;
-use raystep_accel::Ray;
 use raystep_lesson::Library;
-use raystep_scene::Scene;
 
 use super::app::App;
 use super::errand::News;
@@ -28,7 +25,12 @@ impl App {
                     Some(form) => form.choose(&path),
                     None => self.open_mesh(path),
                 },
-                News::Mesh(scene) => self.show_mesh(ui, scene),
+                News::Mesh(scene, ray) => {
+                    if !scene.note.is_empty() {
+                        self.toasts.say(ui, scene.note.clone());
+                    }
+                    self.state.show_mesh(scene, ray);
+                }
                 News::Folder(folder) => {
                     if let Some(form) = &mut self.export {
                         form.set_folder(&folder);
@@ -44,24 +46,6 @@ impl App {
         }
     }
 
-    /// A mesh of the user's own, with a ray from the eye through its middle.
-    fn show_mesh(&mut self, ui: &Ui, scene: Arc<Scene>) {
-        let bounds = scene.bounds();
-        let away = (scene.view.eye - bounds.center()).normalize_or(Vec3::Z);
-        let side = away.cross(scene.view.up).normalize_or(Vec3::X);
-        let from = bounds.center() + (away * 0.4 + side).normalize() * bounds.extent().length() * 0.9;
-        let along = bounds.center() - from;
-        match Ray::new(from, along.normalize_or(Vec3::X)) {
-            Ok(ray) => {
-                if !scene.note.is_empty() {
-                    self.toasts.say(ui, scene.note.clone());
-                }
-                self.state.show_mesh(scene, ray);
-            }
-            Err(error) => self.toasts.say(ui, format!("No ray can be shot at this mesh: {error}.")),
-        }
-    }
-
     /// The lessons were saved: the same slide, as it is now.
     fn renew(&mut self, ui: &Ui, library: Library) {
         if let Some(problem) = library.problems.first() {
@@ -70,6 +54,7 @@ impl App {
         if library.slides.is_empty() {
             return;
         }
+        self.workshop.cancel();
         self.state.renew(Arc::new(library));
     }
 }

@@ -56,6 +56,7 @@ impl App {
     /// Draws solid stages with egui's own device.
     pub fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
         self.solid = Solid::new(state);
+        self.workshop.upload_to(&state.device);
     }
 
     /// A window that shows what was wished for.
@@ -71,7 +72,7 @@ impl App {
         let mut app = App::new(context, library, slide, remembered);
         let named = |name: &String| app.state.stage()?.rays.iter().position(|ray| ray.name == *name);
         if let Some(ray) = wishes.ray.as_ref().and_then(named) {
-            app.state.view.ray = RayChoice::Named(ray);
+            app.state.show_ray(RayChoice::Named(ray), true);
         }
         if let Some(step) = wishes.step {
             app.state.open_at(step);

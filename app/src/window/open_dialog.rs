@@ -64,6 +64,8 @@ impl App {
                 self.open_mesh(path);
                 return;
             }
+            // The field has the focus again, to be mended.
+            form.shown = false;
             form.wrong = Some(match form.path.trim() {
                 "" => "Write the path of an OBJ file.".to_owned(),
                 path => format!("{path}: there is no such file."),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use raystep_accel::{Aabb, Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Reel};
 use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
+use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use crate::reel::reel;
@@ -35,6 +36,8 @@ pub struct Playback {
     pub kind: Beside,
     /// How many seconds the structure took to build.
     pub seconds: f32,
+    /// The solid scene on the GPU, where there is one.
+    pub mesh: Option<Arc<Mesh>>,
     film: Film,
     reached: Vec<f32>,
 }
@@ -67,12 +70,14 @@ pub struct Built {
     pub growth: Option<Arc<BuildTape>>,
     /// How many seconds it took to build.
     pub seconds: f32,
+    /// The solid scene on the GPU, where there is one.
+    pub mesh: Option<Arc<Mesh>>,
 }
 
 impl Playback {
     /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
     pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
-        let Built { scene, rule, structure, node_bounds, growth, seconds } = built;
+        let Built { scene, rule, structure, node_bounds, growth, seconds, mesh } = built;
         // A mistake's own scene is no scene of the slide: nothing is told there.
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
         let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, beats)?;
@@ -91,7 +96,8 @@ impl Playback {
         // Only walks go wrong.
         let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.ray().is_some()).collect();
         let (kind, posed) = (Beside::Nothing, Vec::new());
-        let mut playback = Playback { view, play, rule, node_bounds, posed, mistakes, kind, seconds, film, reached };
+        let mut playback =
+            Playback { view, play, rule, node_bounds, posed, mistakes, kind, seconds, mesh, film, reached };
         playback.posed = playback.questions(slide);
         Some(playback)
     }
@@ -128,7 +134,8 @@ impl Playback {
         let film = Film::new(&reel(&play, &node_bounds));
         let reached = reached(&play.tape);
         let (view, mistakes, seconds) = (self.view.clone(), self.mistakes.clone(), self.seconds);
-        Playback { view, play, rule, node_bounds, posed: Vec::new(), mistakes, kind, seconds, film, reached }
+        let (posed, mesh) = (Vec::new(), self.mesh.clone());
+        Playback { view, play, rule, node_bounds, posed, mistakes, kind, seconds, mesh, film, reached }
     }
 
     /// What is played, to be played again.
@@ -140,6 +147,7 @@ impl Playback {
             node_bounds: self.node_bounds.clone(),
             growth: self.play.tape.growth(),
             seconds: self.seconds,
+            mesh: self.mesh.clone(),
         }
     }
 

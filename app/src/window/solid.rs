@@ -1,11 +1,12 @@
 //! The solid stage: drawn on the GPU into a texture that lies under the labels.
 
+use std::sync::Arc;
+
 use egui::{Color32, Rect, TextureId, Ui, pos2};
 use egui_wgpu::RenderState;
-use raystep_accel::Place;
+use raystep_accel::{Place, Prims};
 use raystep_figure::{Camera, Role, Space, SpaceMark, Theme};
-use raystep_paint::{Frame, Renderer};
-use raystep_scene::Scene;
+use raystep_paint::{Frame, Mesh, Renderer};
 
 /// The renderer and its texture, where there is a GPU or a software one.
 #[derive(Default)]
@@ -37,7 +38,8 @@ impl Solid {
         ui: &Ui,
         rect: Rect,
         space: &Space,
-        scene: &Scene,
+        prims: &Prims,
+        mesh: Option<&Arc<Mesh>>,
         camera: &Camera,
         theme: &Theme,
         lit: Option<Place>,
@@ -46,10 +48,7 @@ impl Solid {
         let pixels_per_point = ui.ctx().pixels_per_point();
         let size = [rect.width(), rect.height()].map(|side| (side * pixels_per_point).round().max(1.0) as u32);
         let space = with_lit(space, lit);
-        // A scene is the same as long as it lies at the same place in memory: the walk shown holds on to it.
-        let generation = std::ptr::from_ref(&scene.prims) as u64;
-        let prims = &scene.prims;
-        let frame = Frame { prims, generation, space: &space, camera, theme, size, pixels_per_point };
+        let frame = Frame { prims, mesh, space: &space, camera, theme, size, pixels_per_point };
         let renewed = gpu.renderer.draw(&frame);
         let mut registry = gpu.state.renderer.write();
         let (device, view, filter) = (&gpu.state.device, gpu.renderer.view(), wgpu::FilterMode::Linear);

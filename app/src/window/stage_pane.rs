@@ -15,7 +15,7 @@ use super::painter::{caption, paint_figure};
 use super::pictures::Pane;
 use super::playback::{Playback, cost};
 use super::rival;
-use super::space_pane::{Happened, Picture, glam_size};
+use super::space_pane::{Happened, Hold, Picture, glam_size};
 use super::state::Beside;
 use super::view::RayChoice;
 
@@ -69,8 +69,8 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
     let solid = !pictures.space.flat && app.solid.is_there();
     let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
     if solid {
-        let prims = &pictures.playback.play.scene;
-        app.solid.show(ui, picture, &pictures.space, prims, &camera, app.theme, app.lit());
+        let (prims, mesh) = (&pictures.playback.play.scene.prims, pictures.playback.mesh.as_ref());
+        app.solid.show(ui, picture, &pictures.space, prims, mesh, &camera, app.theme, app.lit());
     }
     let name = "Space";
     let lit = app.lit();
@@ -92,7 +92,7 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
     }
     app.pictures = Some(pictures);
     app.space_size = glam_size(picture);
-    take(app, &happened)
+    take(app, &happened, camera)
 }
 
 /// Another walk of the same ray, at the same step.
@@ -150,11 +150,15 @@ pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
 }
 
 /// Turns what happened in the picture into changes.
-fn take(app: &mut App, happened: &Happened) -> Option<Place> {
+fn take(app: &mut App, happened: &Happened, camera: Camera) -> Option<Place> {
     // The wheel has no beginning: its first turn away from the slide's own view can be undone.
     let wheeled = happened.camera.is_some() && app.hold.is_none() && app.state.view.camera.is_none();
     if happened.begins || wheeled {
         app.state.keep();
+    }
+    if happened.begins && matches!(app.hold, Some(Hold::Origin | Hold::Head | Hold::New(_))) {
+        // The picture stands still under a ray that is dragged.
+        app.state.turn(camera);
     }
     if let Some(camera) = happened.camera {
         app.state.turn(camera);

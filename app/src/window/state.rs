@@ -2,6 +2,7 @@
 
 mod answering;
 mod stepping;
+mod wanting;
 
 use std::sync::Arc;
 
@@ -21,7 +22,7 @@ use super::view::{RayChoice, View};
 pub struct State {
     /// All slides.
     pub library: Arc<Library>,
-    /// What is shown.
+    /// What is shown: always a step of the walk that is there.
     pub view: View,
     /// Where playing and the arrow keys stop.
     pub grain: Grain,
@@ -44,6 +45,8 @@ pub struct State {
     /// The answer given to the question that is open, or was just answered.
     pub answered: Option<Answered>,
     playback: Option<Arc<Playback>>,
+    /// What shall be shown instead, as soon as its walk is there.
+    wanted: Option<View>,
     landing: Landing,
     history: History,
     waited: f32,
@@ -80,6 +83,18 @@ pub struct Answered {
     pub right: bool,
 }
 
+/// Everything that decides what a frame looks like.
+#[derive(PartialEq)]
+pub(super) struct Stamp {
+    walk: Option<*const Playback>,
+    step: usize,
+    camera: Option<Camera>,
+    waits: bool,
+    beside: (Beside, Pace),
+    modes: [bool; 4],
+    answered: Option<Answered>,
+}
+
 /// Where to stand in a walk that has just been made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Landing {
@@ -87,6 +102,8 @@ enum Landing {
     Opening,
     /// At the step of before, as far as the walk goes.
     Keep,
+    /// At the step that its view names.
+    Named,
 }
 
 impl State {
@@ -94,9 +111,11 @@ impl State {
     pub fn new(library: Arc<Library>, slide: usize) -> State {
         let slide = slide.min(library.slides.len().saturating_sub(1));
         let stage = first_stage(&library, slide, StageKind::Flat);
+        let view = View::of_slide(slide, stage);
         State {
             library,
-            view: View::of_slide(slide, stage),
+            wanted: Some(view.clone()),
+            view,
             grain: Grain::Decision,
             speed: 1,
             playing: false,
@@ -130,44 +149,16 @@ impl State {
         self.playback.as_ref()
     }
 
-    /// Whether the walk shown is the one that should be.
-    pub fn is_current(&self) -> bool {
-        self.playback.as_ref().is_some_and(|playback| playback.view.same_walk(&self.view))
-    }
-
-    /// A walk was made: it is shown from now on, unless something else is wanted by now.
-    pub fn arrive(&mut self, playback: Arc<Playback>) {
-        if !playback.view.same_walk(&self.view) && !playback.view.same_but_own_ray(&self.view) {
-            return;
-        }
-        let last = playback.steps().last();
-        self.view.step = match self.landing {
-            Landing::Opening => playback.opening(self.predict),
-            Landing::Keep => self.view.step.min(last),
-        };
-        self.playback = Some(playback);
-        self.landing = Landing::Keep;
-        self.answered = None;
-    }
-
-    /// Other lessons: the same slide as far as it is still there, at the same step.
-    pub fn renew(&mut self, library: Arc<Library>) {
-        let name = self.slide().map(|slide| (slide.section.clone(), slide.name.clone()));
-        let same = |slide: &Slide| name.as_ref() == Some(&(slide.section.clone(), slide.name.clone()));
-        let slide = library.slides.iter().position(same).unwrap_or(0);
-        self.library = library;
-        self.view.slide = slide;
-        self.view.stage = first_stage(&self.library, slide, self.view.stage);
-        self.history = History::default();
-        self.playback = None;
-        self.landing = Landing::Keep;
-    }
-
-    /// The walk asked for cannot be made: back to the one that is shown.
-    pub fn refuse(&mut self) {
-        if let Some(playback) = &self.playback {
-            let step = self.view.step;
-            self.view = View { step, camera: self.view.camera, ..playback.view.clone() };
+    /// What a frame that is drawn now shows.
+    pub(super) fn stamp(&self) -> Stamp {
+        Stamp {
+            walk: self.playback.as_ref().map(Arc::as_ptr),
+            step: self.view.step,
+            camera: self.view.camera,
+            waits: self.wanted.is_some(),
+            beside: (self.beside, self.pace),
+            modes: [self.playing, self.predict, self.locked, self.present],
+            answered: self.answered,
         }
     }
 
@@ -188,8 +179,8 @@ impl State {
             Command::PreviousCoarse => self.back(coarser(self.grain)),
             Command::First => self.go(0),
             Command::Last => self.go(usize::MAX),
-            Command::NextSlide => self.show_slide(self.view.slide + 1),
-            Command::PreviousSlide => self.show_slide(self.view.slide.wrapping_sub(1)),
+            Command::NextSlide => self.show_slide(self.target().slide + 1),
+            Command::PreviousSlide => self.show_slide(self.target().slide.wrapping_sub(1)),
             Command::Speed(speed) => self.speed = speed.clamp(1, 9),
             Command::Grain(grain) => self.grain = grain,
             Command::Predict => {
@@ -216,65 +207,60 @@ impl State {
 
     /// To another slide.
     pub fn show_slide(&mut self, slide: usize) {
-        if slide >= self.library.slides.len() || slide == self.view.slide {
+        if slide >= self.library.slides.len() || slide == self.target().slide {
             return;
         }
         self.keep();
-        let stage = first_stage(&self.library, slide, self.view.stage);
-        self.view = View::of_slide(slide, stage);
+        let stage = first_stage(&self.library, slide, self.target().stage);
         self.beside = Beside::Nothing;
-        self.open();
+        self.want(View::of_slide(slide, stage), Landing::Opening);
     }
 
     /// To the slide's other stage.
     pub fn show_stage(&mut self, stage: StageKind) {
-        let offered = self.slide().is_some_and(|slide| slide.stage(stage).is_some());
-        if offered && stage != self.view.stage {
+        let View { slide, stage: now, .. } = *self.target();
+        let offered = self.library.slides.get(slide).is_some_and(|slide| slide.stage(stage).is_some());
+        if offered && stage != now {
             self.keep();
-            self.view = View::of_slide(self.view.slide, stage);
-            self.open();
+            self.want(View::of_slide(slide, stage), Landing::Opening);
         }
     }
 
     /// Another ray; `drag` says that it belongs to a change that is under way.
     pub fn show_ray(&mut self, ray: RayChoice, drag: bool) {
-        if ray == self.view.ray {
+        if ray == self.target().ray {
             return;
         }
         if !drag {
             self.keep();
         }
-        self.landing = if matches!(ray, RayChoice::Named(_)) { Landing::Opening } else { Landing::Keep };
-        self.view.ray = ray;
-        self.playing = false;
-        self.answered = None;
+        let landing = if matches!(ray, RayChoice::Named(_)) { Landing::Opening } else { Landing::Keep };
+        self.want(View { ray, ..self.target().clone() }, landing);
     }
 
     /// A parameter of the structure.
     pub fn set(&mut self, key: &str, value: &str) {
         self.keep();
-        self.view.settings.retain(|(known, _)| known != key);
-        self.view.settings.push((key.to_owned(), value.to_owned()));
-        self.playing = false;
+        let mut view = self.target().clone();
+        view.settings.retain(|(known, _)| known != key);
+        view.settings.push((key.to_owned(), value.to_owned()));
+        self.want(view, Landing::Keep);
     }
 
     /// A mesh instead of the slide's scene, with a ray through it.
     pub fn show_mesh(&mut self, mesh: Arc<Scene>, ray: raystep_accel::Ray) {
         self.keep();
-        self.view.mesh = Some(mesh);
-        self.view.example = None;
-        self.view.stage = StageKind::Solid;
-        self.view.ray = RayChoice::Own(ray);
-        self.view.camera = None;
-        self.open();
+        let (stage, ray) = (StageKind::Solid, RayChoice::Own(ray));
+        let view = View { stage, ray, mesh: Some(mesh), example: None, camera: None, ..self.target().clone() };
+        self.want(view, Landing::Opening);
     }
 
     /// The small scene and the ray on which a mistake shows.
     pub fn show_example(&mut self, mistake: Mistake) {
         self.keep();
         let view = View::of_slide(self.view.slide, self.view.stage);
-        self.view = View { ray: RayChoice::Own(mistake.example().ray), example: Some(mistake), ..view };
-        self.open();
+        let ray = RayChoice::Own(mistake.example().ray);
+        self.want(View { ray, example: Some(mistake), ..view }, Landing::Opening);
     }
 
     /// Another structure beside the walk.
@@ -285,20 +271,29 @@ impl State {
 
     /// Another place to look from, as part of a change that is under way.
     pub fn turn(&mut self, camera: Camera) {
-        self.view.camera = Some(camera);
+        self.see(Some(camera));
     }
 
     /// Another place to look from; nothing for the slide's own.
     pub fn look(&mut self, camera: Option<Camera>) {
         if camera != self.view.camera {
             self.keep();
-            self.view.camera = camera;
+            self.see(camera);
+        }
+    }
+
+    fn see(&mut self, camera: Option<Camera>) {
+        self.view.camera = camera;
+        if let Some(wanted) = &mut self.wanted
+            && wanted.same_scene(&self.view)
+        {
+            wanted.camera = camera;
         }
     }
 
     /// Remembers the view before a change that undo shall take back in one.
     pub fn keep(&mut self) {
-        self.history.keep(self.view.clone());
+        self.history.keep(&self.view);
     }
 
     /// Whether there is something to undo, and to redo.
@@ -307,14 +302,11 @@ impl State {
     }
 
     fn restore(&mut self) {
-        let own = View { step: self.view.step, ..View::of_slide(self.view.slide, self.view.stage) };
-        let offered = self.slide().is_some_and(|slide| slide.stage(own.stage).is_some());
-        let stage = if offered { own.stage } else { first_stage(&self.library, own.slide, StageKind::Flat) };
-        let own = View { stage, ..own };
-        if !own.same_walk(&self.view) {
+        let View { slide, stage, .. } = *self.target();
+        let own = View::of_slide(slide, first_stage(&self.library, slide, stage));
+        if !own.same_walk(self.target()) {
             self.keep();
-            self.view = own;
-            self.open();
+            self.want(own, Landing::Opening);
         } else if self.view.camera.is_some() {
             self.look(None);
         }
@@ -322,29 +314,17 @@ impl State {
     }
 
     fn undo(&mut self) {
-        if let Some(view) = self.history.undo(&self.view) {
-            self.bring_back(view);
+        let now = self.target().clone();
+        if let Some(view) = self.history.undo(&now) {
+            self.want(view, Landing::Named);
         }
     }
 
     fn redo(&mut self) {
-        if let Some(view) = self.history.redo(&self.view) {
-            self.bring_back(view);
+        let now = self.target().clone();
+        if let Some(view) = self.history.redo(&now) {
+            self.want(view, Landing::Named);
         }
-    }
-
-    fn bring_back(&mut self, view: View) {
-        self.view = view;
-        self.landing = Landing::Keep;
-        self.playing = false;
-        self.answered = None;
-    }
-
-    fn open(&mut self) {
-        self.landing = Landing::Opening;
-        self.playing = false;
-        self.answered = None;
-        self.waited = 0.0;
     }
 }
 

@@ -3,6 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
+use crate::cli::thousands;
+
 /// Work under way beside the UI thread.
 #[derive(Debug)]
 pub(super) struct Task {
@@ -58,12 +60,18 @@ impl Task {
         !self.is_stopped() && !self.over.load(Ordering::Relaxed)
     }
 
+    /// Which part of it is done, if that is known.
+    pub(super) fn part(&self) -> Option<f32> {
+        let of = if self.unit == "%" { 100 } else { self.of.load(Ordering::Relaxed) };
+        (of > 0).then(|| self.done.load(Ordering::Relaxed) as f32 / of as f32)
+    }
+
     /// What it does and how far it is.
     pub(super) fn says(&self) -> String {
         let (name, unit) = (&self.name, self.unit);
         match (self.done.load(Ordering::Relaxed), self.of.load(Ordering::Relaxed)) {
             (0, 0) => name.clone(),
-            (done, 0) => format!("{name}: {done} {unit}"),
+            (done, 0) => format!("{name}: {} {unit}", thousands(u64::from(done))),
             (done, of) => format!("{name}: {} of {of} {unit}", done.min(of)),
         }
     }
@@ -78,7 +86,10 @@ mod tests {
         let task = Task::new("Writing", "pictures");
         assert_eq!(task.says(), "Writing");
         task.reach(3);
-        assert_eq!(task.says(), "Writing: 3 pictures");
+        assert_eq!((task.says().as_str(), task.part()), ("Writing: 3 pictures", None));
+        task.reach(1_203_004);
+        assert_eq!(task.says(), "Writing: 1,203,004 pictures");
+        task.reach(3);
         task.expect(7);
         assert_eq!(task.says(), "Writing: 3 of 7 pictures");
         assert!(task.is_underway());

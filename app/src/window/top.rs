@@ -10,7 +10,7 @@ use super::fonts::font;
 use super::icons::{Icon, icon_button};
 use super::state::{Beside, State};
 use super::view::RayChoice;
-use super::visuals::{color32, ink};
+use super::visuals::{color32, ink, style};
 
 /// What was asked for in the bar.
 pub(super) enum Asked {
@@ -76,12 +76,13 @@ pub(super) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
 
 /// ‹ outline ›
 fn outline(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Option<Asked>) {
-    let at = state.view.slide;
+    // Where we go shows at once, even while the page is still the one before.
+    let at = state.target().slide;
     let back = icon_button(ui, Icon::Left, "Previous slide", &Command::PreviousSlide.tip(), false, 28.0);
     if back.clicked() {
         *asked = Some(Asked::Command(Command::PreviousSlide));
     }
-    let shown = state.slide().map_or_else(String::new, |slide| {
+    let shown = state.library.slides.get(at).map_or_else(String::new, |slide| {
         format!("{} {} › {}", section_number(slide), slide.section_title(), slide.title)
     });
     let combo = ComboBox::from_id_salt("outline").width(width).truncate().selected_text(RichText::new(shown));
@@ -175,13 +176,23 @@ fn stages(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) 
 /// The structure's parameters, behind a button with its name.
 fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
     let Some(playback) = state.playback() else { return };
-    let parameters = playback.rule.parameters();
+    let target = state.target();
+    let mut rule = playback.rule;
+    if target.same_scene(&state.view) {
+        for (key, value) in &target.settings {
+            // What cannot be set is said when the structure is built.
+            let _ = rule.set(key, value);
+        }
+    }
+    let parameters = rule.parameters();
     if parameters.is_empty() {
         return;
     }
-    let changed = if state.view.settings.is_empty() { "" } else { " *" };
+    let changed = if target.settings.is_empty() { "" } else { " *" };
     let title = format!("{}{changed}", kind_name(playback.rule.kind()));
     let menu = ui.menu_button(title, |ui| {
+        // Its fields look like fields, not like a menu's rows.
+        ui.set_style(style(theme));
         ui.set_width(330.0);
         ui.label(RichText::new("How it is built").font(font(Face::Bold, 13.5)));
         for parameter in &parameters {
@@ -189,7 +200,7 @@ fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked
                 *asked = Some(Asked::Set(parameter.key.to_owned(), value));
             }
         }
-        if !state.view.settings.is_empty() {
+        if !target.settings.is_empty() {
             ui.add_space(4.0);
             if ui.button("The slide's own parameters").clicked() {
                 *asked = Some(Asked::Command(Command::Restore));
@@ -208,6 +219,8 @@ pub(super) fn kind_name(kind: &str) -> &str {
         "nested-grid" => "Nested grids",
         "hashed-grid" => "Hashed grid",
         "kd" => "kd-tree",
+        "octree" => "Octree",
+        "bsp" => "BSP tree",
         "bvh" => "BVH",
         other => other,
     }

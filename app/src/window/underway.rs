@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use egui::{Area, Frame, Id, Order, RichText, Ui, vec2};
+use egui::{Area, Frame, Id, Order, ProgressBar, RichText, Ui, vec2};
+use raystep_figure::{Role, Theme};
 
 use super::app::App;
 use super::state::Beside;
 use super::task::Task;
+use super::visuals::ink;
 
 impl App {
     /// Shows what is under way.
@@ -20,7 +22,8 @@ impl App {
         ui.ctx().request_repaint_after_secs(0.05);
         let area = Area::new(Id::unique("underway")).order(Order::Foreground);
         let area = area.fade_in(false).anchor(egui::Align2::CENTER_TOP, vec2(0.0, 58.0));
-        let stopped = area.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, |ui| rows(ui, &tasks)).inner).inner;
+        let stopped =
+            area.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, |ui| rows(ui, &tasks, self.theme)).inner).inner;
         let Some(stopped) = stopped else { return };
         if making.is_some_and(|making| Arc::ptr_eq(&making, &stopped)) && self.workshop.cancel() {
             self.state.refuse();
@@ -33,11 +36,19 @@ impl App {
 }
 
 /// A row for each task; says which shall be given up.
-fn rows(ui: &mut Ui, tasks: &[Arc<Task>]) -> Option<Arc<Task>> {
+fn rows(ui: &mut Ui, tasks: &[Arc<Task>], theme: &Theme) -> Option<Arc<Task>> {
     let mut stopped = None;
     for task in tasks {
         ui.horizontal(|ui| {
-            ui.spinner();
+            match task.part() {
+                Some(part) => {
+                    let bar = ProgressBar::new(part).desired_width(90.0).desired_height(6.0);
+                    ui.add(bar.fill(ink(theme, Role::Here)));
+                }
+                None => {
+                    ui.spinner();
+                }
+            }
             ui.label(RichText::new(task.says()));
             if ui.button("Cancel").clicked() {
                 stopped = Some(task.clone());

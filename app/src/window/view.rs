@@ -44,6 +44,11 @@ impl View {
         View { slide, stage, ray, settings, camera: None, mesh: None, example: None, step: 0 }
     }
 
+    /// Whether both show the very same page.
+    pub fn same_page(&self, other: &View) -> bool {
+        self.step == other.step && self.camera == other.camera && self.same_walk(other)
+    }
+
     /// Whether both show the same walk of the same ray, wherever they stand in it.
     pub fn same_walk(&self, other: &View) -> bool {
         self.ray == other.ray && self.same_structure(other)
@@ -57,9 +62,13 @@ impl View {
 
     /// Whether the rays of both walk through the same structure.
     pub fn same_structure(&self, other: &View) -> bool {
+        self.settings == other.settings && self.same_scene(other)
+    }
+
+    /// Whether both show the same primitives on the same slide.
+    pub fn same_scene(&self, other: &View) -> bool {
         self.slide == other.slide
             && self.stage == other.stage
-            && self.settings == other.settings
             && self.example == other.example
             && same_mesh(self.mesh.as_ref(), other.mesh.as_ref())
     }

@@ -6,6 +6,7 @@ use std::time::Instant;
 use glam::Vec3;
 use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
 use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
+use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use super::bench::Bench;
@@ -19,12 +20,17 @@ const SMALL: usize = 512;
 const FEW: usize = 4000;
 /// A structure over at most so many primitives is walked at once.
 const SHORT: usize = 100_000;
+/// Structures are kept while all together have at most so many bytes.
+const MOST_BYTES: usize = 1 << 28;
 
 /// A view to be made into a walk.
 struct Order {
     view: View,
     library: Arc<Library>,
     built: Option<Built>,
+    /// What was built before over the same scene.
+    scene: Option<Built>,
+    device: Option<wgpu::Device>,
 }
 
 /// Why there is no walk.
@@ -40,6 +46,7 @@ pub(super) enum Failure {
 pub(super) struct Workshop {
     bench: Bench<Wanted, Result<Playback, Failure>>,
     kept: Vec<Built>,
+    device: Option<wgpu::Device>,
 }
 
 /// What is being made.
@@ -51,7 +58,12 @@ struct Wanted {
 
 impl Workshop {
     pub(super) fn new(context: egui::Context) -> Workshop {
-        Workshop { bench: Bench::new(context), kept: Vec::new() }
+        Workshop { bench: Bench::new(context), kept: Vec::new(), device: None }
+    }
+
+    /// Uploads solid scenes to this device from now on.
+    pub(super) fn upload_to(&mut self, device: &wgpu::Device) {
+        self.device = Some(device.clone());
     }
 
     /// Asks for the walk of a view. It may be there at once; else it arrives some frames later.
@@ -67,7 +79,8 @@ impl Workshop {
             true => Task::new("Walking the ray", ""),
             false => Task::new("Building the structure", "references"),
         };
-        let order = Order { view: view.clone(), library: library.clone(), built };
+        let scene = self.kept.iter().find(|built| is_over(built, view, library)).cloned();
+        let order = Order { view: view.clone(), library: library.clone(), built, scene, device: self.device.clone() };
         let quick = is_quick(&order);
         self.bench.begin(wanted, task, quick, move |task| make(order, task));
     }
@@ -79,7 +92,12 @@ impl Workshop {
             let built = playback.built();
             self.kept.retain(|kept| !same(kept, &built));
             self.kept.insert(0, built);
-            self.kept.truncate(8);
+            let mut bytes = 0;
+            let many = self.kept.iter().position(|kept| {
+                bytes += kept.structure.bytes();
+                bytes > MOST_BYTES
+            });
+            self.kept.truncate(many.unwrap_or(8).clamp(1, 8));
         }
         Some(made)
     }
@@ -87,6 +105,11 @@ impl Workshop {
     /// What is being made.
     pub(super) fn task(&self) -> Option<&Arc<Task>> {
         self.bench.task()
+    }
+
+    /// Whether no thread is at work any more.
+    pub(super) fn is_idle(&self) -> bool {
+        self.bench.is_idle()
     }
 
     /// Gives up what is being made. Returns whether there was anything.
@@ -142,8 +165,7 @@ pub(super) fn builds_quickly(prims: usize) -> bool {
 
 impl Order {
     fn stage(&self) -> Option<&Stage> {
-        let slide = self.library.slides.get(self.view.slide)?;
-        slide.stage(self.view.stage).or(slide.stages.first())
+        slide_and_stage(&self.view, &self.library).map(|(_, stage)| stage)
     }
 }
 
@@ -156,19 +178,28 @@ fn make(order: Order, task: &Task) -> Result<Playback, Failure> {
     let built = match &order.built {
         Some(built) => built.clone(),
         None => {
-            let scene = match (&order.view.mesh, order.view.example) {
-                (_, Some(mistake)) => Arc::new(scene_of(mistake)),
-                (Some(mesh), None) => mesh.clone(),
-                (None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
+            let scene = match (&order.scene, &order.view.mesh, order.view.example) {
+                (Some(built), ..) => built.scene.clone(),
+                (None, _, Some(mistake)) => Arc::new(scene_of(mistake)),
+                (None, Some(mesh), None) => mesh.clone(),
+                (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
-            build(scene, rule, slide.plays, task)?
+            let built = build(scene, rule, slide.plays, task)?;
+            Built { mesh: mesh(&order, &built.scene, task), ..built }
         }
     };
     if task.is_stopped() {
         return Err(Failure::Cancelled);
     }
     Playback::new(order.view, built, ray, slide, &stage).ok_or_else(|| wrong("The slide has no ray.".to_owned()))
+}
+
+/// A solid scene on the GPU; once for all structures over it.
+fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
+    let device = order.device.as_ref().filter(|_| !scene.flat)?;
+    let known = order.scene.as_ref().and_then(|built| built.mesh.clone());
+    known.or_else(|| Mesh::new(device, &scene.prims, &|| !task.is_stopped()).map(Arc::new))
 }
 
 /// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played.
@@ -178,7 +209,7 @@ pub(super) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) ->
     let (structure, growth) = built.map_err(|Cancelled| Failure::Cancelled)?;
     let seconds = start.elapsed().as_secs_f32();
     let node_bounds = Arc::new(structure.node_bounds());
-    Ok(Built { scene, rule, structure: Arc::new(structure), node_bounds, growth, seconds })
+    Ok(Built { scene, rule, structure: Arc::new(structure), node_bounds, growth, seconds, mesh: None })
 }
 
 /// The small scene in which a mistake shows.
@@ -207,18 +238,25 @@ impl Observer<Grow> for Watch<'_> {
 
 /// Whether a kept structure is the one that a view asks for.
 fn fits(built: &Built, view: &View, library: &Library) -> bool {
-    let Some(slide) = library.slides.get(view.slide) else { return false };
-    let Some(stage) = slide.stage(view.stage).or(slide.stages.first()) else { return false };
+    let Some((slide, stage)) = slide_and_stage(view, library) else { return false };
     // How it was built is kept only where it is played.
-    if built.growth.is_some() != (slide.plays == Plays::Build) {
-        return false;
-    }
-    let same_scene = match (&view.mesh, view.example) {
+    built.growth.is_some() == (slide.plays == Plays::Build)
+        && is_over(built, view, library)
+        && rule_of(view, stage, built.scene.flat).is_ok_and(|rule| rule == built.rule)
+}
+
+/// Whether a kept structure stands over the scene that a view asks for.
+fn is_over(built: &Built, view: &View, library: &Library) -> bool {
+    match (&view.mesh, view.example) {
         (_, Some(mistake)) => built.scene.name == mistake.name(),
         (Some(mesh), None) => Arc::ptr_eq(mesh, &built.scene),
-        (None, None) => built.scene.name == stage.scene,
-    };
-    same_scene && rule_of(view, stage, built.scene.flat).is_ok_and(|rule| rule == built.rule)
+        (None, None) => slide_and_stage(view, library).is_some_and(|(_, stage)| built.scene.name == stage.scene),
+    }
+}
+
+fn slide_and_stage<'a>(view: &View, library: &'a Library) -> Option<(&'a Slide, &'a Stage)> {
+    let slide = library.slides.get(view.slide)?;
+    Some((slide, slide.stage(view.stage).or(slide.stages.first())?))
 }
 
 fn same(a: &Built, b: &Built) -> bool {

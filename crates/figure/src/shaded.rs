@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Hit, KdRule, Obb, Primitives, Prims, Ray, Rule, Shape, Structure};
+use raystep_accel::{Accel, BvhRule, Grow, Hit, Obb, Observer, Primitives, Prims, Ray, Rule, Shape, Structure};
 
 use crate::lens::Lens;
 use crate::{Camera, Color, Theme};
@@ -31,22 +31,38 @@ pub struct Shaded {
 /// Rays for a pixel on an edge: a grid of so many by so many.
 const FINE: u32 = 3;
 
-/// Renders the primitives in calm two-sided shading, `width` by `height` pixels. A structure that would be
-/// slow at a whole picture (all but well grown kd-trees) gives way to one made for it.
-pub fn shaded(structure: &Structure, prims: &Prims, camera: &Camera, width: u32, height: u32, theme: &Theme) -> Shaded {
+/// Renders the primitives in calm two-sided shading, `width` by `height` pixels; nothing if `go_on` says to
+/// give up. A structure that would be slow at a whole picture (all but well grown trees) gives way to one made
+/// for it: the answers are the same.
+pub fn shaded(
+    structure: &Structure,
+    prims: &Prims,
+    camera: &Camera,
+    width: u32,
+    height: u32,
+    theme: &Theme,
+    go_on: &dyn Fn() -> bool,
+) -> Option<Shaded> {
     let size = Vec2::new(width as f32, height as f32);
     let own = match structure {
-        Structure::Kd(tree) if tree.node_count() * 4 >= prims.len() => None,
-        _ => Structure::build(prims, &Rule::Kd(KdRule::default()), &mut ()).ok(),
+        Structure::Kd(_) | Structure::Bvh(_) if structure.node_count() * 4 >= prims.len() => None,
+        _ => Some(Structure::build(prims, &Rule::Bvh(BvhRule::default()), &mut Patience(go_on)).ok()?),
     };
     let structure = own.as_ref().unwrap_or(structure);
     let scene = Scene { structure, prims, camera, size, lens: Lens::new(camera, size), theme };
-    let samples: Vec<Sample> = (0..width * height)
-        .map(|index| scene.sample(Vec2::new((index % width) as f32 + 0.5, (index / width) as f32 + 0.5)))
-        .collect();
+    let mut samples: Vec<Sample> = Vec::with_capacity(width as usize * height as usize);
+    for y in 0..height {
+        if !go_on() {
+            return None;
+        }
+        samples.extend((0..width).map(|x| scene.sample(Vec2::new(x as f32 + 0.5, y as f32 + 0.5))));
+    }
     let mut rgba = Vec::with_capacity(samples.len() * 4);
     for (index, sample) in samples.iter().enumerate() {
         let (x, y) = (index as u32 % width, index as u32 / width);
+        if x == 0 && !go_on() {
+            return None;
+        }
         let neighbours = [
             (x > 0).then(|| index - 1),
             (x + 1 < width).then(|| index + 1),
@@ -59,7 +75,18 @@ pub fn shaded(structure: &Structure, prims: &Prims, camera: &Camera, width: u32,
         rgba.extend(color);
     }
     let depth = samples.iter().map(|sample| sample.depth).collect();
-    Shaded { image: Image { width, height, rgba: rgba.into() }, depth }
+    Some(Shaded { image: Image { width, height, rgba: rgba.into() }, depth })
+}
+
+/// Builds as long as somebody waits for it.
+struct Patience<'a>(&'a dyn Fn() -> bool);
+
+impl Observer<Grow> for Patience<'_> {
+    fn on(&mut self, _: Grow) {}
+
+    fn cancelled(&self) -> bool {
+        !(self.0)()
+    }
 }
 
 impl Shaded {

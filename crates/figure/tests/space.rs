@@ -173,7 +173,8 @@ fn a_shaded_picture_has_the_same_bytes_every_time() {
     let walk = stand.walk();
     let space = space(&walk, &Moment::at(&walk, 20));
     let camera = Camera::frame(&space.bounds, 1.5, false);
-    let image = || shaded(&stand.structure, &stand.prims, &camera, 60, 40, &Theme::PRINT);
+    let image =
+        || shaded(&stand.structure, &stand.prims, &camera, 60, 40, &Theme::PRINT, &|| true).expect("nobody gives up");
     let first = image();
     assert_eq!(first, image());
     assert!(first.image.rgba.chunks(4).any(|pixel| pixel[3] == 255) && first.image.rgba[3] == 0);

@@ -1,8 +1,11 @@
 //! Drawing without a window.
 
 use std::fmt;
+use std::sync::Arc;
 
-use crate::{Frame, Renderer};
+use raystep_accel::Prims;
+
+use crate::{Frame, Mesh, Renderer};
 
 /// A device of its own, and a renderer on it.
 pub struct Headless {
@@ -48,6 +51,14 @@ impl Headless {
             let renderer = Renderer::new(&device, &queue);
             Ok(Headless { device, queue, renderer, adapter: format!("{} ({})", info.name, info.backend) })
         })
+    }
+
+    /// Uploads primitives, to be drawn in many frames.
+    ///
+    /// # Panics
+    /// Never: nobody gives up.
+    pub fn mesh(&self, prims: &Prims) -> Arc<Mesh> {
+        Arc::new(Mesh::new(&self.device, prims, &|| true).expect("nobody gives up"))
     }
 
     /// Draws a frame and reads its pixels: four bytes each, row by row from the upper left.

@@ -21,4 +21,5 @@ mod target;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use headless::{Headless, NoAdapter};
+pub use mesh::Mesh;
 pub use renderer::{Frame, Renderer};

@@ -13,8 +13,13 @@ use crate::solid::triangles;
 /// Most triangles of instances that are drawn one by one.
 const MOST: u64 = 2_000_000;
 
-/// Corners with their normals, and the triangles between them.
-pub(crate) struct Mesh {
+/// So many triangles between two looks at whether to go on.
+const BETWEEN_LOOKS: usize = 1 << 15;
+
+/// A scene's primitives on the GPU: corners with their normals, and the triangles between them. For a large
+/// scene the making takes a while; any thread can do it.
+#[derive(Debug)]
+pub struct Mesh {
     corners: wgpu::Buffer,
     indices: wgpu::Buffer,
     count: u32,
@@ -30,7 +35,8 @@ pub(crate) struct Corner {
 }
 
 impl Mesh {
-    pub(crate) fn new(device: &wgpu::Device, prims: &Prims) -> Mesh {
+    /// Uploads the primitives; nothing if `go_on` says to give up.
+    pub fn new(device: &wgpu::Device, prims: &Prims, go_on: &dyn Fn() -> bool) -> Option<Mesh> {
         let (positions, mut indices): (Cow<'_, [Vec3]>, Cow<'_, [[u32; 3]]>) = match prims {
             Prims::Mesh(mesh) => (Cow::from(&mesh.corners), Cow::from(&mesh.triangles)),
             Prims::Instances(instances) if instances.triangles() <= MOST => {
@@ -43,8 +49,9 @@ impl Mesh {
                 (Cow::from(positions), Cow::from(indices))
             }
         };
+        let normals = normals(&positions, &indices, go_on)?;
         let mut corners: Vec<Corner> =
-            normals(&positions, &indices).zip(positions.iter()).map(|(normal, p)| corner(*p, normal)).collect();
+            normals.into_iter().zip(positions.iter()).map(|(normal, p)| corner(*p, normal)).collect();
         let limit = device.limits().max_buffer_size as usize;
         if size_of_val(&corners[..]) > limit || size_of_val(&indices[..]) > limit {
             // More than the device can hold: the marks alone are drawn.
@@ -54,11 +61,11 @@ impl Mesh {
         let buffer = |label, contents, usage| {
             device.create_buffer_init(&wgpu::util::BufferInitDescriptor { label: Some(label), contents, usage })
         };
-        Mesh {
+        go_on().then(|| Mesh {
             count: indices.len() as u32 * 3,
             corners: buffer("raystep corners", bytemuck::cast_slice(&corners), wgpu::BufferUsages::VERTEX),
             indices: buffer("raystep triangles", bytemuck::cast_slice(&indices[..]), wgpu::BufferUsages::INDEX),
-        }
+        })
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
@@ -71,7 +78,7 @@ impl Mesh {
 }
 
 fn corner(position: Vec3, normal: Vec3) -> Corner {
-    Corner { position: position.to_array(), normal: normal.to_array() }
+    Corner { position: position.to_array(), normal: normal.normalize_or_zero().to_array() }
 }
 
 /// The triangles of a few shapes, equal corners shared.
@@ -91,15 +98,20 @@ fn weld(prims: &Prims) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     (positions, indices)
 }
 
-/// For each corner the sum of its triangles' unit normals, each weighed by its area.
-fn normals(positions: &[Vec3], indices: &[[u32; 3]]) -> impl Iterator<Item = Vec3> {
+/// For each corner the sum of its triangles' normals, each as long as its triangle is large.
+fn normals(positions: &[Vec3], indices: &[[u32; 3]], go_on: &dyn Fn() -> bool) -> Option<Vec<Vec3>> {
     let mut sums = vec![Vec3::ZERO; positions.len()];
-    for triangle in indices {
-        let [a, b, c] = triangle.map(|i| positions[i as usize]);
-        let normal = (b - a).cross(c - a);
-        for &i in triangle {
-            sums[i as usize] += normal;
+    for some in indices.chunks(BETWEEN_LOOKS) {
+        if !go_on() {
+            return None;
+        }
+        for triangle in some {
+            let [a, b, c] = triangle.map(|i| positions[i as usize]);
+            let normal = (b - a).cross(c - a);
+            for &i in triangle {
+                sums[i as usize] += normal;
+            }
         }
     }
-    sums.into_iter().map(Vec3::normalize_or_zero)
+    Some(sums)
 }

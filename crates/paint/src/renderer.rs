@@ -1,5 +1,7 @@
 //! Draws a frame: what a step looks like, into a texture.
 
+use std::sync::Arc;
+
 use bytemuck::{Pod, Zeroable};
 use glam::{Vec2, Vec3};
 use raystep_accel::Prims;
@@ -16,8 +18,8 @@ use crate::target::Target;
 pub struct Frame<'a> {
     /// The scene's primitives.
     pub prims: &'a Prims,
-    /// A number that changes whenever `prims` do: the mesh is uploaded anew only then.
-    pub generation: u64,
+    /// The same on the GPU; without it the marks alone are drawn.
+    pub mesh: Option<&'a Arc<Mesh>>,
     /// What the step shows in it.
     pub space: &'a Space,
     /// Where it is seen from.
@@ -38,7 +40,6 @@ pub struct Renderer {
     view_uniform: wgpu::Buffer,
     bind_group: wgpu::BindGroup,
     target: Target,
-    mesh: Option<(u64, Mesh)>,
     /// What the picture shows now.
     drawn: Option<Content>,
     faces: Stream,
@@ -48,9 +49,8 @@ pub struct Renderer {
 }
 
 /// Everything that the pixels depend on.
-#[derive(PartialEq)]
 struct Content {
-    generation: u64,
+    mesh: Option<Arc<Mesh>>,
     ground: [f32; 4],
     view: ViewUniform,
     batch: Batch,
@@ -95,7 +95,6 @@ impl Renderer {
             view_uniform,
             bind_group,
             target: Target::new(device, [1, 1]),
-            mesh: None,
             drawn: None,
             faces: Stream::new("raystep faces"),
             buried: Stream::new("raystep buried faces"),
@@ -111,14 +110,11 @@ impl Renderer {
         let size = frame.size.map(|side| side.clamp(1, most));
         let renewed = self.target.size != size;
         let content = Content::new(frame, size);
-        if self.drawn.as_ref() == Some(&content) {
+        if self.drawn.as_ref().is_some_and(|drawn| drawn.is_same(&content)) {
             return false;
         }
         if renewed {
             self.target = Target::new(&self.device, size);
-        }
-        if self.mesh.as_ref().is_none_or(|(generation, _)| *generation != frame.generation) {
-            self.mesh = Some((frame.generation, Mesh::new(&self.device, frame.prims)));
         }
         self.queue.write_buffer(&self.view_uniform, 0, bytemuck::bytes_of(&content.view));
         self.faces.write(&self.device, &self.queue, &content.batch.faces);
@@ -127,7 +123,7 @@ impl Renderer {
         self.points.write(&self.device, &self.queue, &content.batch.points);
 
         let mut encoder = self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        self.encode(&mut encoder, content.ground);
+        self.encode(&mut encoder, &content);
         self.queue.submit([encoder.finish()]);
         self.drawn = Some(content);
         renewed
@@ -143,11 +139,11 @@ impl Renderer {
         &self.target.texture
     }
 
-    fn encode(&self, encoder: &mut wgpu::CommandEncoder, ground: [f32; 4]) {
-        let [r, g, b, a] = ground.map(f64::from);
+    fn encode(&self, encoder: &mut wgpu::CommandEncoder, content: &Content) {
+        let [r, g, b, a] = content.ground.map(f64::from);
         let mut pass = self.target.begin(encoder, wgpu::Color { r, g, b, a });
         pass.set_bind_group(0, &self.bind_group, &[]);
-        if let Some((_, mesh)) = &self.mesh {
+        if let Some(mesh) = &content.mesh {
             pass.set_pipeline(&self.pipelines.mesh);
             mesh.draw(&mut pass);
         }
@@ -165,9 +161,18 @@ impl Renderer {
 }
 
 impl Content {
+    /// Whether both give the same pixels.
+    fn is_same(&self, other: &Content) -> bool {
+        let mesh = match (&self.mesh, &other.mesh) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        mesh && self.ground == other.ground && self.view == other.view && self.batch == other.batch
+    }
+
     fn new(frame: &Frame<'_>, size: [u32; 2]) -> Content {
         Content {
-            generation: frame.generation,
+            mesh: frame.mesh.cloned(),
             ground: frame.theme.style(Role::Panel).fill.map_or([1.0; 4], unit),
             view: ViewUniform::new(frame, size),
             batch: Batch::new(frame),

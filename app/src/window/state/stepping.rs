@@ -4,12 +4,13 @@ use raystep_accel::Grain;
 
 use super::{Landing, State};
 use crate::window::playback::Posed;
+use crate::window::view::View;
 
 impl State {
     /// Stands at a step as soon as the walk is there.
     pub fn open_at(&mut self, step: usize) {
-        self.view.step = step;
-        self.landing = Landing::Keep;
+        let view = View { step, ..self.target().clone() };
+        self.want(view, Landing::Named);
     }
 
     /// To a step; nothing is asked on the way.

@@ -117,6 +117,9 @@ impl<N: Node> Halving<N> {
             }
             // Choose the plane.
             let Some((plane, cost)) = cutter.best(node, &space, &refs, watch) else {
+                if watch.cancelled() {
+                    return Err(Cancelled);
+                }
                 tree.settle::<C>(node, &refs, LeafReason::Inseparable, watch);
                 continue;
             };

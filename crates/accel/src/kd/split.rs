@@ -60,6 +60,10 @@ impl<O: Observer<Grow>> Scale<'_, O> {
         let all = self.refs.len();
         let (mut starts, mut ends) = (Vec::with_capacity(all), Vec::with_capacity(all));
         for &axis in self.rule.axes.list() {
+            // A large node takes a while: whoever asks gives up then.
+            if self.watch.cancelled() {
+                return None;
+            }
             sorted(&mut starts, self.refs, |bounds| bounds.min[axis]);
             sorted(&mut ends, self.refs, |bounds| bounds.max[axis]);
 
