@@ -165,7 +165,7 @@ mod tests {
             Rule::default_for("kd"),
             "max_dept",
             "8",
-            "a kd has no parameter \"max_dept\"; did you mean \"max_depth\"? (split, max_depth, min_objects, \
+            "kd has no parameter \"max_dept\"; did you mean \"max_depth\"? (split, max_depth, min_objects, \
              empty_bonus, mailbox, traversal_cost or intersection_cost)",
         );
         check(Rule::default_for("kd"), "max_depth", "-1", "max_depth = -1: allowed is a whole number from 0 to 64");

@@ -170,10 +170,10 @@ impl fmt::Display for RuleError {
                 write!(f, "there is no structure \"{found}\"{} ({})", meant(*nearest), one_of(&crate::Rule::KINDS))
             }
             RuleError::Key { kind, found, nearest, keys } if keys.is_empty() => {
-                write!(f, "a {kind} has no parameter \"{found}\"{}: it has none", meant(*nearest))
+                write!(f, "{kind} has no parameter \"{found}\"{}: it has none", meant(*nearest))
             }
             RuleError::Key { kind, found, nearest, keys } => {
-                write!(f, "a {kind} has no parameter \"{found}\"{} ({})", meant(*nearest), one_of(keys))
+                write!(f, "{kind} has no parameter \"{found}\"{} ({})", meant(*nearest), one_of(keys))
             }
             RuleError::Value { key, found, allowed } => {
                 write!(f, "{key} = {found}: allowed is {allowed}")?;
