@@ -1,17 +1,17 @@
 //! What lessons play, as the figures take it.
 
-use raystep_accel::{Aabb, Event};
-use raystep_figure::{Build, ListingLine, Reel, Walk};
+use raystep_accel::Event;
+use raystep_figure::{Build, ListingLine, Nodes, Reel, Walk};
 use raystep_lesson::{Listing, Play, Plays, Tape};
 
 /// The walk or the build of a play.
-pub(crate) fn reel<'a>(play: &'a Play, node_bounds: &'a [Aabb]) -> Reel<'a> {
+pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
-        Tape::Walk(walk) => {
-            Reel::Walk(Walk { structure, prims, node_bounds, ray: walk.ray, events: &walk.events, flat })
+        Tape::Walk(walk) => Reel::Walk(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
+        Tape::Build(build) => {
+            Reel::Build(Build { structure, nodes, prims, events: &build.events, lost: build.lost, flat })
         }
-        Tape::Build(build) => Reel::Build(Build { structure, prims, events: &build.events, lost: build.lost, flat }),
     }
 }
 

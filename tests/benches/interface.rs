@@ -4,7 +4,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, Ray, Rule, Structure, Visit};
-use raystep_figure::{Camera, Film, Look, Reel, Scenery, TreeView, Walk};
+use raystep_figure::{Camera, Film, Look, Nodes, Reel, Scenery, TreeView, Walk};
 use raystep_scene::Scene;
 
 fn steps(criterion: &mut Criterion) {
@@ -16,15 +16,9 @@ fn steps(criterion: &mut Criterion) {
         let structure = Structure::build(&scene.prims, &rule, &mut ()).expect("nobody cancels");
         let mut events: Vec<Visit> = Vec::new();
         structure.intersect(&scene.prims, &ray, &mut events);
-        let node_bounds = structure.node_bounds();
-        let walk = Walk {
-            structure: &structure,
-            prims: &scene.prims,
-            node_bounds: &node_bounds,
-            ray,
-            events: &events,
-            flat: false,
-        };
+        let nodes = Nodes::of(&structure);
+        let walk =
+            Walk { structure: &structure, prims: &scene.prims, nodes: &nodes, ray, events: &events, flat: false };
         let reel = Reel::Walk(walk);
         let film = Film::new(&reel);
         let camera = Camera::frame(&walk.world(), 1.4, false);

@@ -39,11 +39,11 @@ pub(crate) fn of_scene(scene: &Scene, size: Vec2) -> Camera {
     }
 }
 
-/// The stage's view, or its scene's; of a flat scene, all that its drawing is about.
+/// The stage's view, or its scene's from so far back that all is seen that the drawing is about.
 pub(crate) fn of_stage(look: Option<Look>, scene: &Scene, space: &Space, size: Vec2) -> Camera {
     match look {
         None if scene.flat => Camera::frame(&space.bounds, size.x / size.y, true),
-        None => of_scene(scene, size),
+        None => of_scene(scene, size).holding(&space.bounds, size.x / size.y),
         Some(Look::Flat { center, half_height }) => Camera::Flat { center, half_height },
         Some(Look::Solid { eye, target, up, fov_degrees }) => Camera::Solid { eye, target, up, fov_degrees },
     }

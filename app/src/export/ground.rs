@@ -1,11 +1,10 @@
 //! What walks are drawn on: a slide's stage, or the window as it stands, with the structure already built.
 
-use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Ray, Rule};
-use raystep_figure::{Camera, Shaded, Space, Theme, shaded};
+use raystep_accel::{Ray, Rule};
+use raystep_figure::{Camera, Nodes, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
 use super::camera::{self, Seen};
@@ -21,15 +20,15 @@ pub(crate) struct Ground<'a> {
     pub(super) beats: &'a [Beat],
     pub(super) built: Built,
     pub(super) rule: Rule,
-    pub(super) node_bounds: Arc<Vec<Aabb>>,
+    pub(super) nodes: Arc<Nodes>,
     /// The beginning of files' names.
     pub(super) stem: String,
     /// What a plate says about it.
     pub(super) about: String,
     look: Option<Look>,
     seen: Option<Seen>,
-    /// The solid scene as it is seen in pictures of these sizes: the same at every step.
-    scenery: Mutex<BTreeMap<[u32; 2], Arc<Shaded>>>,
+    /// The solid scene as cameras see it in pictures of these sizes: the same at every step.
+    scenery: Mutex<Vec<(Camera, [u32; 2], Arc<Shaded>)>>,
     /// Whether somebody still waits for the pictures.
     go_on: &'a (dyn Fn() -> bool + Sync),
 }
@@ -52,9 +51,9 @@ impl<'a> Ground<'a> {
         let wrong = |error: &dyn std::fmt::Display| Fault::new(format!("{}: {error}", slide.file));
         let built = stage.build(slide.plays).map_err(|error| wrong(&error))?;
         let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
-        let node_bounds = Arc::new(built.structure.node_bounds());
+        let nodes = Arc::new(Nodes::of(&built.structure));
         let own = Changes { scene: None, settings: Vec::new(), seen: None, told: true };
-        Ok(Ground::new(library, slide, stage, built, rule, node_bounds, own, &|| true))
+        Ok(Ground::new(library, slide, stage, built, rule, nodes, own, &|| true))
     }
 
     /// What is built, with what differs from the stage.
@@ -64,7 +63,7 @@ impl<'a> Ground<'a> {
         stage: &'a Stage,
         built: Built,
         rule: Rule,
-        node_bounds: Arc<Vec<Aabb>>,
+        nodes: Arc<Nodes>,
         changes: Changes,
         go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Ground<'a> {
@@ -90,7 +89,7 @@ impl<'a> Ground<'a> {
             beats,
             built,
             rule,
-            node_bounds,
+            nodes,
             stem,
             about,
             look,
@@ -138,13 +137,14 @@ impl<'a> Ground<'a> {
         let pixels = size.to_array().map(|side| (side.round() as u32).clamp(1, MOST_PIXELS));
         // Whoever comes second waits for the first, and finds the image ready.
         let mut known = self.scenery.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(shaded) = known.get(&pixels) {
+        let same = known.iter().find(|(seen, size, _)| seen == camera && *size == pixels);
+        if let Some((.., shaded)) = same {
             return Some(Arc::clone(shaded));
         }
         let Built { structure, scene, .. } = &self.built;
         let made = shaded(structure, &scene.prims, camera, pixels[0], pixels[1], theme, &self.go_on)?;
         let made = Arc::new(made);
-        known.insert(pixels, Arc::clone(&made));
+        known.push((*camera, pixels, Arc::clone(&made)));
         Some(made)
     }
 }

@@ -31,7 +31,7 @@ impl Window {
         let view = &self.playback.view;
         let slide = self.library.slides.get(view.slide).ok_or_else(gone)?;
         let stage = slide.stage(view.stage).or(slide.stages.first()).ok_or_else(gone)?;
-        let Built { scene, rule, structure, node_bounds, growth, .. } = self.playback.built();
+        let Built { scene, rule, structure, nodes, growth, .. } = self.playback.built();
         let title = scene.title.clone();
         let built = raystep_lesson::Built { scene, structure, growth };
         let changes = Changes {
@@ -40,7 +40,7 @@ impl Window {
             seen: self.seen,
             told: view.example.is_none(),
         };
-        Ok(Ground::new(&self.library, slide, stage, built, rule, node_bounds, changes, go_on))
+        Ok(Ground::new(&self.library, slide, stage, built, rule, nodes, changes, go_on))
     }
 
     /// The walks to draw: that of its ray, or of all rays that the slide's beats are told on.

@@ -17,7 +17,7 @@ pub(super) fn home(look: Option<&Look>, scene: &Scene, bounds: &Aabb, size: Vec2
         None => {
             let view = scene.view;
             let (eye, target, up) = (view.eye, view.target, view.up);
-            Camera::Solid { eye, target, up, fov_degrees: view.fov_degrees }
+            Camera::Solid { eye, target, up, fov_degrees: view.fov_degrees }.holding(bounds, size.x / size.y.max(1.0))
         }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Aabb, Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace, Visit};
-use raystep_figure::{Film, Instant, Reel};
+use raystep_accel::{Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace, Visit};
+use raystep_figure::{Film, Instant, Nodes, Reel};
 use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
@@ -26,8 +26,8 @@ pub struct Playback {
     pub play: Play,
     /// How the structure was built.
     pub rule: Rule,
-    /// The boxes of all nodes.
-    pub node_bounds: Arc<Vec<Aabb>>,
+    /// Its nodes, as pictures need them.
+    pub nodes: Arc<Nodes>,
     /// The questions of the beats that are reached.
     pub posed: Vec<Posed>,
     /// What can be done wrong in such a structure.
@@ -64,8 +64,8 @@ pub struct Built {
     pub rule: Rule,
     /// The structure.
     pub structure: Arc<Structure>,
-    /// The boxes of all its nodes.
-    pub node_bounds: Arc<Vec<Aabb>>,
+    /// Its nodes, as pictures need them.
+    pub nodes: Arc<Nodes>,
     /// How it was built, if that is to be played.
     pub growth: Option<Arc<BuildTape>>,
     /// How many seconds it took to build.
@@ -77,7 +77,7 @@ pub struct Built {
 impl Playback {
     /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
     pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
-        let Built { scene, rule, structure, node_bounds, growth, seconds, mesh } = built;
+        let Built { scene, rule, structure, nodes, growth, seconds, mesh } = built;
         // A mistake's own scene is no scene of the slide: nothing is told there.
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
         let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, beats)?;
@@ -91,13 +91,12 @@ impl Playback {
                 }
             }
         }
-        let film = Film::new(&reel(&play, &node_bounds));
+        let film = Film::new(&reel(&play, &nodes));
         let reached = reached(&play.tape);
         // Only walks go wrong.
         let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.ray().is_some()).collect();
         let (kind, posed) = (Beside::Nothing, Vec::new());
-        let mut playback =
-            Playback { view, play, rule, node_bounds, posed, mistakes, kind, seconds, mesh, film, reached };
+        let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, mesh, film, reached };
         playback.posed = playback.questions(slide);
         Some(playback)
     }
@@ -109,7 +108,7 @@ impl Playback {
         let hit = mistake.walk(&self.play.structure, &self.play.scene.prims, &ray, &mut tape);
         let tape = Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit });
         let play = Play::new(self.play.scene.clone(), self.play.structure.clone(), tape, &[]);
-        Some(self.aside(play, self.rule, self.node_bounds.clone(), Beside::Mistake(index)))
+        Some(self.aside(play, self.rule, self.nodes.clone(), Beside::Mistake(index)))
     }
 
     /// Whether a mistake shows on a ray: in the answer, or in the work.
@@ -123,19 +122,19 @@ impl Playback {
 
     /// The same ray through another structure over the same scene; a build has none.
     pub fn through(&self, built: Built) -> Option<Playback> {
-        let Built { scene, rule, structure, node_bounds, seconds, .. } = built;
+        let Built { scene, rule, structure, nodes, seconds, .. } = built;
         let kind = Beside::Structure(rule.kind());
         let tape = Tape::walk(&scene, &structure, self.play.tape.ray()?);
         let play = Play::new(scene, structure, tape, &[]);
-        Some(Playback { seconds, ..self.aside(play, rule, node_bounds, kind) })
+        Some(Playback { seconds, ..self.aside(play, rule, nodes, kind) })
     }
 
-    fn aside(&self, play: Play, rule: Rule, node_bounds: Arc<Vec<Aabb>>, kind: Beside) -> Playback {
-        let film = Film::new(&reel(&play, &node_bounds));
+    fn aside(&self, play: Play, rule: Rule, nodes: Arc<Nodes>, kind: Beside) -> Playback {
+        let film = Film::new(&reel(&play, &nodes));
         let reached = reached(&play.tape);
         let (view, mistakes, seconds) = (self.view.clone(), self.mistakes.clone(), self.seconds);
         let (posed, mesh) = (Vec::new(), self.mesh.clone());
-        Playback { view, play, rule, node_bounds, posed, mistakes, kind, seconds, mesh, film, reached }
+        Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, mesh, film, reached }
     }
 
     /// What is played, to be played again.
@@ -144,7 +143,7 @@ impl Playback {
             scene: self.play.scene.clone(),
             rule: self.rule,
             structure: self.play.structure.clone(),
-            node_bounds: self.node_bounds.clone(),
+            nodes: self.nodes.clone(),
             growth: self.play.tape.growth(),
             seconds: self.seconds,
             mesh: self.mesh.clone(),
@@ -163,7 +162,7 @@ impl Playback {
 
     /// What the figures are drawn of.
     pub fn reel(&self) -> Reel<'_> {
-        reel(&self.play, &self.node_bounds)
+        reel(&self.play, &self.nodes)
     }
 
     /// The state after so many events.

@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
+use raystep_figure::Nodes;
 use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
@@ -208,8 +209,8 @@ pub(super) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) ->
     let built = BuildTape::record(plays, &scene, &rule, &mut Watch(task));
     let (structure, growth) = built.map_err(|Cancelled| Failure::Cancelled)?;
     let seconds = start.elapsed().as_secs_f32();
-    let node_bounds = Arc::new(structure.node_bounds());
-    Ok(Built { scene, rule, structure: Arc::new(structure), node_bounds, growth, seconds, mesh: None })
+    let nodes = Arc::new(Nodes::of(&structure));
+    Ok(Built { scene, rule, structure: Arc::new(structure), nodes, growth, seconds, mesh: None })
 }
 
 /// The small scene in which a mistake shows.

@@ -1,5 +1,7 @@
 //! Across which direction a slab or a plane stands: an axis, or one that a volume or a tree has of its own.
 
+use glam::Vec3;
+
 use crate::{Axis, Value};
 
 /// The direction across which a slab or a plane stands.
@@ -23,6 +25,13 @@ impl Direction {
     pub const SLANTED: [&'static str; 10] =
         ["x+y+z", "x+y-z", "x-y+z", "x-y-z", "x+y", "x-y", "x+z", "x-z", "y+z", "y-z"];
 
+    /// The direction of a plane's normal: an axis if it runs exactly along one.
+    #[inline]
+    pub fn of(normal: Vec3) -> Direction {
+        let along = |axis: &Axis| Axis::ALL.iter().all(|other| other == axis || normal[*other] == 0.0);
+        Axis::ALL.into_iter().find(along).map_or(Direction::Normal, Direction::Along)
+    }
+
     /// What it is called.
     pub fn name(self) -> &'static str {
         match self {
@@ -31,6 +40,11 @@ impl Direction {
             Direction::Slanted(number) => Self::SLANTED[usize::from(number)],
             Direction::Normal => "n",
         }
+    }
+
+    /// Whether it points straight out of a flat scene: oriented boxes turn in its plane there.
+    pub fn is_upright(self) -> bool {
+        matches!(self, Direction::Along(Axis::Z) | Direction::Own(Axis::Z))
     }
 
     /// The coordinate axis it is, if it is one.

@@ -76,7 +76,7 @@ pub use rule::{
 pub use slab::slab;
 pub use structure::Structure;
 pub use visit::{Ending, Grain, Probed, Side, Verdict, Visit};
-pub use volume::{Appraisal, Hull, KDop, Outline, Volume};
+pub use volume::{Appraisal, Hull, KDop, Outline, Volume, outline};
 pub use watch::{Cancelled, Cost, Each, Observer, Trace};
 
 /// What every structure of this crate can do with a ray: slides 7 and 21, whatever lies between.

@@ -71,7 +71,7 @@ vocabulary! {
         /// The ray was put into the equation of a sphere, `a·t² + 2·b·t + c = 0`; its two solutions are entry and exit.
         Roots ["roots"] { place: Place, a: f32, b: f32, c: f32, discriminant: f32, t1: f32, t2: f32, t_near: f32, t_far: f32, empty: bool }
         /// The interval was cut at the plane of a face: where the ray comes in there, or goes out.
-        Clip ["clip"] { place: Place, face: u32, o: f32, d: f32, plane: f32, t: f32, entering: bool, t_near: f32, t_far: f32, empty: bool }
+        Clip ["clip"] { place: Place, face: u32, axis: Direction, o: f32, d: f32, plane: f32, t: f32, entering: bool, t_near: f32, t_far: f32, empty: bool }
         /// A volume was tested.
         Volume ["volume.hit", "volume.miss", "volume.cut"] { place: Place, t_near: f32, t_far: f32, best_t: f32, verdict: Verdict }
         /// An inner node, a leaf or a cell was entered, holding `prims` references (0 in inner nodes, and in cells
@@ -199,12 +199,13 @@ impl Visit {
 
     /// Whether the event concerns only the z axis, which flat scenes leave out.
     pub fn concerns_z(&self) -> bool {
-        matches!(
-            self,
-            Visit::Parallel { axis: Direction::Along(Axis::Z), .. }
-                | Visit::Divide { axis: Direction::Along(Axis::Z), .. }
-                | Visit::Order { axis: Direction::Along(Axis::Z), .. }
-                | Visit::Narrow { axis: Direction::Along(Axis::Z), .. }
-        )
+        match self {
+            Visit::Parallel { axis, .. }
+            | Visit::Divide { axis, .. }
+            | Visit::Order { axis, .. }
+            | Visit::Narrow { axis, .. }
+            | Visit::Clip { axis, .. } => axis.is_upright(),
+            _ => false,
+        }
     }
 }

@@ -9,11 +9,15 @@ use raystep_accel::{
     Aabb, Axis, CellId, Direction, FreePlane, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure,
 };
 
+use crate::Nodes;
+
 /// A build that was recorded, with what it ended in.
 #[derive(Clone, Copy)]
 pub struct Build<'a> {
     /// The finished structure: it knows where a grid's cells lie.
     pub structure: &'a Structure,
+    /// Its nodes, as pictures need them.
+    pub nodes: &'a Nodes,
     /// What it was built over.
     pub prims: &'a Prims,
     /// What happened, in order.

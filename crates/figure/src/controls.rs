@@ -4,6 +4,10 @@ use glam::{Vec2, Vec3};
 use raystep_accel::Aabb;
 
 use crate::Camera;
+use crate::stage::corners;
+
+/// So much more than a box has room in a picture that holds it.
+const AIR: f32 = 1.04;
 
 /// Directly above or below, up would be undefined.
 const STEEPEST: f32 = 0.995;
@@ -24,6 +28,39 @@ impl Camera {
         let distance = half.length().max(1e-6) * 1.05 / tan;
         let eye = center + Vec3::new(0.55, 0.42, 0.9).normalize() * distance;
         Camera::Solid { eye, target: center, up: Vec3::Y, fov_degrees }
+    }
+
+    /// The same view from further back, if a box would reach out of a picture of this aspect (width / height). A
+    /// flat camera stays where it is.
+    pub fn holding(self, bounds: &Aabb, aspect: f32) -> Camera {
+        let Camera::Solid { eye, target, up, fov_degrees } = self else { return self };
+        let forward = (target - eye).normalize_or_zero();
+        let right = forward.cross(up).normalize_or_zero();
+        let page_up = right.cross(forward);
+        let angle = f64::from(fov_degrees.to_radians() * 0.5);
+        let tall = (libm::sin(angle) / libm::cos(angle)) as f32 / AIR;
+        // Across the picture, how far out a plane under the angle of view must lie to have the box on its inner side.
+        let sides = |along: Vec3, slope: f32| {
+            let beyond = |along: Vec3| {
+                corners(bounds).map(|p| p.dot(along) - p.dot(forward) * slope).into_iter().fold(f32::MIN, f32::max)
+            };
+            [beyond(-along), beyond(along)]
+        };
+        let (wide, high) = (sides(right, tall * aspect), sides(page_up, tall));
+        let inside = |[low, high]: [f32; 2], along: Vec3, slope: f32| {
+            let (across, depth) = (eye.dot(along), eye.dot(forward) * slope);
+            -across - depth >= low && across - depth >= high
+        };
+        if bounds.is_empty() || (inside(wide, right, tall * aspect) && inside(high, page_up, tall)) {
+            return self;
+        }
+        // The two planes meet where the eye may stand; it has both pairs of them to keep behind.
+        let middle = |[low, high]: [f32; 2]| (high - low) * 0.5;
+        let depth = |[low, high]: [f32; 2], slope: f32| -(low + high) * 0.5 / slope;
+        let back = depth(wide, tall * aspect).min(depth(high, tall));
+        let eye = right * middle(wide) + page_up * middle(high) + forward * back;
+        let target = eye + forward * (bounds.center() - eye).dot(forward);
+        Camera::Solid { eye, target, up, fov_degrees }
     }
 
     /// Turned around what it looks at by a drag of so many points: the scene follows the hand. A flat
@@ -98,6 +135,22 @@ mod tests {
                 let (at, _) = camera.project(corner, SIZE).expect("before the eye");
                 assert!(at.cmpge(Vec2::ZERO).all() && at.cmple(SIZE).all(), "{corner} at {at}");
             }
+        }
+    }
+
+    #[test]
+    fn a_camera_steps_back_until_it_holds_a_box() {
+        let near = Camera::Solid { eye: Vec3::new(0.0, -9.0, 3.0), target: Vec3::ZERO, up: Vec3::Z, fov_degrees: 30.0 };
+        let bounds = Aabb::new(Vec3::new(-6.0, -3.0, 0.0), Vec3::new(4.0, 7.0, 3.0));
+        for size in [SIZE, Vec2::new(300.0, 700.0), Vec2::new(900.0, 200.0)] {
+            let camera = near.holding(&bounds, size.x / size.y);
+            let seen = corners(&bounds).map(|corner| camera.project(corner, size).expect("before the eye").0);
+            assert!(seen.iter().all(|at| at.cmpge(Vec2::ZERO).all() && at.cmple(size).all()), "{seen:?}");
+            // As near as that allows: the box reaches two opposite edges.
+            let low = seen.iter().copied().fold(Vec2::INFINITY, Vec2::min) / size;
+            let high = Vec2::ONE - seen.iter().copied().fold(Vec2::ZERO, Vec2::max) / size;
+            assert!(low.max(high).min_element() < 0.03, "{low} {high}");
+            assert_eq!(camera.holding(&bounds, size.x / size.y), camera);
         }
     }
 

@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Plac
 
 use crate::branches::{Tree, TreeView};
 use crate::build::{Build, Fate, GrowMoment, GrowNode};
-use crate::space::{convex, outlines};
+use crate::space::convex;
 use crate::tree::draw_tree;
 use crate::work::counted;
 use crate::{Figure, Form, Look, Role, Space, SpaceMark, number};
@@ -21,7 +21,7 @@ const TICKS: usize = 120;
 
 /// Space at a moment of a build.
 pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
-    let bounds = outlines::reach(build.structure);
+    let bounds = build.nodes.reach();
     let mut drawing = Drawing { build, moment, marks: Vec::new() };
     drawing.the_box();
     drawing.cells();
@@ -165,7 +165,7 @@ impl Drawing<'_> {
             // Boxes of split nodes only repeat what their children show; the current one stands out.
             let role = if role == Role::Seen && !node.children.is_empty() { Role::Edge } else { role };
             // Nodes that are not yet in the tree have numbers beyond its own, and only a box.
-            for form in outlines::node(self.build.structure, id, node.bounds, self.build.flat) {
+            for form in self.build.nodes.look(self.build.structure, id, node.bounds, self.build.flat) {
                 self.add(role, Some(Place::Node(id)), form);
             }
         }

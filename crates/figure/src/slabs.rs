@@ -35,7 +35,7 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
         .rfind(|event| matches!(event, Visit::Roots { .. } | Visit::Clip { .. }) || slab_of(event).is_some())
     {
         Some(Visit::Roots { .. }) => return roots::table(done, size, look),
-        Some(Visit::Clip { .. }) => return clips::table(walk, done, size, look),
+        Some(Visit::Clip { .. }) => return clips::table(walk.flat, done, size, look),
         _ => {}
     }
     let last = done.iter().rposition(|event| slab_of(event).is_some());
@@ -53,7 +53,7 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
 
     let top = look.heading(&mut figure, &format!("Slabs of {place}"), "");
     let now = moment.event.as_ref();
-    slabs.retain(|slab| !walk.leaves_out(place, slab.axis));
+    slabs.retain(|slab| !walk.leaves_out(slab.axis));
     let rows = slabs.iter().map(|slab| row(slab, now)).collect();
     let current = now.and_then(slab_of).and_then(|(_, axis)| slabs.iter().position(|slab| slab.axis == axis));
     let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];

@@ -18,7 +18,7 @@ pub(crate) struct Span {
 pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
     let span = |name: &str, place, interval, role| Span { name: name.to_owned(), place, interval, role };
     if let Some(slab) = &moment.slab {
-        let cuts = slab.cuts.iter().filter(|cut| !walk.leaves_out(slab.place, cut.axis));
+        let cuts = slab.cuts.iter().filter(|cut| !walk.leaves_out(cut.axis));
         let cuts = cuts.map(|cut| {
             let interval = match cut.t {
                 Some([t1, t2]) => Interval::new(t1.min(t2), t1.max(t2)),
@@ -101,7 +101,7 @@ pub(crate) fn extent(walk: &Walk<'_>) -> (f32, f32) {
             Visit::Enter { t_near, t_far, .. } | Visit::Push { t_near, t_far, .. } => must.extend([t_near, t_far]),
             Visit::Volume { t_near, t_far, verdict: Verdict::Hit, .. } => must.extend([t_near, t_far]),
             Visit::Test { t, hit: true, .. } => must.push(t),
-            Visit::Divide { axis, t1, t2, .. } if !(walk.flat && axis == Axis::Z.into()) => may.extend([t1, t2]),
+            Visit::Divide { axis, t1, t2, .. } if !walk.leaves_out(axis) => may.extend([t1, t2]),
             Visit::Roots { t1, t2, .. } => may.extend([t1, t2]),
             _ => {}
         }

@@ -1,7 +1,8 @@
 //! A walk that was recorded, with what it went through.
 
-use raystep_accel::{Aabb, AnyBvh, Axis, Direction, Place, Primitives, Prims, Ray, Structure, Visit};
+use raystep_accel::{Aabb, Direction, Place, Primitives, Prims, Ray, Structure, Visit};
 
+use crate::Nodes;
 use crate::reel::around;
 
 /// Everything that the views of one walk need.
@@ -11,8 +12,8 @@ pub struct Walk<'a> {
     pub structure: &'a Structure,
     /// What the structure was built over.
     pub prims: &'a Prims,
-    /// The box of every node, in order; empty for structures without nodes.
-    pub node_bounds: &'a [Aabb],
+    /// The structure's nodes, as pictures need them.
+    pub nodes: &'a Nodes,
     /// The ray.
     pub ray: Ray,
     /// What happened, in order.
@@ -26,7 +27,7 @@ impl Walk<'_> {
     pub fn bounds(&self, place: Place) -> Aabb {
         match place {
             Place::World => self.world(),
-            Place::Node(node) => self.node_bounds.get(node.index()).copied().unwrap_or(Aabb::EMPTY),
+            Place::Node(node) => self.nodes.bounds(node),
             Place::Cell(cell) => match self.structure.grid() {
                 Some(grid) if cell.index() < grid.cell_count() => grid.cell_bounds(cell),
                 _ => Aabb::EMPTY,
@@ -36,15 +37,9 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether a slab of a volume is that of the z axis in a flat scene, which leaves it out.
-    pub(crate) fn leaves_out(&self, place: Place, across: Direction) -> bool {
-        let level = match (self.structure, place, across) {
-            (Structure::Bvh(AnyBvh::Obb(tree)), Place::Node(node), Direction::Own(axis)) => {
-                tree.volume(node).axes[axis.index()].z.abs() > 0.999
-            }
-            _ => across == Axis::Z.into(),
-        };
-        self.flat && level
+    /// Whether the scene is flat and leaves out what stands across this direction.
+    pub(crate) fn leaves_out(&self, across: Direction) -> bool {
+        self.flat && across.is_upright()
     }
 
     /// The box around the structure, or around the primitives where there is none.

@@ -1,14 +1,14 @@
 //! The panes on a small flat scene: what they draw, and that nothing is cut off at any step.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Aabb, Accel, Grow, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_accel::{Accel, Grow, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
 use raystep_figure::*;
 
 /// Six discs, a structure over them and a walk through it.
 struct Played {
     prims: Prims,
     structure: Structure,
-    bounds: Vec<Aabb>,
+    nodes: Nodes,
     ray: Ray,
     events: Vec<Visit>,
     grown: Vec<Grow>,
@@ -29,13 +29,13 @@ impl Played {
         let ray = Ray::new(Vec3::new(-1.0, 1.8, 0.0), Vec3::new(1.0, 0.1, 0.0)).unwrap();
         let mut events = Vec::new();
         structure.intersect(&prims, &ray, &mut events);
-        let bounds = structure.node_bounds();
-        Played { prims, structure, bounds, ray, events, grown }
+        let nodes = Nodes::of(&structure);
+        Played { prims, structure, nodes, ray, events, grown }
     }
 
     fn walk(&self) -> Walk<'_> {
-        let Played { structure, prims, bounds, ray, events, .. } = self;
-        Walk { structure, prims, node_bounds: bounds, ray: *ray, events, flat: true }
+        let Played { structure, prims, nodes, ray, events, .. } = self;
+        Walk { structure, prims, nodes, ray: *ray, events, flat: true }
     }
 
     /// The step of the `nth` event of this name.

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, Axes, KdRule, Measure, NodeId, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
 use raystep_figure::{
-    Camera, Figure, Film, Form, Ink, Instant, Moment, Reel, Scenery, Space, Theme, Walk, labels, shaded, space, stage,
+    Camera, Figure, Film, Form, Ink, Instant, Moment, Nodes, Reel, Scenery, Space, Theme, Walk, labels, shaded, space,
+    stage,
 };
 
 /// Discs in the four quarters of a square, two in each.
@@ -24,7 +25,7 @@ fn kd() -> Rule {
 struct Stand {
     prims: Prims,
     structure: Structure,
-    bounds: Vec<raystep_accel::Aabb>,
+    nodes: Nodes,
     ray: Ray,
     events: Vec<Visit>,
 }
@@ -36,15 +37,15 @@ impl Stand {
         let ray = Ray::new(Vec3::new(-1.0, 0.2, 0.0), Vec3::new(1.0, 0.7, 0.0)).expect("a ray");
         let mut events = Vec::new();
         structure.intersect(&prims, &ray, &mut events);
-        let bounds = structure.node_bounds();
-        Stand { prims, structure, bounds, ray, events }
+        let nodes = Nodes::of(&structure);
+        Stand { prims, structure, nodes, ray, events }
     }
 
     fn walk(&self) -> Walk<'_> {
         Walk {
             structure: &self.structure,
             prims: &self.prims,
-            node_bounds: &self.bounds,
+            nodes: &self.nodes,
             ray: self.ray,
             events: &self.events,
             flat: true,

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Shape, Sphere};
-use raystep_figure::{Camera, Color, Dash, Edge, Stroke, Style, circles, contour, lines};
+use raystep_figure::{Camera, Color, Dash, Stroke, Style, circles, contour, lines};
 
 use crate::Frame;
 use crate::batch::{FaceCorner, Line, Point};
@@ -189,7 +189,7 @@ impl Pen<'_> {
     }
 
     /// A body: what the eye sees as its outline, and its other edges in a style of theirs.
-    pub(crate) fn body(&mut self, edges: &[Edge], style: &Style, around: &Style) {
+    pub(crate) fn body(&mut self, edges: &[[Vec3; 2]], style: &Style, around: &Style) {
         let eye = match *self.camera {
             Camera::Flat { center, .. } => center.extend(0.0),
             Camera::Solid { eye, .. } => eye,

@@ -6,7 +6,7 @@ use super::quickhull::quickhull;
 use super::{Outline, Volume, corners, slack};
 use crate::bvh::Spans;
 use crate::slab::{earlier, later};
-use crate::{Aabb, Axes, Corner, Interval, Observer, Place, PrimId, Primitives, Ray, Visit};
+use crate::{Aabb, Axes, Corner, Direction, Interval, Observer, Place, PrimId, Primitives, Ray, Visit};
 
 /// All points behind some planes.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,7 +69,19 @@ impl Volume for Hull {
                 t_far = t_far.min(later(t));
             }
             let empty = t_near > t_far;
-            watch.on(Visit::Clip { place, face, o, d, plane, t, entering, t_near, t_far, empty });
+            watch.on(Visit::Clip {
+                place,
+                face,
+                axis: Direction::of(n),
+                o,
+                d,
+                plane,
+                t,
+                entering,
+                t_near,
+                t_far,
+                empty,
+            });
             if empty {
                 break;
             }

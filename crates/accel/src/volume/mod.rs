@@ -17,6 +17,7 @@ pub use appraisal::Appraisal;
 pub use hull::Hull;
 pub use kdop::KDop;
 pub use outline::Outline;
+pub use quickhull::outline;
 
 use crate::bvh::Draft;
 use crate::{Aabb, Axes, Corner, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit};

@@ -81,7 +81,7 @@ fn plate(points: &[DVec3], base: DVec3, u: DVec3, v: DVec3) -> Found {
 
 /// The corners of the smallest convex polygon around points of a plane, against the clock (Andrew's monotone
 /// chain, 1979).
-pub(super) fn outline(points: &[DVec2]) -> Vec<usize> {
+pub fn outline(points: &[DVec2]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     let place = |a: DVec2, b: DVec2| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
     order.sort_by(|&a, &b| place(points[a], points[b]));

@@ -1,14 +1,14 @@
 //! A ray clipped against the faces of a hull, in numbers.
 
 use glam::Vec2;
-use raystep_accel::{AnyBvh, Place, Structure, Visit};
+use raystep_accel::Visit;
 
 use super::{left, verdict};
 use crate::table::{Entry, Table};
-use crate::{Figure, Look, Role, Walk, number};
+use crate::{Figure, Look, Role, number};
 
 /// A row for each face of the last hull tested, the latest at the end; of many, the last that there is room for.
-pub(super) fn table(walk: &Walk<'_>, done: &[Visit], size: Vec2, look: &Look) -> Figure {
+pub(super) fn table(flat: bool, done: &[Visit], size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let Some(last) = done.iter().rposition(|event| matches!(event, Visit::Clip { .. })) else { return figure };
     let place = done[last].place();
@@ -18,7 +18,7 @@ pub(super) fn table(walk: &Walk<'_>, done: &[Visit], size: Vec2, look: &Look) ->
     // The same hull may have been tested just before.
     let first = clips.iter().rposition(|event| matches!(event, Visit::Clip { face: 0, .. })).unwrap_or(0);
     clips.drain(..first);
-    clips.retain(|event| !(walk.flat && level(walk.structure, event)));
+    clips.retain(|event| !(flat && event.concerns_z()));
 
     let top = look.heading(&mut figure, &format!("Faces of {place}"), "");
     let now = (last + 1 == done.len()).then(|| done[last]);
@@ -35,15 +35,6 @@ pub(super) fn table(walk: &Walk<'_>, done: &[Visit], size: Vec2, look: &Look) ->
         verdict(&mut figure, Some(place), end, &says, look);
     }
     figure
-}
-
-/// Whether a face lies level, so that a flat scene leaves it out.
-fn level(structure: &Structure, event: &Visit) -> bool {
-    let (Structure::Bvh(AnyBvh::Hull(tree)), Visit::Clip { place: Place::Node(node), face, .. }) = (structure, event)
-    else {
-        return false;
-    };
-    tree.volume(*node).planes.get(*face as usize).is_some_and(|(n, _)| n.z.abs() > 0.999)
 }
 
 fn row(event: &Visit, now: bool) -> Vec<Entry> {

@@ -11,7 +11,7 @@ mod slabs;
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, PrimId, Sphere, Structure};
 
-use crate::{Edge, Moment, Role, Walk};
+use crate::{Moment, Role, Walk};
 
 /// What space shows at one step: lines, boxes, points and labels, in world coordinates. The primitives
 /// themselves are drawn from the scene; those to which something happened have a [`Form::Prim`] mark.
@@ -45,8 +45,8 @@ pub enum Form {
     Sheet(Aabb),
     /// A sphere: a circle in a flat scene, its outline and two circles around it in a solid one.
     Sphere(Sphere),
-    /// A convex body in a solid scene: its outline strong, its other edges faint where they are many.
-    Body(Vec<Edge>),
+    /// A convex body in a solid scene by its edges: its outline strong, the others faint where they are many.
+    Body(Vec<[Vec3; 2]>),
     /// A flat convex polygon: a cell or a volume of a flat scene, or what of a plane lies in a cell of a solid one.
     Polygon(Vec<Vec3>),
     /// A straight line.
@@ -122,7 +122,7 @@ impl Drawing<'_> {
         };
         let bounds = self.walk.bounds(place);
         if let Place::Node(node) = place {
-            for form in outlines::node(self.walk.structure, node, bounds, self.walk.flat) {
+            for form in self.walk.nodes.look(self.walk.structure, node, bounds, self.walk.flat) {
                 self.add(role, Some(place), form);
             }
         } else if !bounds.is_empty() {
@@ -151,7 +151,7 @@ fn visible(walk: &Walk<'_>) -> Aabb {
     }
     let diagonal = world.extent().length();
     let near = |p: &Vec3| (*p - world.center()).length() <= 2.0 * diagonal;
-    let mut all = world.union(outlines::reach(walk.structure));
+    let mut all = world.union(walk.nodes.reach());
     if near(&walk.ray.o) {
         all = all.with_point(walk.ray.o);
     }

@@ -1,21 +1,19 @@
 //! What bounds the nodes of a tree, as forms: boxes, spheres, bodies, cells.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, AnyBvh, NodeId, Outline, Sphere, Structure};
 
 use super::{Form, convex};
-use crate::Edge;
 
-/// What the outline of a node looks like; `bounds` is the box around it.
-pub(crate) fn node(structure: &Structure, node: NodeId, bounds: Aabb, flat: bool) -> Vec<Form> {
-    let forms = match structure {
-        Structure::Bsp(tree) if node.index() < tree.node_count() => convex::cell(&tree.cell(node), flat),
-        Structure::Bvh(tree) if node.index() < tree.node_count() => volume(&tree.outline(node), flat),
+/// What a node looks like; nothing if a box shows it.
+pub(crate) fn node(structure: &Structure, node: NodeId, flat: bool) -> Vec<Form> {
+    match structure {
+        Structure::Bsp(tree) => convex::cell(&tree.cell(node), flat),
+        Structure::Bvh(tree) => volume(&tree.outline(node), flat),
         _ => Vec::new(),
-    };
-    if forms.is_empty() && !bounds.is_empty() { vec![Form::Box(bounds)] } else { forms }
+    }
 }
 
 /// Of a tree with more nodes than this, the picture has room for so many: the uppermost come first.
@@ -47,8 +45,7 @@ fn volume(outline: &Outline, flat: bool) -> Vec<Form> {
             if corners.len() > 2 { vec![Form::Polygon(corners)] } else { Vec::new() }
         }
         Outline::Faces(faces) => {
-            let bounds = outline.bounds();
-            vec![Form::Body(edges(faces, bounds.center(), bounds.extent().max_element() * NEAR))]
+            vec![Form::Body(edges(faces, outline.bounds().extent().max_element() * NEAR))]
         }
     }
 }
@@ -57,7 +54,7 @@ fn volume(outline: &Outline, flat: bool) -> Vec<Form> {
 const NEAR: f32 = 1e-5;
 
 /// The edges of a body, each once.
-fn edges(faces: &[Vec<Vec3>], middle: Vec3, near: f32) -> Vec<Edge> {
+fn edges(faces: &[Vec<Vec3>], near: f32) -> Vec<[Vec3; 2]> {
     let mut corners: Vec<Vec3> = Vec::new();
     let mut known = |p: Vec3| {
         corners.iter().position(|q| p.distance_squared(*q) <= near * near).unwrap_or_else(|| {
@@ -65,21 +62,11 @@ fn edges(faces: &[Vec<Vec3>], middle: Vec3, near: f32) -> Vec<Edge> {
             corners.len() - 1
         })
     };
-    let mut edges: BTreeMap<(usize, usize), Vec<Vec3>> = BTreeMap::new();
+    let mut edges = BTreeSet::new();
     for face in faces {
-        let normal = face.windows(2).map(|pair| (pair[0] - face[0]).cross(pair[1] - face[0])).sum::<Vec3>();
-        let outward = if normal.dot(face[0] - middle) < 0.0 { -normal } else { normal };
         let around: Vec<usize> = face.iter().map(|&p| known(p)).collect();
         let next = around.iter().cycle().skip(1);
-        for (&a, &b) in around.iter().zip(next).filter(|(a, b)| a != b) {
-            edges.entry((a.min(b), a.max(b))).or_default().push(outward);
-        }
+        edges.extend(around.iter().zip(next).filter(|(a, b)| a != b).map(|(&a, &b)| (a.min(b), a.max(b))));
     }
-    let normal = |normals: &[Vec3], i: usize| normals.get(i).copied().unwrap_or(Vec3::ZERO);
-    let edge = |((a, b), normals): ((usize, usize), Vec<Vec3>)| Edge {
-        from: corners[a],
-        to: corners[b],
-        normals: [normal(&normals, 0), normal(&normals, 1)],
-    };
-    edges.into_iter().map(edge).collect()
+    edges.into_iter().map(|(a, b)| [corners[a], corners[b]]).collect()
 }

@@ -1,7 +1,7 @@
 //! The two planes of a slab that is being cut.
 
 use glam::Vec3;
-use raystep_accel::{Aabb, AnyBvh, Axis, Direction, Interval, NodeId, Place, Ray, Structure, Visit};
+use raystep_accel::{Aabb, AnyBvh, Direction, Interval, NodeId, Place, Ray, Structure, Visit};
 
 use super::{Drawing, Form};
 use crate::moment::{SlabCut, SlabTest};
@@ -29,7 +29,7 @@ impl Drawing<'_> {
         }
         for cut in &slab.cuts {
             let drawn = cut.axis == slab.axis || (self.walk.flat && cut.axis < slab.axis);
-            if drawn && !(self.walk.flat && cut.axis == Axis::Z.into()) {
+            if drawn && !self.walk.leaves_out(cut.axis) {
                 self.planes(slab, cut);
             }
         }

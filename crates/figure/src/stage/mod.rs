@@ -218,7 +218,7 @@ fn joined(a: Vec2, b: Vec2) -> bool {
 }
 
 /// The corners of a box: bit 0 of the index is x, bit 1 y, bit 2 z.
-fn corners(bounds: &Aabb) -> [Vec3; 8] {
+pub(crate) fn corners(bounds: &Aabb) -> [Vec3; 8] {
     std::array::from_fn(|index| {
         let pick = |bit: usize, low: f32, high: f32| if index & bit == 0 { low } else { high };
         Vec3::new(

@@ -6,7 +6,7 @@ use raystep_accel::{Place, PrimId, Primitives, Prims, Shape, Sphere, Wall};
 use super::Stage;
 use crate::faces::{faces, ring};
 use crate::globe::{circles, contour};
-use crate::{Edge, Ink, Role, lines};
+use crate::{Ink, Role, lines};
 
 impl Stage<'_> {
     pub(super) fn prim(&mut self, prims: &Prims, prim: PrimId, role: Role) {
@@ -67,7 +67,7 @@ impl Stage<'_> {
     }
 
     /// A body that is transparent.
-    pub(super) fn body(&mut self, edges: &[Edge], role: Role, place: Option<Place>) {
+    pub(super) fn body(&mut self, edges: &[[Vec3; 2]], role: Role, place: Option<Place>) {
         let (rim, faint) = lines(edges, self.lens.eye());
         for [from, to] in faint {
             self.line(from, to, Role::Hidden, place);
