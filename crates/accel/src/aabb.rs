@@ -105,13 +105,6 @@ impl Aabb {
     /// Surface area, or the perimeter of its x, y rectangle; 0 when empty.
     #[inline]
     pub fn measure(&self, measure: Measure) -> f32 {
-        if self.is_empty() {
-            return 0.0;
-        }
-        let e = self.extent();
-        match measure {
-            Measure::Area => 2.0 * (e.x * e.y + e.y * e.z + e.z * e.x),
-            Measure::Perimeter => 2.0 * (e.x + e.y),
-        }
+        if self.is_empty() { 0.0 } else { measure.of(self.extent()) }
     }
 }

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::ops::{Index, IndexMut};
 
+use glam::Vec3;
+
 /// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Axis {
@@ -36,7 +38,7 @@ impl fmt::Display for Axis {
     }
 }
 
-impl Index<Axis> for glam::Vec3 {
+impl Index<Axis> for Vec3 {
     type Output = f32;
 
     #[inline]
@@ -49,7 +51,7 @@ impl Index<Axis> for glam::Vec3 {
     }
 }
 
-impl IndexMut<Axis> for glam::Vec3 {
+impl IndexMut<Axis> for Vec3 {
     #[inline]
     fn index_mut(&mut self, axis: Axis) -> &mut f32 {
         match axis {
@@ -90,4 +92,15 @@ pub enum Measure {
     Area,
     /// Perimeter of the x, y rectangle, for flat scenes.
     Perimeter,
+}
+
+impl Measure {
+    /// The measure of a box with these sides.
+    #[inline]
+    pub fn of(self, sides: Vec3) -> f32 {
+        match self {
+            Measure::Area => 2.0 * (sides.x * sides.y + sides.y * sides.z + sides.z * sides.x),
+            Measure::Perimeter => 2.0 * (sides.x + sides.y),
+        }
+    }
 }

@@ -129,6 +129,14 @@ fn a_box_around_a_solid_holds_all_of_it_and_a_clip_all_of_the_part() {
             let bounds = Aabb::around([point(random, 2.0), point(random, 2.0)]);
             let (own, part) = (shape.bounds(), shape.clip(&bounds));
             assert!(part.is_empty() || (own.encloses(&part) && bounds.encloses(&part)));
+            // Cut in two, it is what it is when each side is clipped by itself.
+            let (axis, middle) = (Axis::ALL[kept as usize % 3], bounds.center());
+            let sides = [bounds.cut(axis, middle[axis]).0, bounds.cut(axis, middle[axis]).1];
+            for (half, side) in shape.clip_twice(&bounds, axis, [middle[axis]; 2]).iter().zip(sides) {
+                let alone = shape.clip(&side);
+                assert_eq!(half.is_empty(), alone.is_empty());
+                assert!(half.is_empty() || half.padded(1e-6).encloses(&alone) && alone.padded(1e-6).encloses(half));
+            }
             for _ in 0..20 {
                 let p = own.center() + own.extent() * point(random, 0.6);
                 if holds(&shape, p) {

@@ -62,9 +62,9 @@ impl<P: Primitives> Cutter for Boxes<'_, P> {
         Some((Upright { axis: cut.axis, at: cut.plane }, cut.cost))
     }
 
-    fn cut(&mut self, bounds: &Aabb, refs: &[Reference], Upright { axis, at }: Upright) -> [Half<Self>; 2] {
-        let halves = bounds.cut(axis, at);
-        let (lower, upper) = deal(self.prims, refs, axis, at, &halves, self.pad);
-        [(halves.0, lower), (halves.1, upper)]
+    fn cut(&mut self, bounds: &Aabb, refs: &[Reference], plane: Upright) -> [Half<Self>; 2] {
+        let [lower, upper] = deal(self.prims, refs, bounds, plane, self.pad);
+        let (below, above) = bounds.cut(plane.axis, plane.at);
+        [(below, lower), (above, upper)]
     }
 }

@@ -1,5 +1,8 @@
 //! A reference on its way down the tree: a primitive and the box around its part in the node.
 
+use glam::Vec3;
+
+use super::node::Upright;
 use crate::{Aabb, Axis, PrimId, Primitives};
 
 /// A primitive and the box around what of it lies in the node, `pad` larger than that part on all sides
@@ -17,6 +20,29 @@ impl Reference {
         (!part.is_empty()).then(|| Reference { prim, bounds: part.padded(pad).intersection(*node) })
     }
 
+    /// What of it lies below the plane, and what above. Its part in the node is convex, so a side of the node
+    /// that this part does not reach need not be cut along, though it may cut the primitive elsewhere.
+    fn halves(
+        &self,
+        prims: &impl Primitives,
+        node: &Aabb,
+        Upright { axis, at }: Upright,
+        pad: f32,
+    ) -> [Option<Reference>; 2] {
+        let Aabb { min, max } = node.padded(pad);
+        let reached = Aabb {
+            min: Vec3::select(self.bounds.min.cmple(node.min), min, Vec3::NEG_INFINITY),
+            max: Vec3::select(self.bounds.max.cmpge(node.max), max, Vec3::INFINITY),
+        };
+        let [lower, upper] = prims.clip_twice(self.prim, &reached, axis, [at + pad, at - pad]);
+        let (below, above) = self.bounds.cut(axis, at);
+        let half = |part: Aabb, side| {
+            let bounds = part.padded(pad).intersection(side);
+            (!part.is_empty()).then_some(Reference { prim: self.prim, bounds })
+        };
+        [half(lower, below), half(upper, above)]
+    }
+
     /// Whether it reaches below the plane, and whether it reaches above. One that only touches does not:
     /// the primitive itself is `pad` away. One that lies flat in the plane is on both sides.
     pub(super) fn sides(&self, axis: Axis, plane: f32) -> (bool, bool) {
@@ -25,25 +51,26 @@ impl Reference {
     }
 }
 
-/// Deals a node's references out to its children. Only those on both sides are clipped again.
+/// Deals the references of the node with box `node` out to its children. Only those on both sides are clipped
+/// again.
 pub(super) fn deal(
     prims: &impl Primitives,
     refs: &[Reference],
-    axis: Axis,
-    plane: f32,
-    children: &(Aabb, Aabb),
+    node: &Aabb,
+    plane: Upright,
     pad: f32,
-) -> (Vec<Reference>, Vec<Reference>) {
+) -> [Vec<Reference>; 2] {
     let (mut lower, mut upper) = (Vec::with_capacity(refs.len()), Vec::with_capacity(refs.len()));
     for &reference in refs {
-        match reference.sides(axis, plane) {
+        match reference.sides(plane.axis, plane.at) {
             (true, false) => lower.push(reference),
             (false, true) => upper.push(reference),
             _ => {
-                lower.extend(Reference::clipped(prims, reference.prim, &children.0, pad));
-                upper.extend(Reference::clipped(prims, reference.prim, &children.1, pad));
+                let [below, above] = reference.halves(prims, node, plane, pad);
+                lower.extend(below);
+                upper.extend(above);
             }
         }
     }
-    (lower, upper)
+    [lower, upper]
 }

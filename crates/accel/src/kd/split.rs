@@ -91,9 +91,14 @@ impl<O: Observer<Grow>> Scale<'_, O> {
     /// What the node costs if it is cut there: a step, and for each child its primitives as often as a ray
     /// that meets the node meets the child. Cutting off empty space is worth a bonus.
     fn weigh(&mut self, axis: Axis, plane: f32, below: u32, above: u32) -> Cut {
-        let (lower, upper) = self.bounds.cut(axis, plane);
-        let chance = |child: Aabb| child.measure(self.rule.measure) / self.whole;
-        let tests = chance(lower) * below as f32 + chance(upper) * above as f32;
+        // The children are as wide as the node, but along the axis.
+        let chance = |side: f32| {
+            let mut sides = self.bounds.extent();
+            sides[axis] = side;
+            self.rule.measure.of(sides) / self.whole
+        };
+        let (lower, upper) = (chance(plane - self.bounds.min[axis]), chance(self.bounds.max[axis] - plane));
+        let tests = lower * below as f32 + upper * above as f32;
         let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };
         let cost = bonus * (self.rule.traversal_cost + self.rule.intersection_cost * tests);
         self.watch.on(Grow::Weigh { node: self.node, axis: axis.into(), plane, below, above, cost });

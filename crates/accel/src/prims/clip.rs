@@ -4,39 +4,35 @@ use std::mem::swap;
 
 use glam::{DVec3, Vec3};
 
-use crate::Aabb;
+use crate::{Aabb, Axis};
 
-/// A convex polygon cut by six planes has at most its own corners plus six.
+/// A convex polygon of six corners cut by six planes has at most twelve.
 const MOST: usize = 12;
 
-/// A small box around the part of a convex polygon (at most 6 corners) that lies in `bounds`. In double
-/// precision, so that the corners of scenes far from the origin do not wander while they are cut.
+/// A small box around the part of a convex polygon (at most 6 corners) that lies in `bounds`.
 pub(super) fn clip_polygon(corners: &[Vec3], bounds: &Aabb) -> Aabb {
     let whole = Aabb::around(corners.iter().copied());
     if !whole.touches(bounds) || bounds.encloses(&whole) {
         return whole.intersection(*bounds);
     }
-    let mut polygon = &mut Corners::none();
-    let mut kept = &mut Corners::none();
-    for p in corners {
-        polygon.add(p.as_dvec3());
-    }
-    // A plane that the whole polygon is inside of cuts nothing.
-    for axis in 0..3 {
-        let (min, max) = (bounds.min[axis], bounds.max[axis]);
-        if whole.min[axis] < min {
-            polygon.keep(|p| p[axis] - f64::from(min), kept);
-            swap(&mut polygon, &mut kept);
-        }
-        if whole.max[axis] > max {
-            polygon.keep(|p| f64::from(max) - p[axis], kept);
-            swap(&mut polygon, &mut kept);
-        }
-    }
+    let (mut polygon, mut spare) = (Corners::none(), Corners::none());
     // Cut corners may stick out by a rounding error.
-    Aabb::around(polygon.list().iter().map(|p| p.as_vec3())).intersection(*bounds)
+    polygon.fill(corners).cut(&whole, bounds, &mut spare).bounds().intersection(*bounds)
 }
 
+/// The same for two parts at once: of what lies in `bounds`, that below `high` and that above `low`.
+pub(super) fn clip_polygon_twice(corners: &[Vec3], bounds: &Aabb, axis: Axis, [high, low]: [f32; 2]) -> [Aabb; 2] {
+    let whole = Aabb::around(corners.iter().copied());
+    let (mut polygon, mut spare) = (Corners::none(), Corners::none());
+    let polygon = polygon.fill(corners).cut(&whole, bounds, &mut spare);
+    let along = |p: DVec3| p[axis.index()];
+    let below = polygon.bounds_within(|p| f64::from(high) - along(p));
+    let above = polygon.bounds_within(|p| along(p) - f64::from(low));
+    [below.intersection(bounds.cut(axis, high).0), above.intersection(bounds.cut(axis, low).1)]
+}
+
+/// The corners of a convex polygon. In double precision, so that the corners of scenes far from the origin do
+/// not wander while they are cut.
 struct Corners {
     points: [DVec3; MOST],
     len: usize,
@@ -45,6 +41,13 @@ struct Corners {
 impl Corners {
     fn none() -> Corners {
         Corners { points: [DVec3::ZERO; MOST], len: 0 }
+    }
+
+    fn fill(&mut self, corners: &[Vec3]) -> &mut Corners {
+        for p in corners {
+            self.add(p.as_dvec3());
+        }
+        self
     }
 
     fn add(&mut self, p: DVec3) {
@@ -56,6 +59,35 @@ impl Corners {
 
     fn list(&self) -> &[DVec3] {
         &self.points[..self.len]
+    }
+
+    /// The part in `bounds`. A plane that `whole`, the box around the polygon, is inside of cuts nothing.
+    fn cut<'a>(&'a mut self, whole: &Aabb, bounds: &Aabb, spare: &'a mut Corners) -> &'a Corners {
+        let (mut polygon, mut kept) = (self, spare);
+        for axis in 0..3 {
+            let (min, max) = (bounds.min[axis], bounds.max[axis]);
+            if whole.min[axis] < min {
+                polygon.keep(|p| p[axis] - f64::from(min), kept);
+                swap(&mut polygon, &mut kept);
+            }
+            if whole.max[axis] > max {
+                polygon.keep(|p| f64::from(max) - p[axis], kept);
+                swap(&mut polygon, &mut kept);
+            }
+        }
+        polygon
+    }
+
+    /// The box around it.
+    fn bounds(&self) -> Aabb {
+        Aabb::around(self.list().iter().map(|p| p.as_vec3()))
+    }
+
+    /// The box around the part where `inside` is not negative.
+    fn bounds_within(&self, inside: impl Fn(DVec3) -> f64) -> Aabb {
+        let mut bounds = Aabb::EMPTY;
+        clipped(self.list(), inside, |p| bounds = bounds.with_point(p.as_vec3()));
+        bounds
     }
 
     /// Puts the part where `inside` is not negative into `kept`.

@@ -25,7 +25,7 @@ pub use triangle::Triangle;
 pub use wall::Wall;
 
 use crate::objects::Watch;
-use crate::{Aabb, Best, Hit, Instances, Interval, Obb, Observer, Place, PrimId, Ray, Visit, slab};
+use crate::{Aabb, Axis, Best, Hit, Instances, Interval, Obb, Observer, Place, PrimId, Ray, Visit, slab};
 
 /// The primitives that a structure is built over and a ray is tested against.
 ///
@@ -61,6 +61,11 @@ pub trait Primitives {
     /// A small box around the part of the primitive that lies in `bounds`; empty if there is none.
     fn clip(&self, prim: PrimId, bounds: &Aabb) -> Aabb {
         self.shape(prim).clip(bounds)
+    }
+
+    /// The same for two parts at once: of what lies in `bounds`, that below `high` and that above `low`.
+    fn clip_twice(&self, prim: PrimId, bounds: &Aabb, axis: Axis, [high, low]: [f32; 2]) -> [Aabb; 2] {
+        self.shape(prim).clip_twice(bounds, axis, [high, low])
     }
 
     /// Tests a primitive and keeps the hit if it is better.
@@ -149,6 +154,14 @@ impl Shape<'_> {
             Shape::Polygon(shape) => shape.clip(bounds),
             Shape::Box(own) => own.intersection(*bounds),
             Shape::Obb(shape) => shape.clip(bounds),
+        }
+    }
+
+    /// The same for two parts at once: of what lies in `bounds`, that below `high` and that above `low`.
+    pub fn clip_twice(&self, bounds: &Aabb, axis: Axis, [high, low]: [f32; 2]) -> [Aabb; 2] {
+        match self {
+            Shape::Triangle(shape) => shape.clip_twice(bounds, axis, [high, low]),
+            _ => [self.clip(&bounds.cut(axis, high).0), self.clip(&bounds.cut(axis, low).1)],
         }
     }
 
