@@ -20,8 +20,8 @@ impl Reference {
         (!part.is_empty()).then(|| Reference { prim, bounds: part.padded(pad).intersection(*node) })
     }
 
-    /// What of it lies below the plane, and what above. Its part in the node is convex, so a side of the node
-    /// that this part does not reach need not be cut along, though it may cut the primitive elsewhere.
+    /// What of it lies below the plane, and what above. A side of the node that its part in the node does not
+    /// reach need not be cut along, though it may cut the primitive elsewhere: a convex part cannot go on beyond.
     fn halves(
         &self,
         prims: &impl Primitives,

@@ -1,6 +1,7 @@
 //! How a uniform grid is to be built.
 
 use super::parameter::{Field, Slot, choice};
+use super::shared;
 use crate::Axes;
 use crate::events::words;
 
@@ -63,11 +64,7 @@ impl GridRule {
             Slot { key: "nx", about: "cells along x; 0: by the rule", field: Field::Count(nx, 0, GridRule::MOST) },
             Slot { key: "ny", about: "cells along y; 0: by the rule", field: Field::Count(ny, 0, GridRule::MOST) },
             Slot { key: "nz", about: "cells along z; 0: by the rule", field: Field::Count(nz, 0, GridRule::MOST) },
-            Slot {
-                key: "mailbox",
-                about: "remember which primitives this ray has tested",
-                field: Field::Flag(&mut self.mailbox),
-            },
+            shared::mailbox(&mut self.mailbox),
             Slot {
                 key: "prune",
                 about: "leave out cells that the primitive itself does not reach",

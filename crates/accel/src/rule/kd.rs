@@ -1,6 +1,7 @@
 //! How a kd-tree is to be built.
 
 use super::parameter::{Field, Slot, choice};
+use super::shared;
 use crate::events::words;
 use crate::{Axes, Measure};
 
@@ -63,36 +64,16 @@ impl KdRule {
     pub(super) fn slots(&mut self) -> Vec<Slot<'_>> {
         vec![
             Slot { key: "split", about: "where a node is cut", field: Field::Word(&mut self.split) },
-            Slot {
-                key: "max_depth",
-                about: "nodes this deep stay leaves",
-                field: Field::Count(&mut self.max_depth, 0, KdRule::DEEPEST),
-            },
-            Slot {
-                key: "min_objects",
-                about: "nodes with so few primitives stay leaves",
-                field: Field::Count(&mut self.min_objects, 0, 1000),
-            },
+            shared::max_depth(&mut self.max_depth, KdRule::DEEPEST),
+            shared::min_objects(&mut self.min_objects, 0),
             Slot {
                 key: "empty_bonus",
                 about: "how much cheaper a split counts that cuts off empty space",
                 field: Field::Real(&mut self.empty_bonus, 0.0, 1.0),
             },
-            Slot {
-                key: "mailbox",
-                about: "remember which primitives this ray has tested",
-                field: Field::Flag(&mut self.mailbox),
-            },
-            Slot {
-                key: "traversal_cost",
-                about: "what it costs to walk through a node",
-                field: Field::Real(&mut self.traversal_cost, 0.0, 1000.0),
-            },
-            Slot {
-                key: "intersection_cost",
-                about: "what it costs to test a primitive",
-                field: Field::Real(&mut self.intersection_cost, 0.0, 1000.0),
-            },
+            shared::mailbox(&mut self.mailbox),
+            shared::traversal_cost(&mut self.traversal_cost),
+            shared::intersection_cost(&mut self.intersection_cost),
         ]
     }
 }

@@ -7,6 +7,7 @@ mod kd;
 mod nested;
 mod octree;
 mod parameter;
+mod shared;
 
 pub use bsp::{BspPlanes, BspRule, Straddlers};
 pub use bvh::{BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume};

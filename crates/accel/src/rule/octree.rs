@@ -1,6 +1,7 @@
 //! How an octree is to be built.
 
-use super::parameter::{Field, Slot};
+use super::parameter::Slot;
+use super::shared;
 use crate::Axes;
 
 /// The parameters of an octree.
@@ -28,21 +29,9 @@ impl OctreeRule {
 
     pub(super) fn slots(&mut self) -> Vec<Slot<'_>> {
         vec![
-            Slot {
-                key: "max_depth",
-                about: "nodes this deep stay leaves",
-                field: Field::Count(&mut self.max_depth, 0, OctreeRule::DEEPEST),
-            },
-            Slot {
-                key: "min_objects",
-                about: "nodes with so few primitives stay leaves",
-                field: Field::Count(&mut self.min_objects, 1, 1000),
-            },
-            Slot {
-                key: "mailbox",
-                about: "remember which primitives this ray has tested",
-                field: Field::Flag(&mut self.mailbox),
-            },
+            shared::max_depth(&mut self.max_depth, OctreeRule::DEEPEST),
+            shared::min_objects(&mut self.min_objects, 1),
+            shared::mailbox(&mut self.mailbox),
         ]
     }
 }
