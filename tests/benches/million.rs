@@ -13,7 +13,7 @@ use raystep_accel::{Grow, Observer, Primitives, Structure};
 use raystep_scene::teapot;
 use raystep_tests::rules::rule;
 
-/// A teapot with 1,007,... triangles, and smaller ones with a quarter as many each.
+/// Steps along a patch: a teapot of 1,015,056 triangles, and smaller ones with about a quarter as many each.
 const STEPS: [u32; 5] = [126, 63, 32, 16, 8];
 
 /// How long a builder has, unless the command line says otherwise.
