@@ -117,6 +117,25 @@ fn what_cannot_be_exported_is_said_in_the_dialog() {
 }
 
 #[test]
+fn a_path_that_is_wrong_can_be_mended() {
+    let path = folder("mended").join("field.obj");
+    std::fs::write(&path, field(4)).unwrap();
+    let mut harness = window("5/33");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    harness.run_steps(3);
+    for path in [path.with_extension("stl"), path] {
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.event(egui::Event::Text(path.to_string_lossy().into_owned()));
+        harness.run_steps(1);
+        harness.key_press(Key::Enter);
+        harness.run_steps(3);
+        let wrong = path.extension().is_some_and(|ending| ending == "stl");
+        assert_eq!(harness.query_by_label_contains("there is no such file").is_some(), wrong);
+    }
+    until(&mut harness, |app| app.state.view.mesh.is_some());
+}
+
+#[test]
 fn a_mesh_that_is_dropped_is_opened_and_walked() {
     let harness = dropped("drop", 12);
     let playback = harness.state().state.playback().unwrap();

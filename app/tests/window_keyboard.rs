@@ -154,3 +154,37 @@ fn the_palette_finds_a_slide() {
     settle(&mut harness);
     assert_eq!(harness.state().state.slide().unwrap().id(), "5/33");
 }
+
+#[test]
+fn the_page_of_keys_fits_a_small_window() {
+    let mut harness = window(Some("5/33"), [1024.0, 768.0]);
+    press(&mut harness, Key::Questionmark);
+    harness.run_steps(3);
+    for name in ["Answer the open question", "Redo", "comes nearer", "Close"] {
+        let rect = harness.get_by_label(name).rect();
+        assert!(rect.top() >= 0.0 && rect.bottom() <= 768.0 && rect.right() <= 1024.0, "{name} lies at {rect:?}");
+    }
+    press(&mut harness, Key::Escape);
+    harness.run_steps(2);
+    assert!(harness.query_by_label("comes nearer").is_none());
+}
+
+#[test]
+fn while_something_is_made_the_page_stays_and_can_be_walked() {
+    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let before = harness.state().state.view.clone();
+    // So large a scene is not there in the next frame.
+    let mesh = std::sync::Arc::new(raystep_scene::Scene::named("teapot:60x60").unwrap());
+    let ray = raystep_accel::Ray::new(glam::Vec3::new(-6.0, -3.0, 3.6), glam::Vec3::new(6.1, 2.7, -2.0)).unwrap();
+    harness.state_mut().state.show_mesh(mesh, ray);
+    harness.run_steps(1);
+    assert!(!harness.state().state.is_current());
+    assert!(harness.state().state.view.same_page(&before));
+    press(&mut harness, Key::Home);
+    assert_eq!(harness.state().state.view.step, 0);
+    // Wanting what is shown gives up the rest, and nothing is left to be undone.
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run_steps(2);
+    assert!(harness.state().state.is_current());
+    assert!(harness.state().state.view.same_page(&before));
+}

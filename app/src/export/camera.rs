@@ -29,6 +29,14 @@ impl Seen {
     }
 }
 
+/// A view that was written down, as it is in a picture of this size: in a narrow one it shows as much across.
+pub(crate) fn composed(camera: Camera, size: Vec2) -> Camera {
+    Seen { camera, aspect: COMPOSED }.all_in(size)
+}
+
+/// The narrowest pictures that views are written for.
+const COMPOSED: f32 = 1.3;
+
 /// The scene's own view, for a picture of this size.
 pub(crate) fn of_scene(scene: &Scene, size: Vec2) -> Camera {
     let view = scene.view;
@@ -45,6 +53,8 @@ pub(crate) fn of_stage(look: Option<Look>, scene: &Scene, space: &Space, size: V
         None if scene.flat => Camera::frame(&space.bounds, size.x / size.y, true),
         None => of_scene(scene, size).holding(&space.bounds, size.x / size.y),
         Some(Look::Flat { center, half_height }) => Camera::Flat { center, half_height },
-        Some(Look::Solid { eye, target, up, fov_degrees }) => Camera::Solid { eye, target, up, fov_degrees },
+        Some(Look::Solid { eye, target, up, fov_degrees }) => {
+            composed(Camera::Solid { eye, target, up, fov_degrees }, size)
+        }
     }
 }

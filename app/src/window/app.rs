@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{CentralPanel, Frame, Panel, Ui, ViewportCommand};
 use raystep_accel::Place;
-use raystep_figure::{Theme, TreeView};
+use raystep_figure::{Camera, Theme, TreeView};
 use raystep_lesson::Library;
 
 use super::beside::Second;
@@ -34,10 +34,13 @@ pub struct App {
     pub(super) pictures: Option<Pictures>,
     pub(super) second: Second,
     pub(super) solid: Solid,
+    pub(super) solid_beside: Solid,
     pub(super) hovered: Option<Place>,
     pub(super) picked: Option<Place>,
     pub(super) tree: TreeView,
     pub(super) hold: Option<Hold>,
+    /// Where space is seen from while a ray is dragged.
+    pub(super) still: Option<Camera>,
     /// The size of the picture of space.
     pub(super) space_size: glam::Vec2,
     pub(super) toasts: Toasts,
@@ -57,7 +60,7 @@ impl App {
         let mut state = State::new(Arc::new(library), slide);
         state.predict = remembered.predict;
         let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);
-        context.set_zoom_factor(remembered.zoom.clamp(0.5, 3.0));
+        context.set_zoom_factor(remembered.zoom);
         App {
             state,
             theme,
@@ -66,10 +69,12 @@ impl App {
             pictures: None,
             second: Second::new(context),
             solid: Solid::default(),
+            solid_beside: Solid::default(),
             hovered: None,
             picked: None,
             tree: TreeView::default(),
             hold: None,
+            still: None,
             space_size: glam::Vec2::new(1000.0, 625.0),
             toasts: Toasts::default(),
             errands: Errands::new(context.clone()),

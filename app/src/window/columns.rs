@@ -4,6 +4,7 @@
 use egui::{Frame, Panel, Rect, Sense, Ui, vec2};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
+use raystep_lesson::Plays;
 
 use super::app::App;
 use super::painter::{paint_figure, place_at};
@@ -24,7 +25,7 @@ fn narrow(ui: &Ui) -> bool {
 pub(super) fn right(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let whole = ui.ctx().content_rect().width();
     let frame = Frame::new().fill(fill(app.theme, Role::Page));
-    let usual = (whole * 0.28).clamp(296.0, 470.0);
+    let usual = (whole * 0.28).clamp(318.0, 470.0);
     let kept = app.remembered.walk;
     let widest = (whole * 0.42).max(300.0);
     let panel = Panel::right(salt("walk", kept, whole)).frame(frame);
@@ -90,7 +91,7 @@ fn tabs(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let mut under = None;
     if let Some(below) = below {
         let frame = Frame::new();
-        let panel = Panel::bottom("below").frame(frame).exact_size(height * 0.28).resizable(false);
+        let panel = Panel::bottom("below").frame(frame).exact_size(height * 0.2).resizable(false);
         under = panel.show(ui, |ui| pane(app, ui, below)).inner;
     }
     pane(app, ui, chosen).or(under)
@@ -115,7 +116,9 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
     if !has(app, Pane::Ruler) {
         return stage_pane::stages(app, ui).or(under);
     }
-    let usual = (height * 0.15).clamp(100.0, 150.0);
+    // The costs of splits are curves; intervals are lines.
+    let builds = app.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+    let usual = if builds { (height * 0.2).clamp(150.0, 200.0) } else { (height * 0.15).clamp(100.0, 150.0) };
     let ruler = Panel::bottom(salt("ruler", sizes.ruler, height))
         .frame(frame)
         .default_size(sizes.ruler.unwrap_or(usual))

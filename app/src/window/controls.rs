@@ -25,14 +25,17 @@ pub(super) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R)
 pub(super) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<String> {
     let mut changed = None;
     let label = parameter.key.replace('_', " ");
-    ui.horizontal(|ui| {
-        ui.set_min_height(30.0);
-        ui.label(&label).on_hover_text(parameter.about);
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            changed = control(ui, parameter, &label);
+    ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.horizontal(|ui| {
+            ui.set_min_height(30.0);
+            ui.label(&label);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                changed = control(ui, parameter, &label);
+            });
         });
+        ui.label(RichText::new(parameter.about).small().color(ink(theme, raystep_figure::Role::Quiet)));
     });
-    ui.label(RichText::new(parameter.about).small().color(ink(theme, raystep_figure::Role::Quiet)));
     changed
 }
 

@@ -6,12 +6,14 @@ use raystep_figure::Camera;
 use raystep_lesson::Look;
 use raystep_scene::Scene;
 
+use crate::export::camera::composed;
+
 /// Where a stage is first seen from, in a picture of this size. `bounds` is what shall be seen.
 pub(super) fn home(look: Option<&Look>, scene: &Scene, bounds: &Aabb, size: Vec2) -> Camera {
     match look {
         Some(Look::Flat { center, half_height }) => Camera::Flat { center: *center, half_height: *half_height },
         Some(Look::Solid { eye, target, up, fov_degrees }) => {
-            Camera::Solid { eye: *eye, target: *target, up: *up, fov_degrees: *fov_degrees }
+            composed(Camera::Solid { eye: *eye, target: *target, up: *up, fov_degrees: *fov_degrees }, size)
         }
         None if scene.flat => fitted(bounds, size),
         None => {

@@ -55,7 +55,7 @@ const MOUSE: &[(&str, &str)] = &[
     ("Click", "goes to where the walk meets a place"),
     ("Double click", "puts a node of the tree on top"),
     ("Ray's ends", "move the ray"),
-    ("Shift+drag", "shoots a ray of your own"),
+    ("Shift drag", "shoots a ray of your own"),
     ("Drag", "turns the view, or shifts a flat one"),
     ("Right drag", "shifts the view, as does the middle"),
     ("Wheel", "comes nearer"),
@@ -67,7 +67,8 @@ pub(super) fn page(ui: &Ui, theme: &Theme) -> bool {
         ui.set_width(COLUMN * 2.0 + 28.0);
         ui.label(RichText::new(Command::Help.name()).font(font(Face::Bold, 20.0)));
         let height = (ui.ctx().content_rect().height() - 130.0).max(200.0);
-        ScrollArea::vertical().max_height(height).auto_shrink([false, true]).show(ui, |ui| {
+        let area = ScrollArea::vertical().min_scrolled_height(height).max_height(height).auto_shrink([false, true]);
+        area.show(ui, |ui| {
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = 28.0;
                 for (index, groups) in COLUMNS.into_iter().enumerate() {
@@ -100,11 +101,13 @@ fn column(ui: &mut Ui, groups: &[Group], theme: &Theme) {
 
 /// A command's keys and name.
 fn row(entry: &Entry) -> (String, &'static str) {
+    // A plus between two keys would run into the signs beside it.
+    let keys = entry.keys_text().replace("Ctrl+", "Ctrl ").replace("Shift+", "Shift ");
     match entry.command {
         Command::Speed(_) => ("1 … 9".to_owned(), "Speed of playing"),
         Command::Answer(_) => ("A B C D".to_owned(), "Answer the open question"),
-        Command::Cancel => (entry.keys_text(), "Cancel, close, let go of a field"),
-        _ => (entry.keys_text(), entry.name),
+        Command::Cancel => (keys, "Cancel, close, let go of a field"),
+        _ => (keys, entry.name),
     }
 }
 

@@ -56,6 +56,7 @@ impl App {
     /// Draws solid stages with egui's own device.
     pub fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
         self.solid = Solid::new(state);
+        self.solid_beside = self.solid.another();
         self.workshop.upload_to(&state.device);
     }
 

@@ -106,15 +106,16 @@ fn footer(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) {
 /// The question or what the beat says, then the stack.
 fn side_page(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) -> Option<Place> {
     let has_stack = app.pictures.as_ref().is_some_and(|pictures| pictures.has(Pane::StackHere));
-    let stack = if has_stack { body * 0.62 * 1.7 * 4.6 } else { 0.0 };
-    let text = Rect::from_min_max(rect.min, rect.max - vec2(0.0, if has_stack { stack + body * 0.4 } else { 0.0 }));
-    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(text));
-    child.set_clip_rect(text.expand(4.0));
-    let asked = egui::ScrollArea::vertical().id_salt("presented").show(&mut child, |ui| said(app, ui, body)).inner;
-    if let Some(command) = asked {
+    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+    child.set_clip_rect(rect.expand(4.0));
+    let words = egui::ScrollArea::vertical().id_salt("presented").show(&mut child, |ui| said(app, ui, body));
+    if let Some(command) = words.inner {
         app.run(ui, command);
     }
-    if !has_stack {
+    // The stack has what the words leave, up to four rows.
+    let row = body * 0.62 * 1.7;
+    let stack = (rect.height() - words.content_size.y - body * 0.4).min(row * 4.6);
+    if !has_stack || stack < row * 1.6 {
         return None;
     }
     let look = Look { text: body * 0.62, titles: false };

@@ -79,7 +79,7 @@ pub(super) fn answers(ui: &mut Ui, posed: &Posed, wrong: Option<usize>, theme: &
     let mut asked = None;
     let gap = 10.0;
     let longest = posed.choices.iter().map(|choice| raystep_figure::text_width(&label(choice), Face::Medium, 15.0));
-    let longest = longest.fold(0.0, f32::max) + 56.0;
+    let longest = longest.fold(0.0, f32::max) + 46.0;
     let columns = if longest * 2.0 + gap <= ui.available_width() { 2 } else { 1 };
     let width = (ui.available_width() - gap * (columns as f32 - 1.0)) / columns as f32;
     for (row, choices) in posed.choices.chunks(columns).enumerate() {

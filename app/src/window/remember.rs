@@ -68,8 +68,22 @@ impl Remembered {
     pub fn of_user() -> Remembered {
         let file = folder().map(|folder| folder.join("window.toml"));
         let text = file.as_deref().and_then(|file| std::fs::read_to_string(file).ok());
-        let read: Remembered = text.as_deref().and_then(|text| toml::from_str(text).ok()).unwrap_or_default();
+        let read = text.as_deref().map(Remembered::read).unwrap_or_default();
         Remembered { file, written: text, ..read }
+    }
+
+    /// What a text says, as far as it makes sense.
+    fn read(text: &str) -> Remembered {
+        let read: Remembered = toml::from_str(text).unwrap_or_default();
+        let sound = |size: Option<f32>| size.filter(|size| (1.0..1e5).contains(size));
+        let Heights { work, stack, tree, ruler } = read.heights;
+        Remembered {
+            zoom: if read.zoom.is_finite() { read.zoom.clamp(0.5, 3.0) } else { 1.0 },
+            lesson: sound(read.lesson),
+            walk: sound(read.walk),
+            heights: Heights { work: sound(work), stack: sound(stack), tree: sound(tree), ruler: sound(ruler) },
+            ..read
+        }
     }
 
     /// Writes the file if it would differ. What cannot be written is not remembered; nothing else is lost.
@@ -134,7 +148,18 @@ mod tests {
         kept.write();
         let read: Remembered = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
         assert_eq!((read.theme.as_str(), read.lesson, read.heights.tree), ("dark", Some(300.0), Some(200.0)));
+        assert_eq!(Remembered::read(&std::fs::read_to_string(&file).unwrap()).heights, kept.heights);
         assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1, "no half-written file is left");
         std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_broken_file_does_no_harm() {
+        for broken in ["", "{", "\u{0}\u{1}", "zoom = \"large\"", "zoom = nan", "lesson = -5.0", "walk = inf"] {
+            assert_eq!(Remembered::read(broken), Remembered::default(), "{broken}");
+        }
+        let read = Remembered::read("zoom = 1e9\nlesson = 300.0\n[heights]\ntree = nan\nstack = 90.0");
+        assert_eq!((read.zoom, read.lesson, read.heights.tree), (3.0, Some(300.0), None));
+        assert_eq!(read.heights.stack, Some(90.0), "what makes sense is kept");
     }
 }

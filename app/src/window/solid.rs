@@ -27,6 +27,12 @@ impl Solid {
         Solid { gpu: Some(Gpu { state: state.clone(), renderer, texture: None }) }
     }
 
+    /// Another stage on the same device, for the picture beside.
+    pub(super) fn another(&self) -> Solid {
+        let another = |gpu: &Gpu| Gpu { state: gpu.state.clone(), renderer: gpu.renderer.another(), texture: None };
+        Solid { gpu: self.gpu.as_ref().map(another) }
+    }
+
     /// Whether there is a device to draw with.
     pub(super) fn is_there(&self) -> bool {
         self.gpu.is_some()

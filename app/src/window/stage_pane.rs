@@ -100,9 +100,14 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     let step = app.beside_step(beside);
     let Drawn { space: shown, cost, .. } = app.second.at(beside, step);
     let camera = camera(app, &shown, rect);
-    let figure: Figure = super::pictures::drawn(&shown, beside, &camera, glam_size(rect), false);
+    let solid = !shown.flat && app.solid_beside.is_there();
+    let figure: Figure = super::pictures::drawn(&shown, beside, &camera, glam_size(rect), solid);
     let ray = beside.play.tape.ray();
     let lit = app.lit();
+    if solid {
+        let (prims, mesh) = (&beside.play.scene.prims, beside.mesh.as_ref());
+        app.solid_beside.show(ui, rect, &shown, prims, mesh, &camera, app.theme, lit);
+    }
     let picture = Picture {
         space: &shown,
         figure: &figure,
@@ -111,7 +116,7 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
         theme: app.theme,
         hovered: lit,
         live: false,
-        painted: false,
+        painted: solid,
     };
     let mut none = None;
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
@@ -138,7 +143,7 @@ fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, cost: Option<Cost>)
 
 /// Where the stage is seen from now.
 pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
-    if let Some(camera) = app.state.view.camera {
+    if let Some(camera) = app.state.view.camera.or(app.still.filter(|_| app.hold.is_some())) {
         return camera;
     }
     let look = app.state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| !app.state.view.is_elsewhere());
@@ -156,9 +161,10 @@ fn take(app: &mut App, happened: &Happened, camera: Camera) -> Option<Place> {
     if happened.begins || wheeled {
         app.state.keep();
     }
-    if happened.begins && matches!(app.hold, Some(Hold::Origin | Hold::Head | Hold::New(_))) {
+    if happened.begins {
         // The picture stands still under a ray that is dragged.
-        app.state.turn(camera);
+        let ray = matches!(app.hold, Some(Hold::Origin | Hold::Head | Hold::New(_)));
+        app.still = ray.then_some(camera);
     }
     if let Some(camera) = happened.camera {
         app.state.turn(camera);

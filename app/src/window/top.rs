@@ -230,7 +230,7 @@ pub(super) fn kind_name(kind: &str) -> &str {
 fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
     let button = icon_button(ui, Icon::More, "More", "More", false, 28.0);
     egui::Popup::menu(&button).show(|ui| {
-        ui.set_width(270.0);
+        ui.set_width(310.0);
         let (undo, redo) = state.undoable();
         let commands = [
             (Command::Undo, undo),
@@ -246,19 +246,23 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
         ];
         for (command, enabled) in commands {
             let keys = command.entry().map_or_else(String::new, super::command::Entry::keys_text);
-            let button = Button::new(command.name()).shortcut_text(keys).min_size(vec2(258.0, 0.0));
+            let button = Button::new(command.name()).shortcut_text(keys).min_size(vec2(298.0, 0.0));
             if ui.add_enabled(enabled, button).clicked() {
                 *asked = Some(Asked::Command(command));
             }
         }
         ui.separator();
         let mut locked = state.locked;
-        if ui.checkbox(&mut locked, Command::Lock.name()).changed() {
-            *asked = Some(Asked::Command(Command::Lock));
-        }
+        ui.horizontal(|ui| {
+            ui.set_style(style(theme));
+            if ui.checkbox(&mut locked, Command::Lock.name()).changed() {
+                *asked = Some(Asked::Command(Command::Lock));
+            }
+        });
         ui.separator();
         ui.label(RichText::new("Theme").color(ink(theme, Role::Quiet)));
         ui.horizontal(|ui| {
+            ui.set_style(style(theme));
             for other in [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR] {
                 let button = Button::new(other.name).selected(other.name == theme.name);
                 if button.ui(ui).clicked() {

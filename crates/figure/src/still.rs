@@ -133,10 +133,11 @@ impl Still<'_> {
 
     /// Whether there is a stack to show: the cells of a grid are filled one after the other.
     pub fn has_stack(&self) -> bool {
-        match self {
-            Still::Walk(..) => true,
-            Still::Build(build, _) => build.structure.node_count() > 0,
-        }
+        let structure = match self {
+            Still::Walk(walk, _) => walk.structure,
+            Still::Build(build, _) => build.structure,
+        };
+        structure.node_count() > 0
     }
 
     /// How many rows its stack has.

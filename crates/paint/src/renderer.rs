@@ -36,7 +36,7 @@ pub struct Frame<'a> {
 pub struct Renderer {
     device: wgpu::Device,
     queue: wgpu::Queue,
-    pipelines: Pipelines,
+    pipelines: Arc<Pipelines>,
     view_uniform: wgpu::Buffer,
     bind_group: wgpu::BindGroup,
     target: Target,
@@ -76,7 +76,15 @@ struct ViewUniform {
 impl Renderer {
     /// A renderer for a device. Its pipelines are compiled here, which takes a moment.
     pub fn new(device: &wgpu::Device, queue: &wgpu::Queue) -> Renderer {
-        let pipelines = Pipelines::new(device);
+        Renderer::of(device, queue, Arc::new(Pipelines::new(device)))
+    }
+
+    /// Another renderer for the same device, with a picture of its own.
+    pub fn another(&self) -> Renderer {
+        Renderer::of(&self.device, &self.queue, self.pipelines.clone())
+    }
+
+    fn of(device: &wgpu::Device, queue: &wgpu::Queue, pipelines: Arc<Pipelines>) -> Renderer {
         let view_uniform = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("raystep view"),
             size: size_of::<ViewUniform>() as u64,
@@ -148,7 +156,7 @@ impl Renderer {
             mesh.draw(&mut pass);
         }
         // Behind the scene, faint; then in front of it.
-        let Pipelines { hidden, shown, .. } = &self.pipelines;
+        let Pipelines { hidden, shown, .. } = &*self.pipelines;
         for (passes, faces) in [(hidden, &self.buried), (shown, &self.faces)] {
             pass.set_pipeline(&passes.face);
             faces.draw_vertices(&mut pass);
