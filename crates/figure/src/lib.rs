@@ -64,7 +64,7 @@ pub use growth::{space_of_build, tree_of_build};
 pub use ledger::{cells_of_build, work_of_build};
 pub use listing::{ListingLine, listing};
 pub use look::Look;
-pub use moment::{Cut, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
+pub use moment::{Cut, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
 pub use nodes::Nodes;
 pub use number::{fill, number, told, value};
 pub use reel::{Instant, Reel};

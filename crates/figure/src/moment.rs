@@ -43,8 +43,10 @@ pub struct Moment {
     pub skipped: Vec<PrimId>,
     /// The best hit so far.
     pub best: Option<Hit>,
-    /// The instance in whose own space the walk is. What happens there is counted, but has no place in the world.
-    pub inside: Option<PrimId>,
+    /// The instance in whose own space the walk is, with the walk there. What happens there is counted here too.
+    pub inside: Option<Box<Inside>>,
+    /// Of the instance last left, the primitive of its model that was hit.
+    pub(crate) met: Option<PrimId>,
     /// The cost so far.
     pub cost: Cost,
     /// Why the walk ended, if it has.
@@ -52,6 +54,15 @@ pub struct Moment {
     /// Possible answers to a question that is open at this step, with a word for each. The walk knows
     /// nothing of it: whoever asks puts them here.
     pub guesses: Vec<(Place, String)>,
+}
+
+/// A walk in an instance's own space: its nodes and primitives are those of the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inside {
+    /// The instance.
+    pub instance: PrimId,
+    /// The walk there so far.
+    pub moment: Moment,
 }
 
 /// A node on the stack.
@@ -167,6 +178,7 @@ impl Moment {
             skipped: Vec::new(),
             best: None,
             inside: None,
+            met: None,
             cost: Cost::default(),
             ending: None,
             guesses: Vec::new(),
@@ -210,7 +222,10 @@ impl Moment {
         self.step += 1;
         self.event = Some(event);
         self.cost.on(event);
-        if self.inside.is_some() && !matches!(event, Visit::World { .. }) {
+        if let (Some(inside), false) = (&mut self.inside, matches!(event, Visit::World { .. })) {
+            inside.moment.happen(event, walk);
+            // The same t is the same point in both spaces.
+            self.live = inside.moment.live;
             return;
         }
         match event {
@@ -286,12 +301,16 @@ impl Moment {
             }
             Visit::Local { instance, t_near, t_far, .. } => {
                 self.rest();
-                self.inside = Some(instance);
-                self.live = Interval::new(t_near, t_far);
+                let mut moment = Moment::start(walk);
+                moment.entered = Interval::new(t_near, t_far);
+                moment.rest();
+                self.live = moment.live;
+                self.inside = Some(Box::new(Inside { instance, moment }));
             }
             Visit::World { instance, t, hit } => {
                 self.rest();
-                self.inside = None;
+                let tests = self.inside.take().map(|inside| inside.moment.tested).unwrap_or_default();
+                self.met = tests.iter().find(|test| hit && test.t == Some(t)).map(|test| test.prim);
                 self.tested.push(PrimTest { prim: instance, t: hit.then_some(t) });
             }
             Visit::Probe { .. } | Visit::Beyond { .. } | Visit::Distant { .. } => self.rest(),
@@ -303,7 +322,7 @@ impl Moment {
                 self.rest();
                 self.tested.push(PrimTest { prim, t: hit.then_some(t) });
             }
-            Visit::Better { prim, t, .. } => self.best = Some(Hit { t, prim, inner: None }),
+            Visit::Better { prim, t, .. } => self.best = Some(Hit { t, prim, inner: self.met }),
             Visit::End { why, hit, t } => {
                 self.leave();
                 self.seen.extend(self.within.drain(..).map(Place::Cell));

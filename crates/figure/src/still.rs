@@ -39,7 +39,10 @@ impl Still<'_> {
     /// What the part of space is called where it happens; nothing if that is everywhere or over.
     pub fn here(&self) -> Option<Place> {
         match self {
-            Still::Walk(_, moment) => moment.here.or(moment.event.map(|event| event.place())),
+            Still::Walk(_, moment) => match &moment.inside {
+                Some(inside) => Some(Place::Prim(inside.instance)),
+                None => moment.here.or(moment.event.map(|event| event.place())),
+            },
             Still::Build(_, moment) => moment.event.map(|event| event.place()),
         }
     }

@@ -42,8 +42,9 @@ impl Drawing<'_> {
             self.outline(Role::Waiting, Place::Node(waiting.node));
         }
         if let Some(here @ Place::Node(node)) = moment.here {
-            self.outline(Role::Here, here);
-            self.titled(Role::Here, here, format!("{node} here"));
+            let role = if moment.inside.is_some() { Role::Seen } else { Role::Here };
+            self.outline(role, here);
+            self.titled(role, here, format!("{node} here"));
         }
         self.volumes();
         self.stack_titles();

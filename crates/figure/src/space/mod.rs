@@ -3,6 +3,7 @@
 mod boxes;
 mod cells;
 pub(crate) mod convex;
+mod instances;
 pub(crate) mod outlines;
 mod prims;
 mod rays;
@@ -71,13 +72,18 @@ pub enum Form {
 /// What space shows at a moment of a walk.
 pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
     let bounds = visible(walk);
-    let mut drawing = Drawing { walk, moment, bounds, marks: Vec::new() };
+    // What happens in an instance is drawn there; out in the world the walk rests.
+    let outside = moment.inside.as_ref().map(|_| Moment { event: None, ..moment.clone() });
+    let mut drawing = Drawing { walk, moment: outside.as_ref().unwrap_or(moment), bounds, marks: Vec::new() };
     match walk.structure.grid() {
         Some(grid) => drawing.cells(grid),
         None => drawing.nodes(),
     }
     drawing.the_box();
     drawing.prims();
+    if let Some(inside) = &moment.inside {
+        drawing.inside(inside, moment.event);
+    }
     drawing.split();
     drawing.ray();
     drawing.slab();

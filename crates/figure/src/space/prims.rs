@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raystep_accel::{Place, PrimId, Visit};
+use raystep_accel::{Place, PrimId, Prims, Visit};
 
 use super::{Drawing, Form};
 use crate::{Role, number};
@@ -13,6 +13,9 @@ const TRAIL: usize = 256;
 impl Drawing<'_> {
     pub(super) fn prims(&mut self) {
         let moment = self.moment;
+        if let Prims::Instances(all) = self.walk.prims {
+            return self.instances(all);
+        }
         let mut roles = BTreeMap::new();
         // What the current leaf or cell holds stands out from a mesh.
         if !self.walk.flat {

@@ -1,9 +1,10 @@
 //! Where labels go: near what they label, inside the picture, off the ray and off each other.
 
-use glam::Vec2;
-use raystep_accel::Aabb;
+use glam::{Vec2, Vec3};
+use raystep_accel::{Aabb, Place};
 
 use super::corners;
+use crate::globe::contour;
 use crate::lens::Lens;
 use crate::{Anchor, Face, Figure, Form, Ink, Role, Space, text_width};
 
@@ -13,6 +14,10 @@ const HALF: f32 = 0.8;
 
 /// Space between a label and what it labels, in points.
 const GAP: f32 = 7.0;
+
+/// The directions in which there may be room: the corners first.
+const AROUND: [(f32, f32); 8] =
+    [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)];
 
 /// A rectangle of the page.
 #[derive(Clone, Copy, Debug)]
@@ -38,6 +43,15 @@ impl Spot {
     fn shared(self, other: Spot) -> f32 {
         let common = (self.max.min(other.max) - self.min.max(other.min)).max(Vec2::ZERO);
         common.x * common.y
+    }
+
+    /// Whether all of it lies in a convex polygon.
+    fn is_within(self, polygon: &[Vec2]) -> bool {
+        let own = [self.min, Vec2::new(self.max.x, self.min.y), self.max, Vec2::new(self.min.x, self.max.y)];
+        let next = polygon.iter().cycle().skip(1);
+        let side = |(&from, &to): (&Vec2, &Vec2), p: Vec2| (to - from).perp_dot(p - from);
+        let sides: Vec<f32> = polygon.iter().zip(next).flat_map(|edge| own.map(|p| side(edge, p))).collect();
+        sides.iter().all(|side| *side >= 0.0) || sides.iter().all(|side| *side <= 0.0)
     }
 
     /// The length of a line inside the rectangle.
@@ -83,7 +97,10 @@ pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) {
     for (role, place, at, within, text) in wanted {
         let half = Vec2::new(text_width(text, Face::Medium, size) * 0.5 + size * ASIDE, size * HALF);
         let candidates = match within {
-            Some(bounds) => beside_box(&bounds, lens, half, space.flat),
+            Some(bounds) => match outline(space, place, lens) {
+                shape if shape.is_empty() => beside_box(&bounds, lens, half, space.flat),
+                shape => beside_shape(&shape, half, space.flat),
+            },
             None => beside_point(
                 lens.point(at).map(|(point, _)| point).filter(|point| within_page(*point, figure.size)),
                 half,
@@ -146,8 +163,14 @@ fn obstacles(figure: &Figure) -> Obstacles {
         };
         match &mark.ink {
             Ink::Line { points } => found.lines.extend(points.windows(2).map(|pair| (pair[0], pair[1], weight))),
+            // What bounds a place is a line to keep off, not a surface.
+            Ink::Circle { .. } if matches!(mark.place, Some(Place::Node(_))) && !ring_role(mark.role) => {}
+            Ink::Area { points } if matches!(mark.place, Some(Place::Node(_))) && mark.role != Role::Plane => {
+                let next = points.iter().cycle().skip(1);
+                found.lines.extend(points.iter().zip(next).map(|(&from, &to)| (from, to, weight * 0.4)));
+            }
             Ink::Circle { center, radius } => {
-                let ring = matches!(mark.role, Role::Tick | Role::Best | Role::Ray | Role::Hit) && *radius < 10.0;
+                let ring = ring_role(mark.role) && *radius < 10.0;
                 found.spots.push((Spot::around(*center, Vec2::splat(*radius)), if ring { 4000.0 } else { 25.0 }));
             }
             Ink::Area { points } if points.len() < 100 && mark.role != Role::Plane => {
@@ -164,6 +187,11 @@ fn obstacles(figure: &Figure) -> Obstacles {
         }
     }
     found
+}
+
+/// Whether circles of this role are rings around points of the ray.
+fn ring_role(role: Role) -> bool {
+    matches!(role, Role::Tick | Role::Best | Role::Ray | Role::Hit | Role::Live)
 }
 
 /// Whether a point is in the picture.
@@ -187,12 +215,10 @@ fn beside_box(bounds: &Aabb, lens: &Lens, half: Vec2, flat: bool) -> Vec<Spot> {
     let max = seen.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
     let outer = Spot { min, max };
     let middle = outer.center();
-    let directions =
-        [(-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (0.0, -1.0), (0.0, 1.0), (-1.0, 0.0), (1.0, 0.0)];
     let mut spots = Vec::new();
     let room = outer.half() - half - GAP;
     if flat && room.min_element() >= 0.0 {
-        spots.extend(directions.iter().map(|&(x, y)| Spot::around(middle + room * Vec2::new(x, y), half)));
+        spots.extend(AROUND.iter().map(|&(x, y)| Spot::around(middle + room * Vec2::new(x, y), half)));
     }
     if !flat {
         for corner in seen {
@@ -208,6 +234,43 @@ fn beside_box(bounds: &Aabb, lens: &Lens, half: Vec2, flat: bool) -> Vec<Spot> {
     for &(x, y) in &[(-1.0, 0.0), (1.0, 0.0), (-1.0, -1.0), (1.0, 1.0)] {
         spots.push(Spot::around(middle + Vec2::new(beyond.x * x, inner.y * y), half));
     }
+    spots
+}
+
+/// Corners of what bounds a place, on the page, if that is no box along the axes; in a flat scene in order.
+fn outline(space: &Space, place: Option<Place>, lens: &Lens) -> Vec<Vec2> {
+    let of_place = space.marks.iter().filter(|mark| place.is_some() && mark.place == place);
+    let mut corners: Vec<Vec3> = Vec::new();
+    for mark in of_place {
+        match &mark.form {
+            Form::Body(edges) => corners.extend(edges.iter().flatten()),
+            Form::Sphere(sphere) if space.flat => {
+                let away = |angle: f64| Vec3::new(libm::cos(angle) as f32, libm::sin(angle) as f32, 0.0);
+                let around = (0..32).map(|i| away(f64::from(i) * std::f64::consts::TAU / 32.0));
+                corners = around.map(|away| sphere.center + away * sphere.radius).collect();
+            }
+            Form::Sphere(sphere) => corners.extend(contour(sphere, lens.eye()).unwrap_or_default()),
+            Form::Polygon(around) if space.flat => corners.clone_from(around),
+            Form::Segment(from, to) if !space.flat && mark.role != Role::Live && mark.role != Role::Candidate => {
+                corners.extend([*from, *to]);
+            }
+            _ => {}
+        }
+    }
+    corners.into_iter().filter_map(|corner| Some(lens.point(corner)?.0)).collect()
+}
+
+/// Within a flat shape where there is room, else around what of it lies furthest out.
+fn beside_shape(shape: &[Vec2], half: Vec2, flat: bool) -> Vec<Spot> {
+    let furthest = |away: Vec2| shape.iter().copied().max_by(|a, b| a.dot(away).total_cmp(&b.dot(away)));
+    let ends = AROUND.iter().filter_map(|&(x, y)| Some((Vec2::new(x, y), furthest(Vec2::new(x, y))?)));
+    let ends: Vec<(Vec2, Vec2)> = ends.collect();
+    let mut spots = Vec::new();
+    for reach in [1.0, 1.5, 2.2].into_iter().filter(|_| flat) {
+        let within = ends.iter().map(|&(away, end)| Spot::around(end - away * (half + GAP) * reach, half));
+        spots.extend(within.filter(|spot| spot.is_within(shape)));
+    }
+    spots.extend(ends.iter().map(|&(away, end)| Spot::around(end + away * (half + 3.0), half)));
     spots
 }
 
