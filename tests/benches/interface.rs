@@ -11,8 +11,17 @@ fn steps(criterion: &mut Criterion) {
     let scene = Scene::named("teapot-6321").expect("the teapot is shipped");
     let ray = Ray::new(Vec3::new(-4.0, 2.0, 0.4), Vec3::new(5.1, -2.1, 1.5).normalize()).expect("a ray");
     let mut group = criterion.benchmark_group("one step on teapot-6321");
-    for kind in ["grid", "kd", "bvh"] {
-        let rule = Rule::default_for(kind).expect("a kind of structure");
+    for (name, kind, setting) in [
+        ("grid", "grid", None),
+        ("kd", "kd", None),
+        ("bvh", "bvh", None),
+        ("bvh of hulls", "bvh", Some(("volume", "hull"))),
+        ("bsp", "bsp", None),
+    ] {
+        let mut rule = Rule::default_for(kind).expect("a kind of structure");
+        if let Some((key, value)) = setting {
+            rule.set(key, value).expect("a parameter");
+        }
         let structure = Structure::build(&scene.prims, &rule, &mut ()).expect("nobody cancels");
         let mut events: Vec<Visit> = Vec::new();
         structure.intersect(&scene.prims, &ray, &mut events);
@@ -24,7 +33,7 @@ fn steps(criterion: &mut Criterion) {
         let camera = Camera::frame(&walk.world(), 1.4, false);
         let look = Look::WINDOW;
         let mut step = 0;
-        group.bench_function(kind, |bencher| {
+        group.bench_function(name, |bencher| {
             bencher.iter(|| {
                 step = (step + 7) % (events.len() + 1);
                 let instant = film.at(&reel, step);

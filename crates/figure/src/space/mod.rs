@@ -167,6 +167,10 @@ fn visible(walk: &Walk<'_>) -> Aabb {
         let crossings = planes.map(|(axis, plane)| walk.ray.at((plane - walk.ray.o[axis]) / walk.ray.d[axis]));
         all = crossings.filter(|p| p.is_finite() && near(p)).fold(all, Aabb::with_point);
     }
+    // In space they are drawn as far as they reach beyond the box.
+    if let (Structure::Slab(_), false) = (walk.structure, walk.flat) {
+        all = all.union(slabs::beyond(&world));
+    }
     let air = if matches!(walk.structure, Structure::Slab(_)) { 0.08 } else { 0.025 };
     all.padded(air * diagonal)
 }

@@ -93,9 +93,13 @@ impl Drawing<'_> {
         if self.walk.flat {
             return self.bounds;
         }
-        let bounds = self.walk.bounds(slab.place);
-        bounds.padded(0.15 * bounds.extent().max_element())
+        beyond(&self.walk.bounds(slab.place))
     }
+}
+
+/// How far the planes of a box in space are drawn.
+pub(super) fn beyond(bounds: &Aabb) -> Aabb {
+    bounds.padded(0.15 * bounds.extent().max_element())
 }
 
 /// A direction between the axes as a vector, and the point that the planes across it are seen from.
