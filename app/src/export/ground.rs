@@ -28,10 +28,13 @@ pub(crate) struct Ground<'a> {
     look: Option<Look>,
     seen: Option<Seen>,
     /// The solid scene as cameras see it in pictures of these sizes: the same at every step.
-    scenery: Mutex<Vec<(Camera, [u32; 2], Arc<Shaded>)>>,
+    scenery: Mutex<Vec<Scenery>>,
     /// Whether somebody still waits for the pictures.
     go_on: &'a (dyn Fn() -> bool + Sync),
 }
+
+/// The solid scene as a camera sees it in a picture of this size.
+type Scenery = (Camera, [u32; 2], Arc<Shaded>);
 
 /// What differs from the slide's own stage.
 pub(crate) struct Changes {

@@ -39,6 +39,8 @@ pub struct App {
     pub(super) picked: Option<Place>,
     pub(super) tree: TreeView,
     pub(super) hold: Option<Hold>,
+    /// The aspect (width / height) of the picture in which the camera was moved last.
+    pub(super) aspect: f32,
     /// Where space is seen from while a ray is dragged.
     pub(super) still: Option<Camera>,
     /// The size of the picture of space.
@@ -74,6 +76,7 @@ impl App {
             picked: None,
             tree: TreeView::default(),
             hold: None,
+            aspect: 1.6,
             still: None,
             space_size: glam::Vec2::new(1000.0, 625.0),
             toasts: Toasts::default(),

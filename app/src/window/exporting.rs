@@ -77,8 +77,7 @@ impl App {
     fn window(&self) -> Result<Window, Fault> {
         let none = || Fault::new("There is no walk yet.");
         let playback = self.state.playback().cloned().ok_or_else(none)?;
-        let size = self.space_size;
-        let seen = self.state.view.camera.map(|camera| Seen { camera, aspect: size.x / size.y.max(1.0) });
+        let seen = self.state.view.camera.map(|camera| Seen { camera, aspect: self.aspect });
         Ok(Window { library: self.state.library.clone(), playback, seen })
     }
 

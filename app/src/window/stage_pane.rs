@@ -18,6 +18,7 @@ use super::rival;
 use super::space_pane::{Happened, Hold, Picture, glam_size};
 use super::state::Beside;
 use super::view::RayChoice;
+use crate::export::camera::Seen;
 
 /// Shows the stage in all the room there is; says which place the pointer is on.
 pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
@@ -92,7 +93,7 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
     }
     app.pictures = Some(pictures);
     app.space_size = glam_size(picture);
-    take(app, &happened, camera)
+    take(app, &happened, camera, picture)
 }
 
 /// Another walk of the same ray, at the same step.
@@ -143,8 +144,12 @@ fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, cost: Option<Cost>)
 
 /// Where the stage is seen from now.
 pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
-    if let Some(camera) = app.state.view.camera.or(app.still.filter(|_| app.hold.is_some())) {
+    if let Some(camera) = app.still.filter(|_| app.hold.is_some()) {
         return camera;
+    }
+    // What somebody has set stays in the picture when that becomes narrower.
+    if let Some(camera) = app.state.view.camera {
+        return Seen { camera, aspect: app.aspect }.all_in(glam_size(rect));
     }
     let look = app.state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| !app.state.view.is_elsewhere());
     let scene = app.state.playback().map(|playback| &playback.play.scene);
@@ -154,8 +159,13 @@ pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
     }
 }
 
+/// Width over height.
+fn aspect(rect: Rect) -> f32 {
+    rect.width() / rect.height().max(1.0)
+}
+
 /// Turns what happened in the picture into changes.
-fn take(app: &mut App, happened: &Happened, camera: Camera) -> Option<Place> {
+fn take(app: &mut App, happened: &Happened, camera: Camera, picture: Rect) -> Option<Place> {
     // The wheel has no beginning: its first turn away from the slide's own view can be undone.
     let wheeled = happened.camera.is_some() && app.hold.is_none() && app.state.view.camera.is_none();
     if happened.begins || wheeled {
@@ -167,6 +177,7 @@ fn take(app: &mut App, happened: &Happened, camera: Camera) -> Option<Place> {
         app.still = ray.then_some(camera);
     }
     if let Some(camera) = happened.camera {
+        app.aspect = aspect(picture);
         app.state.turn(camera);
     }
     if let Some(ray) = happened.ray {
@@ -196,6 +207,7 @@ impl App {
         }
         let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
         let camera = eye::framed(&camera(self, &pictures.space, rect), &bounds, glam_size(rect));
+        self.aspect = aspect(rect);
         self.state.look(Some(camera));
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::{Vec3, vec3};
 use raystep_accel::{Aabb, Accel, PrimId, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
-use raystep_figure::{Camera, Form, Moment, Role, Space, SpaceMark, Theme, Walk};
+use raystep_figure::{Camera, Form, Moment, Nodes, Role, Space, SpaceMark, Theme, Walk};
 use raystep_paint::{Frame, Headless};
 use raystep_scene::{Scene, View};
 
@@ -180,15 +180,9 @@ fn walks_on_the_teapot() {
         let structure = Structure::build(&scene.prims, &rule, &mut ()).expect("nobody cancels");
         let mut events: Vec<Visit> = Vec::new();
         structure.intersect(&scene.prims, &ray, &mut events);
-        let node_bounds = structure.node_bounds();
-        let walk = Walk {
-            structure: &structure,
-            prims: &scene.prims,
-            node_bounds: &node_bounds,
-            ray,
-            events: &events,
-            flat: false,
-        };
+        let nodes = Nodes::of(&structure);
+        let walk =
+            Walk { structure: &structure, prims: &scene.prims, nodes: &nodes, ray, events: &events, flat: false };
         for part in [0.3, 0.6, 1.0] {
             let step = (events.len() as f32 * part) as usize;
             let space = raystep_figure::space(&walk, &Moment::at(&walk, step));
