@@ -1,12 +1,16 @@
 //! What the pictures of a walk contain, as text.
 
 use std::fmt::Write;
+use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Axes, KdRule, Measure, NodeId, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_accel::{
+    Accel, Axes, Instances, KdRule, Measure, Mesh, Model, NodeId, Place, Prims, Ray, Rule, Shape, Sphere, Structure,
+    Transform, Visit,
+};
 use raystep_figure::{
-    Camera, Figure, Film, Form, Ink, Instant, Moment, Nodes, Reel, Scenery, Space, Theme, Walk, labels, shaded, space,
-    stage,
+    Camera, Figure, Film, Form, Ink, Instant, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, labels, shaded,
+    space, stage,
 };
 
 /// Discs in the four quarters of a square, two in each.
@@ -122,6 +126,32 @@ fn edges_of_a_body_are_drawn_once() {
         })
         .collect();
     assert!(edges.len() > 4 && edges.iter().all(|&count| count == 12), "{edges:?}");
+}
+
+#[test]
+fn what_happens_in_an_instance_is_drawn_where_it_stands() {
+    let [a, b, c] = [Vec3::ZERO, Vec3::X, Vec3::Y];
+    let mesh = Mesh { corners: vec![a, b, c], triangles: vec![[0, 1, 2]] };
+    let rule = Rule::default_for("bvh").expect("a kind");
+    let model = Arc::new(Model::build(mesh, &rule, &mut ()).expect("nobody cancels"));
+    let shift = Vec3::new(10.0, 20.0, 30.0);
+    let instances = Instances::new(vec![model], &[(0, Transform::moved(shift))]).expect("it can be undone");
+    let prims = Prims::Instances(instances);
+    let structure = Structure::build(&prims, &rule, &mut ()).expect("nobody cancels");
+    let ray = Ray::new(Vec3::new(10.2, 20.2, 35.0), Vec3::NEG_Z).expect("a ray");
+    let mut events = Vec::new();
+    structure.intersect(&prims, &ray, &mut events);
+    let nodes = Nodes::of(&structure);
+    let walk = Walk { structure: &structure, prims: &prims, nodes: &nodes, ray, events: &events, flat: false };
+    let moved = [a, b, c].map(|corner| corner + shift).to_vec();
+    let drawn = |step: usize, role: Role| {
+        let space = space(&walk, &Moment::at(&walk, step));
+        space.marks.iter().any(|mark| mark.role == role && mark.form == Form::Polygon(moved.clone()))
+    };
+    let step = |name: &str| events.iter().position(|event| event.name() == name).expect("it happens") + 1;
+    assert!(!drawn(step("local"), Role::Hit));
+    assert!(drawn(step("test.hit"), Role::Hit), "{events:?}");
+    assert!(drawn(step("better"), Role::Best));
 }
 
 #[test]
