@@ -9,8 +9,9 @@ use crate::Aabb;
 /// asks for a cell larger by `pad` on all sides.
 ///
 /// A walk errs by a few roundings of its distance from the origin of the ray. `pad` is a 2048th of the
-/// box, which covers every ray that starts within `reach` (64 diagonals) of its middle. A ray from further
-/// away cannot be told which cells it meets: the structures answer it by brute force.
+/// box, which covers every ray that starts within `reach` (64 diagonals) of its middle, or a smaller part for a
+/// smaller reach. A ray from further away cannot be told which cells it meets: the structures answer it by
+/// brute force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margin {
     /// By how much a cell is larger when references are pruned, in world units.
@@ -21,10 +22,17 @@ pub struct Margin {
 }
 
 impl Margin {
-    /// The margin for a structure over `bounds`.
-    pub fn of(bounds: &Aabb) -> Margin {
-        Margin::within(bounds, 64.0)
+    /// The margin for a structure over so many primitives with `bounds` around them all.
+    ///
+    /// Were the pad as large as the primitives, each would lie in many cells: a finer scene has a smaller pad,
+    /// for rays from less far away. Triangles of a surface become narrower as the root of their number.
+    pub fn of(bounds: &Aabb, count: usize) -> Margin {
+        let finer = (count as f32 / Margin::COARSE).sqrt().max(1.0);
+        Margin::within(bounds, (64.0 / finer).max(4.0))
     }
+
+    /// So many primitives are coarse beside a 2048th of the box around them.
+    const COARSE: f32 = 8192.0;
 
     /// The margin for a structure whose cells may be much smaller than `bounds`: a 16th of the pad, for rays
     /// that start within a 16th of the reach.

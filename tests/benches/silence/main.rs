@@ -44,8 +44,8 @@ impl Stage {
         let rays = rays(&grid.lattice.bounds);
         Stage {
             rays,
-            grid: (grid.clone(), StrippedGrid::of(&grid, grid_rule.mailbox)),
-            kd: (kd.clone(), StrippedKd::of(&kd, kd_rule.mailbox)),
+            grid: (grid.clone(), StrippedGrid::of(&grid, grid_rule.mailbox, mesh.len())),
+            kd: (kd.clone(), StrippedKd::of(&kd, kd_rule.mailbox, mesh.len())),
             bvh: (bvh.clone(), StrippedBvh::of(&bvh, bvh_rule.order)),
             mesh,
         }

@@ -54,7 +54,7 @@ impl<'a, P: Primitives> Building<'a, P> {
     pub(super) fn begin(
         prims: &'a P,
         prune: bool,
-        margin: impl FnOnce(&Aabb) -> Margin,
+        margin: impl FnOnce(&Aabb, usize) -> Margin,
         watch: &mut impl Observer<Grow>,
     ) -> Building<'a, P> {
         let ids = || (0..prims.len() as u32).map(PrimId);
@@ -64,7 +64,7 @@ impl<'a, P: Primitives> Building<'a, P> {
             bounds = before.union(prims.bounds(prim));
             watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
         }
-        let margin = margin(&bounds);
+        let margin = margin(&bounds, prims.len());
         let reaches = ids().map(|prim| prims.bounds(prim).padded(margin.pad)).collect();
         Building { prims, prune, bounds, margin, reaches, room: Room::within(prims.len()) }
     }

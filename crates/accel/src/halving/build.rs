@@ -91,7 +91,7 @@ impl<N: Node> Halving<N> {
             bounds = before.union(prims.bounds(prim));
             watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
         }
-        let margin = Margin::of(&bounds);
+        let margin = Margin::of(&bounds, prims.len());
         let root = cutter.root(&bounds, &margin, count);
 
         let room = root.1.len() * CROWD + SPARE;

@@ -78,7 +78,7 @@ impl Instances {
         let mut placed = placed.iter().enumerate().map(place).collect::<Result<Vec<_>, _>>()?;
         // Rounding on the way there and back carries a point no further than its distance allows.
         let all = placed.iter().fold(Aabb::EMPTY, |all, instance| all.union(instance.bounds));
-        let pad = Margin::of(&all).pad;
+        let pad = Margin::of(&all, placed.len()).pad;
         for instance in placed.iter_mut().filter(|instance| !instance.bounds.is_empty()) {
             instance.bounds = instance.bounds.padded(pad * instance.world_from_local.condition());
         }

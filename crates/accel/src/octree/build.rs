@@ -23,7 +23,7 @@ impl Octree {
         let everything = (0..prims.len() as u32).map(PrimId).collect();
         let mut tree = Octree {
             bounds,
-            margin: Margin::of(&bounds),
+            margin: Margin::of(&bounds, prims.len()),
             rule: *rule,
             nodes: vec![Node::Leaf(everything)],
             refs: prims.len(),

@@ -26,7 +26,7 @@ struct Dense {
 }
 
 impl StrippedGrid {
-    pub(crate) fn of(grid: &Grid, mailbox: bool) -> StrippedGrid {
+    pub(crate) fn of(grid: &Grid, mailbox: bool, count: usize) -> StrippedGrid {
         let (mut starts, mut refs) = (vec![0], Vec::new());
         for cell in (0..grid.cell_count() as u32).map(CellId) {
             refs.extend(grid.cell_prims(cell));
@@ -36,7 +36,7 @@ impl StrippedGrid {
         StrippedGrid {
             lattice: Lattice { bounds, resolution, first },
             cells: Dense { starts, refs },
-            margin: Margin::of(&bounds),
+            margin: Margin::of(&bounds, count),
             mailbox,
         }
     }

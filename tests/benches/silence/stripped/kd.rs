@@ -67,7 +67,7 @@ struct Part {
 }
 
 impl StrippedKd {
-    pub(crate) fn of(tree: &Kd, mailbox: bool) -> StrippedKd {
+    pub(crate) fn of(tree: &Kd, mailbox: bool, count: usize) -> StrippedKd {
         let mut refs: Vec<PrimId> = Vec::new();
         let nodes =
             (0..tree.node_count() as u32).map(NodeId).map(|node| match tree.split(node).zip(tree.children(node)) {
@@ -82,7 +82,7 @@ impl StrippedKd {
                 }
             });
         let (nodes, bounds) = (nodes.collect(), tree.bounds());
-        StrippedKd { bounds, margin: Margin::of(&bounds), mailbox, nodes, refs }
+        StrippedKd { bounds, margin: Margin::of(&bounds, count), mailbox, nodes, refs }
     }
 
     #[inline(never)]
