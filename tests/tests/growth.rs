@@ -192,9 +192,14 @@ fn fan(n: usize) -> Prims {
     Prims::Mesh(Mesh { corners, triangles: (0..n as u32).map(|i| [0, 1, i + 2]).collect() })
 }
 
+/// Triangles whose corners are all one point: the box around them has no sides at all.
+fn speck(n: usize) -> Prims {
+    Prims::Mesh(Mesh { corners: vec![Vec3::ONE], triangles: vec![[0; 3]; n] })
+}
+
 #[test]
 fn triangles_on_top_of_each_other_give_a_bounded_structure() {
-    for (n, prims) in [(100_000, pile(100_000)), (3000, fan(3000))] {
+    for (n, prims) in [(100_000, pile(100_000)), (100_000, speck(100_000)), (3000, fan(3000))] {
         for line in [
             "grid",
             "nested-grid levels=6",
@@ -202,9 +207,15 @@ fn triangles_on_top_of_each_other_give_a_bounded_structure() {
             "kd",
             "kd split=middle max_depth=64 min_objects=0",
             "kd split=median max_depth=64",
+            "octree",
+            "octree max_depth=20 min_objects=1",
             "bsp",
             "bsp planes=candidates max_depth=64 min_objects=0",
             "bvh",
+            "bvh volume=sphere",
+            "bvh volume=obb",
+            "bvh volume=kdop26",
+            "bvh volume=hull",
             "bvh builder=bottom-up",
             "bvh builder=ploc",
             "bvh builder=insertion",

@@ -7,10 +7,23 @@ pub trait Observer<E> {
     /// The next event.
     fn on(&mut self, event: E);
 
-    /// Whether a builder should give up. Asked about once per node, never per primitive.
+    /// Whether a builder should give up. Asked about once per node, and now and then where a node holds many
+    /// primitives, but never for each of them.
     fn cancelled(&self) -> bool {
         false
     }
+}
+
+/// So many items are handed on between two questions.
+pub(crate) const BETWEEN_LOOKS: usize = 256;
+
+/// Hands on items, and asks now and then whether to give up: no long list makes a builder deaf.
+pub(crate) fn patiently<E, T>(
+    items: impl IntoIterator<Item = T>,
+    watch: &impl Observer<E>,
+) -> impl Iterator<Item = Result<T, Cancelled>> {
+    let look = |(i, item)| if i % BETWEEN_LOOKS == 0 && watch.cancelled() { Err(Cancelled) } else { Ok(item) };
+    items.into_iter().enumerate().map(look)
 }
 
 /// The builder was told to give up by its observer.

@@ -5,6 +5,7 @@ use super::choice::{Scale, sides};
 use super::fragment::Fragment;
 use super::{Bsp, BspNode, ConvexCell, FreePlane};
 use crate::halving::{Cutter, Half, Stops};
+use crate::watch::patiently;
 use crate::{Aabb, BspRule, Cancelled, Grow, Margin, NodeId, Observer, PrimId, Primitives, Random, Straddlers};
 
 impl Bsp {
@@ -39,10 +40,17 @@ impl<P: Primitives> Cutter for Cells<'_, P> {
     type Space = ConvexCell;
     type Reference = Fragment;
 
-    fn root(&mut self, bounds: &Aabb, margin: &Margin, count: u32) -> Half<Self> {
+    fn root(
+        &mut self,
+        bounds: &Aabb,
+        margin: &Margin,
+        count: u32,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Half<Self>, Cancelled> {
         self.pad = margin.pad.into();
         let whole = |prim| Fragment::of(prim, &self.prims.shape(prim));
-        (ConvexCell::of(bounds), (0..count).map(PrimId).map(whole).collect())
+        let refs = patiently((0..count).map(PrimId), watch).map(|prim| prim.map(whole));
+        Ok((ConvexCell::of(bounds), refs.collect::<Result<_, _>>()?))
     }
 
     fn bounds(cell: &ConvexCell) -> Aabb {
@@ -63,14 +71,21 @@ impl<P: Primitives> Cutter for Cells<'_, P> {
         cell: &ConvexCell,
         refs: &[Fragment],
         watch: &mut impl Observer<Grow>,
-    ) -> Option<(FreePlane, f32)> {
+    ) -> Result<Option<(FreePlane, f32)>, Cancelled> {
         let Cells { prims, rule, ref mut random, pad } = *self;
         Scale { prims, rule, random, pad, node, cell, refs, watch }.best()
     }
 
-    fn cut(&mut self, cell: &ConvexCell, refs: &[Fragment], plane: FreePlane) -> [Half<Self>; 2] {
+    fn cut(
+        &mut self,
+        cell: &ConvexCell,
+        refs: &[Fragment],
+        plane: FreePlane,
+        watch: &impl Observer<Grow>,
+    ) -> Result<[Half<Self>; 2], Cancelled> {
         let (mut lower, mut upper) = (Vec::new(), Vec::new());
-        for fragment in refs {
+        for fragment in patiently(refs, watch) {
+            let fragment = fragment?;
             match (self.sides(fragment, plane), self.rule.straddlers) {
                 ((true, false), _) => lower.push(fragment.clone()),
                 ((false, true), _) => upper.push(fragment.clone()),
@@ -86,6 +101,6 @@ impl<P: Primitives> Cutter for Cells<'_, P> {
             }
         }
         let [below, above] = cell.cut(plane);
-        [(below, lower), (above, upper)]
+        Ok([(below, lower), (above, upper)])
     }
 }

@@ -4,7 +4,8 @@ use glam::{DVec3, Vec3};
 
 use super::fragment::{Fragment, Proposal, proposals};
 use super::{ConvexCell, FreePlane};
-use crate::{Axes, BspPlanes, BspRule, Grow, NodeId, Observer, Place, Primitives, Random};
+use crate::watch::patiently;
+use crate::{Axes, BspPlanes, BspRule, Cancelled, Grow, NodeId, Observer, Place, Primitives, Random};
 
 /// Planes stand a little further beside a fragment than it is padded, so that it lies on one side of them
 /// even after rounding.
@@ -32,13 +33,15 @@ struct Weighed {
 
 impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
     /// The cheapest plane; none if no proposed plane separates the fragments.
-    pub(super) fn best(&mut self) -> Option<(FreePlane, f32)> {
+    pub(super) fn best(&mut self) -> Result<Option<(FreePlane, f32)>, Cancelled> {
         let whole = self.cell.measure(self.rule.measure);
         let mut best: Option<Weighed> = None;
         for (normal, from, places) in self.proposed() {
             // Along the normal, fragments and cell are intervals.
             let along = normal.as_dvec3();
-            let extents: Vec<[f64; 2]> = self.refs.iter().map(|fragment| fragment.extent(along)).collect();
+            let extents: Vec<[f64; 2]> = patiently(self.refs, &*self.watch)
+                .map(|fragment| Ok(fragment?.extent(along)))
+                .collect::<Result<_, _>>()?;
             let [first, last] = self.cell.extent(along);
             for at in places {
                 let plane = FreePlane { normal, at: at as f32 };
@@ -52,9 +55,9 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
                 }
             }
         }
-        let Weighed { plane, from, cost } = best?;
+        let Some(Weighed { plane, from, cost }) = best else { return Ok(None) };
         self.tell(plane, from);
-        Some((plane, cost))
+        Ok(Some((plane, cost)))
     }
 
     /// What the node costs if it is cut by the plane, as in a kd-tree; none if hardly anything is separated.

@@ -19,7 +19,7 @@ pub(super) fn join_all<D: Draft, P: Primitives>(
     tree: &mut Sapling<'_, D, P>,
     watch: &mut impl Observer<Grow>,
 ) -> Result<u32, Cancelled> {
-    let sets = tree.sprout_all(watch);
+    let sets = tree.sprout_all(watch)?;
     let mut live = ploc::join_until(tree, sets, MOST, watch)?;
     // For each set the nearest of those after it; for later ones, of all. So the nearest two of all are there.
     let mut heap: BinaryHeap<Reverse<Pair>> = BinaryHeap::new();

@@ -69,7 +69,7 @@ impl<V: Volume> Bvh<V> {
         boxes: Vec<Aabb>,
         watch: &mut impl Observer<Grow>,
     ) -> Result<(), Cancelled> {
-        let mut splitter = Splitter::new(rule, boxes);
+        let mut splitter = Splitter::new(rule, boxes, watch)?;
 
         // Split nodes until they are small enough, those below before those above.
         let whole = splitter.whole(self.bounds);

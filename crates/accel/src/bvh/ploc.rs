@@ -5,6 +5,7 @@ use glam::Vec3;
 
 use super::draft::Draft;
 use super::sapling::Sapling;
+use crate::watch::patiently;
 use crate::{Aabb, Cancelled, Grow, Observer, Primitives};
 
 /// Joins everything; the root.
@@ -12,7 +13,7 @@ pub(super) fn join_all<D: Draft, P: Primitives>(
     tree: &mut Sapling<'_, D, P>,
     watch: &mut impl Observer<Grow>,
 ) -> Result<u32, Cancelled> {
-    let sets = tree.sprout_all(watch);
+    let sets = tree.sprout_all(watch)?;
     Ok(join_until(tree, sets, 1, watch)?[0])
 }
 
@@ -29,18 +30,16 @@ pub(super) fn join_until<D: Draft, P: Primitives>(
     let all = Aabb::around(sets.iter().map(|&set| tree.bounds(set).center()));
     sets.sort_by_cached_key(|&set| morton(tree.bounds(set).center(), &all));
     while sets.len() > most {
-        if watch.cancelled() {
-            return Err(Cancelled);
-        }
         // Each set finds its nearest among its neighbours in the order.
         let reach = tree.rule.search.max(1) as usize;
-        let nearest: Vec<usize> = (0..sets.len())
+        let nearest: Vec<usize> = patiently(0..sets.len(), watch)
             .map(|i| {
+                let i = i?;
                 let around = (i.saturating_sub(reach)..sets.len().min(i + reach + 1)).filter(|&j| j != i);
                 // Of equals the pair that stands together in twos: so whole piles are joined in few rounds.
-                around.min_by_key(|&j| (tree.nearness(sets[i], sets[j]), i ^ j, i.min(j))).unwrap_or(i)
+                Ok(around.min_by_key(|&j| (tree.nearness(sets[i], sets[j]), i ^ j, i.min(j))).unwrap_or(i))
             })
-            .collect();
+            .collect::<Result<_, _>>()?;
         // Two that found each other are joined and keep the place of the first.
         let mut left = Vec::with_capacity(sets.len());
         for (i, &near) in nearest.iter().enumerate() {

@@ -3,6 +3,7 @@
 use super::build::SAH_DEPTH;
 use super::draft::Draft;
 use super::{Bvh, BvhNode};
+use crate::watch::BETWEEN_LOOKS;
 use crate::{Aabb, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume};
 
 /// A node of a tree in the making.
@@ -68,8 +69,15 @@ impl<'a, D: Draft, P: Primitives> Sapling<'a, D, P> {
     }
 
     /// All primitives as sets of one.
-    pub(super) fn sprout_all(&mut self, watch: &mut impl Observer<Grow>) -> Vec<u32> {
-        (0..self.boxes.len() as u32).map(|prim| self.sprout(PrimId(prim), watch)).collect()
+    pub(super) fn sprout_all(&mut self, watch: &mut impl Observer<Grow>) -> Result<Vec<u32>, Cancelled> {
+        let mut buds = Vec::with_capacity(self.boxes.len());
+        for prim in 0..self.boxes.len() {
+            if prim % BETWEEN_LOOKS == 0 && watch.cancelled() {
+                return Err(Cancelled);
+            }
+            buds.push(self.sprout(PrimId(prim as u32), watch));
+        }
+        Ok(buds)
     }
 
     /// Joins two sets.

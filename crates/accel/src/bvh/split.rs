@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::Vec3;
 
 use super::{binned, sweep};
-use crate::{Aabb, Axis, BvhRule, BvhSplit, Grow, NodeId, Observer, PrimId};
+use crate::{Aabb, Axis, BvhRule, BvhSplit, Cancelled, Grow, NodeId, Observer, PrimId};
 
 /// The primitives of one node: a stretch of every order.
 pub(super) struct Part {
@@ -51,17 +51,24 @@ pub(super) struct Splitter<'a> {
 }
 
 impl<'a> Splitter<'a> {
-    pub(super) fn new(rule: &'a BvhRule, boxes: Vec<Aabb>) -> Splitter<'a> {
+    pub(super) fn new(
+        rule: &'a BvhRule,
+        boxes: Vec<Aabb>,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Splitter<'a>, Cancelled> {
         let centers: Vec<Vec3> = boxes.iter().map(Aabb::center).collect();
         let order = |&axis: &Axis| {
+            if watch.cancelled() {
+                return Err(Cancelled);
+            }
             let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
             // Equal centres stay ordered by id.
             order.sort_by(|&a, &b| centers[a as usize][axis].total_cmp(&centers[b as usize][axis]));
-            order
+            Ok(order)
         };
-        let orders = rule.axes.list().iter().map(order).collect();
+        let orders = rule.axes.list().iter().map(order).collect::<Result<_, _>>()?;
         let (is_below, moved, measures) = (vec![false; boxes.len()], Vec::new(), vec![0.0; boxes.len()]);
-        Splitter { rule, boxes, centers, orders, is_below, moved, measures }
+        Ok(Splitter { rule, boxes, centers, orders, is_below, moved, measures })
     }
 
     /// All primitives.

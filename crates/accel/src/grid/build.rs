@@ -3,10 +3,8 @@
 use super::cells::Reference;
 use super::resolution::{Room, asked};
 use super::{Dense, Grid, GridOf, Lattice};
+use crate::watch::BETWEEN_LOOKS;
 use crate::{Aabb, Axis, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives};
-
-/// How many primitives are inserted between two looks at whether to give up.
-const BETWEEN_LOOKS: usize = 256;
 
 impl Grid {
     /// Builds a grid over `prims`. Grids that would not fit into memory get fewer cells than asked for.

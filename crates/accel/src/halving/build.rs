@@ -24,6 +24,9 @@ pub(crate) struct Stops {
 /// One side of a cut: its space and the references that reach into it.
 pub(crate) type Half<C> = (<C as Cutter>::Space, Vec<<C as Cutter>::Reference>);
 
+/// The plane to take, and its cost.
+type Taken<C> = (<<C as Cutter>::Node as Node>::Plane, f32);
+
 /// What a builder of one kind of tree knows: how space is cut, and by which plane.
 pub(crate) trait Cutter {
     type Node: Node;
@@ -33,7 +36,13 @@ pub(crate) trait Cutter {
     type Reference;
 
     /// The root's space, the references to all that lies in it, and the margin they are pruned with.
-    fn root(&mut self, bounds: &Aabb, margin: &Margin, count: u32) -> Half<Self>
+    fn root(
+        &mut self,
+        bounds: &Aabb,
+        margin: &Margin,
+        count: u32,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Half<Self>, Cancelled>
     where
         Self: Sized;
 
@@ -53,7 +62,9 @@ pub(crate) trait Cutter {
         space: &Self::Space,
         refs: &[Self::Reference],
         watch: &mut impl Observer<Grow>,
-    ) -> Option<(<Self::Node as Node>::Plane, f32)>;
+    ) -> Result<Option<Taken<Self>>, Cancelled>
+    where
+        Self: Sized;
 
     /// What lies below the plane, and what above.
     fn cut(
@@ -61,7 +72,8 @@ pub(crate) trait Cutter {
         space: &Self::Space,
         refs: &[Self::Reference],
         plane: <Self::Node as Node>::Plane,
-    ) -> [Half<Self>; 2]
+        watch: &impl Observer<Grow>,
+    ) -> Result<[Half<Self>; 2], Cancelled>
     where
         Self: Sized;
 }
@@ -92,7 +104,7 @@ impl<N: Node> Halving<N> {
             watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
         }
         let margin = Margin::of(&bounds, prims.len());
-        let root = cutter.root(&bounds, &margin, count);
+        let root = cutter.root(&bounds, &margin, count, watch)?;
 
         let room = root.1.len() * CROWD + SPARE;
         let nodes = vec![N::leaf(0, 0)];
@@ -116,10 +128,7 @@ impl<N: Node> Halving<N> {
                 continue;
             }
             // Choose the plane.
-            let Some((plane, cost)) = cutter.best(node, &space, &refs, watch) else {
-                if watch.cancelled() {
-                    return Err(Cancelled);
-                }
+            let Some((plane, cost)) = cutter.best(node, &space, &refs, watch)? else {
                 tree.settle::<C>(node, &refs, LeafReason::Inseparable, watch);
                 continue;
             };
@@ -130,7 +139,7 @@ impl<N: Node> Halving<N> {
             }
 
             // Both sides get what reaches into them.
-            let [lower, upper] = cutter.cut(&space, &refs, plane);
+            let [lower, upper] = cutter.cut(&space, &refs, plane, watch)?;
             let dealt = lower.1.len() + upper.1.len();
             if dealt > room || tree.nodes.len() + 2 > N::MOST as usize {
                 tree.settle::<C>(node, &refs, LeafReason::Crowded, watch);

@@ -5,6 +5,7 @@ use super::node::{KdNode, Upright};
 use super::reference::{Reference, deal};
 use super::split::Scale;
 use crate::halving::{Cutter, Half, Stops};
+use crate::watch::patiently;
 use crate::{Aabb, Cancelled, Grow, KdRule, KdSplit, Margin, NodeId, Observer, PrimId, Primitives};
 
 impl Kd {
@@ -32,10 +33,17 @@ impl<P: Primitives> Cutter for Boxes<'_, P> {
     type Space = Aabb;
     type Reference = Reference;
 
-    fn root(&mut self, bounds: &Aabb, margin: &Margin, count: u32) -> Half<Self> {
+    fn root(
+        &mut self,
+        bounds: &Aabb,
+        margin: &Margin,
+        count: u32,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Half<Self>, Cancelled> {
         self.pad = margin.pad;
         let clipped = |prim| Reference::clipped(self.prims, prim, bounds, margin.pad);
-        (*bounds, (0..count).map(PrimId).filter_map(clipped).collect())
+        let refs = patiently((0..count).map(PrimId), watch).filter_map(|prim| prim.map(clipped).transpose());
+        Ok((*bounds, refs.collect::<Result<_, _>>()?))
     }
 
     fn bounds(space: &Aabb) -> Aabb {
@@ -56,15 +64,21 @@ impl<P: Primitives> Cutter for Boxes<'_, P> {
         bounds: &Aabb,
         refs: &[Reference],
         watch: &mut impl Observer<Grow>,
-    ) -> Option<(Upright, f32)> {
+    ) -> Result<Option<(Upright, f32)>, Cancelled> {
         let (rule, whole) = (self.rule, bounds.measure(self.rule.measure));
         let cut = Scale { node, bounds, refs, rule, watch, whole }.best()?;
-        Some((Upright { axis: cut.axis, at: cut.plane }, cut.cost))
+        Ok(cut.map(|cut| (Upright { axis: cut.axis, at: cut.plane }, cut.cost)))
     }
 
-    fn cut(&mut self, bounds: &Aabb, refs: &[Reference], plane: Upright) -> [Half<Self>; 2] {
-        let [lower, upper] = deal(self.prims, refs, bounds, plane, self.pad);
+    fn cut(
+        &mut self,
+        bounds: &Aabb,
+        refs: &[Reference],
+        plane: Upright,
+        watch: &impl Observer<Grow>,
+    ) -> Result<[Half<Self>; 2], Cancelled> {
+        let [lower, upper] = deal(self.prims, refs, bounds, plane, self.pad, watch)?;
         let (below, above) = bounds.cut(plane.axis, plane.at);
-        [(below, lower), (above, upper)]
+        Ok([(below, lower), (above, upper)])
     }
 }

@@ -3,7 +3,8 @@
 use glam::Vec3;
 
 use super::node::Upright;
-use crate::{Aabb, Axis, PrimId, Primitives};
+use crate::watch::patiently;
+use crate::{Aabb, Axis, Cancelled, Grow, Observer, PrimId, Primitives};
 
 /// A primitive and the box around what of it lies in the node, `pad` larger than that part on all sides
 /// (see [`Margin`](crate::Margin)) but never larger than the node.
@@ -59,9 +60,11 @@ pub(super) fn deal(
     node: &Aabb,
     plane: Upright,
     pad: f32,
-) -> [Vec<Reference>; 2] {
+    watch: &impl Observer<Grow>,
+) -> Result<[Vec<Reference>; 2], Cancelled> {
     let (mut lower, mut upper) = (Vec::with_capacity(refs.len()), Vec::with_capacity(refs.len()));
-    for &reference in refs {
+    for reference in patiently(refs, watch) {
+        let &reference = reference?;
         match reference.sides(plane.axis, plane.at) {
             (true, false) => lower.push(reference),
             (false, true) => upper.push(reference),
@@ -72,5 +75,5 @@ pub(super) fn deal(
             }
         }
     }
-    [lower, upper]
+    Ok([lower, upper])
 }

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::reference::Reference;
-use crate::{Aabb, Axis, Grow, KdRule, KdSplit, NodeId, Observer};
+use crate::{Aabb, Axis, Cancelled, Grow, KdRule, KdSplit, NodeId, Observer};
 
 /// A plane and what it is worth.
 #[derive(Clone, Copy, Debug)]
@@ -28,10 +28,10 @@ pub(super) struct Scale<'a, O> {
 
 impl<O: Observer<Grow>> Scale<'_, O> {
     /// The plane that the rule asks for; none if no plane separates the references.
-    pub(super) fn best(&mut self) -> Option<Cut> {
+    pub(super) fn best(&mut self) -> Result<Option<Cut>, Cancelled> {
         match self.rule.split {
-            KdSplit::Middle => self.across_the_longest(|bounds, _, axis| bounds.center()[axis]),
-            KdSplit::Median => self.across_the_longest(|_, refs, axis| median(refs, axis)),
+            KdSplit::Middle => Ok(self.across_the_longest(|bounds, _, axis| bounds.center()[axis])),
+            KdSplit::Median => Ok(self.across_the_longest(|_, refs, axis| median(refs, axis))),
             KdSplit::Sah => self.cheapest(),
         }
     }
@@ -55,14 +55,13 @@ impl<O: Observer<Grow>> Scale<'_, O> {
 
     /// The surface area heuristic: of all planes along the faces of the references, the one with the
     /// least expected cost. One sweep from low to high per axis, as counts change only at faces.
-    fn cheapest(&mut self) -> Option<Cut> {
+    fn cheapest(&mut self) -> Result<Option<Cut>, Cancelled> {
         let mut best: Option<Cut> = None;
         let all = self.refs.len();
         let (mut starts, mut ends) = (Vec::with_capacity(all), Vec::with_capacity(all));
         for &axis in self.rule.axes.list() {
-            // A large node takes a while: whoever asks gives up then.
             if self.watch.cancelled() {
-                return None;
+                return Err(Cancelled);
             }
             sorted(&mut starts, self.refs, |bounds| bounds.min[axis]);
             sorted(&mut ends, self.refs, |bounds| bounds.max[axis]);
@@ -85,7 +84,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
                 }
             }
         }
-        best
+        Ok(best)
     }
 
     /// What the node costs if it is cut there: a step, and for each child its primitives as often as a ray

@@ -1,6 +1,7 @@
 //! Building an octree, slide 43: the bounding box, then eight equal cells, until few enough or deep enough.
 
 use super::{Node, Octree};
+use crate::watch::patiently;
 use crate::{Aabb, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, OctreeRule, Place, PrimId, Primitives};
 
 impl Octree {
@@ -65,7 +66,7 @@ impl Octree {
             }
 
             // Eight equal cells; a primitive goes to each that it overlaps.
-            let dealt = self.deal(prims, node, &cell);
+            let dealt = self.deal(prims, node, &cell, watch)?;
             let references: usize = dealt.iter().map(Vec::len).sum();
             if references > room {
                 self.settle(node, LeafReason::Crowded, watch);
@@ -100,13 +101,24 @@ impl Octree {
     }
 
     /// What of a leaf's primitives would belong to each of its children.
-    fn deal(&self, prims: &impl Primitives, node: NodeId, cell: &Aabb) -> Vec<Vec<PrimId>> {
-        let overlapping = |number| {
-            let child = self.child_cell(cell, number);
-            let held = self.leaf_prims(node).iter().copied();
-            held.filter(|&prim| self.overlaps(prims, prim, &child)).collect()
-        };
-        (0..self.ways()).map(overlapping).collect()
+    fn deal(
+        &self,
+        prims: &impl Primitives,
+        node: NodeId,
+        cell: &Aabb,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Vec<Vec<PrimId>>, Cancelled> {
+        let children: Vec<Aabb> = (0..self.ways()).map(|number| self.child_cell(cell, number)).collect();
+        let mut dealt = vec![Vec::new(); children.len()];
+        for prim in patiently(self.leaf_prims(node), watch) {
+            let &prim = prim?;
+            for (child, held) in children.iter().zip(&mut dealt) {
+                if self.overlaps(prims, prim, child) {
+                    held.push(prim);
+                }
+            }
+        }
+        Ok(dealt)
     }
 
     /// Makes a leaf an inner node whose children refer to what was dealt to them.
