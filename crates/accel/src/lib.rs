@@ -9,6 +9,7 @@
 //! machine: single precision in the structures, double precision rounded once where a primitive is met. This crate knows no screen, no file, no thread and no lesson.
 
 mod aabb;
+mod around;
 mod axis;
 mod best;
 mod bsp;
@@ -44,6 +45,7 @@ mod volume;
 mod watch;
 
 pub use aabb::Aabb;
+pub(crate) use around::around;
 pub use axis::{Axes, Axis, Measure};
 pub use best::{Best, Want, test};
 pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};

@@ -4,7 +4,7 @@ use super::sapling::Sapling;
 use super::split::{Part, Splitter};
 use super::{Bvh, BvhNode, bottom_up, insertion, ploc};
 use crate::{
-    Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume,
+    Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume, around,
 };
 
 /// Below this depth nodes are split into halves, whatever the rule: no scene can make the tree so deep
@@ -24,15 +24,9 @@ impl<V: Volume> Bvh<V> {
     /// # Errors
     /// The observer cancelled it.
     pub fn over<P: Primitives, W: Observer<Grow>>(prims: &P, rule: &BvhRule, watch: &mut W) -> Result<Self, Cancelled> {
-        // The boxes, and the box around all of them.
-        let mut all = Aabb::EMPTY;
-        let mut boxes = Vec::with_capacity(prims.len());
-        for prim in (0..prims.len() as u32).map(PrimId) {
-            boxes.push(prims.bounds(prim));
-            let before = all;
-            all = before.union(boxes[prim.index()]);
-            watch.on(Grow::Widen { prim, bounds: all, grown: all != before });
-        }
+        // The box around all, and each one's own.
+        let all = around(prims, watch)?;
+        let boxes: Vec<Aabb> = (0..prims.len() as u32).map(|prim| prims.bounds(PrimId(prim))).collect();
         let mut bvh = Bvh { bounds: all, nodes: Vec::new(), refs: Vec::with_capacity(prims.len()), order: rule.order };
         if prims.is_empty() {
             return Ok(bvh);

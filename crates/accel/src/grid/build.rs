@@ -4,7 +4,7 @@ use super::cells::Reference;
 use super::resolution::{Room, asked};
 use super::{Dense, Grid, GridOf, Lattice};
 use crate::watch::BETWEEN_LOOKS;
-use crate::{Aabb, Axis, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives};
+use crate::{Aabb, Axis, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives, around};
 
 impl Grid {
     /// Builds a grid over `prims`. Grids that would not fit into memory get fewer cells than asked for.
@@ -24,7 +24,7 @@ impl<C> GridOf<C> {
         watch: &mut impl Observer<Grow>,
         file: impl FnOnce(usize, Vec<Reference>) -> C,
     ) -> Result<GridOf<C>, Cancelled> {
-        let building = Building::begin(prims, rule.prune, Margin::of, watch);
+        let building = Building::begin(prims, rule.prune, Margin::of, watch)?;
         let lattice = building.whole(rule, watch);
         let everything: Vec<PrimId> = (0..prims.len() as u32).map(PrimId).collect();
         let settled = building.insert(&lattice, &everything, watch)?;
@@ -54,17 +54,12 @@ impl<'a, P: Primitives> Building<'a, P> {
         prune: bool,
         margin: impl FnOnce(&Aabb, usize) -> Margin,
         watch: &mut impl Observer<Grow>,
-    ) -> Building<'a, P> {
-        let ids = || (0..prims.len() as u32).map(PrimId);
-        let mut bounds = Aabb::EMPTY;
-        for prim in ids() {
-            let before = bounds;
-            bounds = before.union(prims.bounds(prim));
-            watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
-        }
+    ) -> Result<Building<'a, P>, Cancelled> {
+        let bounds = around(prims, watch)?;
         let margin = margin(&bounds, prims.len());
-        let reaches = ids().map(|prim| prims.bounds(prim).padded(margin.pad)).collect();
-        Building { prims, prune, bounds, margin, reaches, room: Room::within(prims.len()) }
+        let reach = |prim| prims.bounds(prim).padded(margin.pad);
+        let reaches = (0..prims.len() as u32).map(PrimId).map(reach).collect();
+        Ok(Building { prims, prune, bounds, margin, reaches, room: Room::within(prims.len()) })
     }
 
     /// Chooses the resolution of the grid over everything.

@@ -43,7 +43,7 @@ impl NestedGrid {
         watch: &mut impl Observer<Grow>,
     ) -> Result<NestedGrid, Cancelled> {
         // The coarse grid, as if it were the only one.
-        let mut building = Building::begin(prims, rule.grid.prune, |bounds, _| Margin::near(bounds), watch);
+        let mut building = Building::begin(prims, rule.grid.prune, |bounds, _| Margin::near(bounds), watch)?;
         let lattice = building.whole(&rule.grid, watch);
         let everything: Vec<PrimId> = (0..prims.len() as u32).map(PrimId).collect();
         let settled = building.insert(&lattice, &everything, watch)?;

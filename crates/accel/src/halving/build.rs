@@ -1,7 +1,7 @@
 //! Building a tree of planes, slides 29-32: take a node, stop or choose a plane, deal out what it holds.
 
 use super::{Halving, Node, Plane};
-use crate::{Aabb, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, Place, PrimId, Primitives};
+use crate::{Aabb, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, Place, PrimId, Primitives, around};
 
 /// There is room for so many references for each primitive, and for [`SPARE`] more: primitives that lie
 /// on top of each other would be referred to from ever more leaves. Children share their parent's room.
@@ -96,15 +96,9 @@ impl<N: Node> Halving<N> {
         watch: &mut impl Observer<Grow>,
     ) -> Result<Halving<N>, Cancelled> {
         // The box around everything.
-        let mut bounds = Aabb::EMPTY;
-        let count = prims.len() as u32;
-        for prim in (0..count).map(PrimId) {
-            let before = bounds;
-            bounds = before.union(prims.bounds(prim));
-            watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
-        }
+        let bounds = around(prims, watch)?;
         let margin = Margin::of(&bounds, prims.len());
-        let root = cutter.root(&bounds, &margin, count, watch)?;
+        let root = cutter.root(&bounds, &margin, prims.len() as u32, watch)?;
 
         let room = root.1.len() * CROWD + SPARE;
         let nodes = vec![N::leaf(0, 0)];

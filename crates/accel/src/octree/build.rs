@@ -2,7 +2,9 @@
 
 use super::{Node, Octree};
 use crate::watch::patiently;
-use crate::{Aabb, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, OctreeRule, Place, PrimId, Primitives};
+use crate::{
+    Aabb, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, OctreeRule, Place, PrimId, Primitives, around,
+};
 
 impl Octree {
     /// Builds the tree over all primitives.
@@ -15,12 +17,7 @@ impl Octree {
         watch: &mut impl Observer<Grow>,
     ) -> Result<Octree, Cancelled> {
         // Compute the bounding box.
-        let mut bounds = Aabb::EMPTY;
-        for prim in (0..prims.len() as u32).map(PrimId) {
-            let before = bounds;
-            bounds = before.union(prims.bounds(prim));
-            watch.on(Grow::Widen { prim, bounds, grown: bounds != before });
-        }
+        let bounds = around(prims, watch)?;
         let everything = (0..prims.len() as u32).map(PrimId).collect();
         let mut tree = Octree {
             bounds,
