@@ -145,7 +145,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Open, "Open a mesh", &[(CTRL, Key::O)]),
     entry(Command::Cancel, "Cancel what is under way", &[(NONE, Key::Escape)]),
     entry(Command::Palette, "Find a command or slide", &[(CTRL, Key::K)]),
-    entry(Command::Theme, "Next theme", &[]),
+    entry(Command::Theme, "Next theme: light, dark, projector", &[]),
     entry(Command::ZoomIn, "Zoom in", &[(CTRL, Key::Plus), (CTRL, Key::Equals)]),
     entry(Command::ZoomOut, "Zoom out", &[(CTRL, Key::Minus)]),
     entry(Command::ZoomReset, "Usual size", &[(CTRL, Key::Num0)]),

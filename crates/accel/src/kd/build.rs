@@ -65,8 +65,9 @@ impl<P: Primitives> Cutter for Boxes<'_, P> {
         refs: &[Reference],
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<(Upright, f32)>, Cancelled> {
-        let (rule, whole) = (self.rule, bounds.measure(self.rule.measure));
-        let cut = Scale { node, bounds, refs, rule, watch, whole }.best()?;
+        let (rule, extent) = (self.rule, bounds.extent());
+        let whole = rule.measure.of(extent);
+        let cut = Scale { node, bounds, refs, rule, watch, extent, whole }.best()?;
         Ok(cut.map(|cut| (Upright { axis: cut.axis, at: cut.plane }, cut.cost)))
     }
 

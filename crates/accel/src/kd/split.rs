@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use glam::Vec3;
+
 use super::reference::Reference;
 use crate::{Aabb, Axis, Cancelled, Grow, KdRule, KdSplit, NodeId, Observer};
 
@@ -22,7 +24,8 @@ pub(super) struct Scale<'a, O> {
     pub(super) refs: &'a [Reference],
     pub(super) rule: &'a KdRule,
     pub(super) watch: &'a mut O,
-    /// The measure of `bounds`.
+    /// The sides of `bounds`, and its measure.
+    pub(super) extent: Vec3,
     pub(super) whole: f32,
 }
 
@@ -39,8 +42,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
     /// One plane across the longest side; if it puts everything on both sides, across the next longest.
     fn across_the_longest(&mut self, place: impl Fn(&Aabb, &[Reference], Axis) -> f32) -> Option<Cut> {
         let mut axes = self.rule.axes.list().to_vec();
-        let extent = self.bounds.extent();
-        axes.sort_by(|&a, &b| extent[b].total_cmp(&extent[a]));
+        axes.sort_by(|&a, &b| self.extent[b].total_cmp(&self.extent[a]));
         axes.into_iter().find_map(|axis| {
             let plane = place(self.bounds, self.refs, axis);
             if !self.inside(axis, plane) {
@@ -91,11 +93,12 @@ impl<O: Observer<Grow>> Scale<'_, O> {
     /// that meets the node meets the child. Cutting off empty space is worth a bonus.
     fn weigh(&mut self, axis: Axis, plane: f32, below: u32, above: u32) -> Cut {
         // The children are as wide as the node, but along the axis.
-        let chance = |side: f32| {
-            let mut sides = self.bounds.extent();
-            sides[axis] = side;
-            self.rule.measure.of(sides) / self.whole
+        let sides = |side: f32| match axis {
+            Axis::X => self.extent.with_x(side),
+            Axis::Y => self.extent.with_y(side),
+            Axis::Z => self.extent.with_z(side),
         };
+        let chance = |side: f32| self.rule.measure.of(sides(side)) / self.whole;
         let (lower, upper) = (chance(plane - self.bounds.min[axis]), chance(self.bounds.max[axis] - plane));
         let tests = lower * below as f32 + upper * above as f32;
         let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };
