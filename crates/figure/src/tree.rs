@@ -86,11 +86,16 @@ pub(crate) fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Lo
 
     // As large as lets the whole tree be drawn; if none does, the smallest size and the part that fits.
     let small = count_below(tree, view.focus.unwrap_or(NodeId::ROOT), MOST) <= MOST;
-    let scales: &[f32] = if small { &[1.0, 0.85, 0.7] } else { &[0.7] };
+    // A picture of nothing but the tree has room for larger marks than a pane beside others.
+    let scales: &[f32] = match (small, look.titles) {
+        (true, false) => &[2.6, 2.2, 1.9, 1.6, 1.3, 1.0, 0.85, 0.7],
+        (true, true) => &[1.0, 0.85, 0.7],
+        (false, _) => &[0.7],
+    };
     let mut drawn = None;
     for scale in scales {
         let digit = text_width("0", Face::Mono, u * scale * 0.88);
-        let pen = Pen { u: u * scale, digit, size, top, margin: look.margin() };
+        let pen = Pen { u: u * scale, digit, size, top, margin: look.margin(), alone: !look.titles };
         let branches = branches(tree, view, &pen.room());
         let whole = branches.whole();
         drawn = Some((pen, branches));
@@ -113,6 +118,8 @@ struct Pen {
     size: Vec2,
     top: f32,
     margin: f32,
+    /// Whether the tree is the whole picture: then it stands in the middle.
+    alone: bool,
 }
 
 impl Pen {
@@ -150,7 +157,8 @@ impl Pen {
         let left = (self.size.x - branches.tidy.width * spread) / 2.0;
         let levels = branches.shown.iter().map(|branch| branch.level).max().unwrap_or(0);
         let height = self.size.y - top - 2.0 * self.radius() - self.u * 1.9;
-        let step = (height / levels.max(1) as f32).min(self.u * 3.6);
+        let step = (height / levels.max(1) as f32).min(self.u * if self.alone { 5.2 } else { 3.6 });
+        let top = if self.alone { top + (height - step * levels as f32).max(0.0) / 2.0 } else { top };
         let at = |index: usize| {
             let y = top + self.radius() + step * branches.shown[index].level as f32;
             Vec2::new(left + branches.tidy.x[index] * spread, y)
