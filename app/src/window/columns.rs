@@ -116,9 +116,9 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
     if !has(app, Pane::Ruler) {
         return stage_pane::stages(app, ui).or(under);
     }
-    // The costs of splits are curves; intervals are lines.
+    // The costs of splits are curves; intervals are lines, of which four must fit.
     let builds = app.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
-    let usual = if builds { (height * 0.2).clamp(150.0, 200.0) } else { (height * 0.15).clamp(100.0, 150.0) };
+    let usual = if builds { (height * 0.2).clamp(150.0, 200.0) } else { (height * 0.15).clamp(112.0, 150.0) };
     let ruler = Panel::bottom(salt("ruler", sizes.ruler, height))
         .frame(frame)
         .default_size(sizes.ruler.unwrap_or(usual))

@@ -140,6 +140,13 @@ impl Pictures {
         }
     }
 
+    /// How high the presenter's ruler is.
+    pub(super) fn ruler_line_height(&self, look: &Look) -> f32 {
+        let reel = self.playback.reel();
+        let still = reel.still(&self.instant);
+        if still.has_ruler() { still.ruler_line_height(look) } else { 0.0 }
+    }
+
     /// How high the legend of this width is.
     pub(super) fn legend_height(&self, width: f32, look: &Look) -> f32 {
         self.playback.reel().still(&self.instant).legend_height(&self.space, width, look)

@@ -2,8 +2,7 @@
 
 use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
-use raystep_figure::{Face, Look, Role, sentence, told};
-use raystep_lesson::Plays;
+use raystep_figure::{Face, Look, Role, sentence, stack_height, told};
 
 use super::app::App;
 use super::columns::figure;
@@ -29,13 +28,8 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
     heading(app, ui, Rect::from_min_size(inner.min, vec2(inner.width(), title_height)), body);
 
     let foot = body * 1.5;
-    let pictures = app.pictures.as_ref();
-    let builds = app.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
-    let ruler = match pictures.is_none_or(|pictures| pictures.has(Pane::RulerLine)) {
-        true if builds => body * 7.0,
-        true => body * 3.6,
-        false => 0.0,
-    };
+    let look = Look { text: body * 0.78, titles: false };
+    let ruler = app.pictures.as_ref().map_or(0.0, |pictures| pictures.ruler_line_height(&look));
     let side = (inner.width() * 0.3).max(body * 11.0);
     let top = inner.top() + title_height;
     let bottom = inner.bottom() - foot - ruler;
@@ -43,7 +37,6 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
     let words = Rect::from_min_max(pos2(inner.right() - side, top + body * 0.4), pos2(inner.right(), bottom));
     let line = Rect::from_min_max(pos2(inner.left(), bottom), pos2(inner.right(), bottom + ruler));
 
-    let look = Look { text: body * 0.78, titles: false };
     let mut under = stage_pane::stage(app, ui, space, false, body / 19.0);
     if ruler > 0.0 {
         under = figure(app, ui, Pane::RulerLine, line, &look).or(under);
@@ -113,12 +106,11 @@ fn side_page(app: &mut App, ui: &mut Ui, rect: Rect, body: f32) -> Option<Place>
         app.run(ui, command);
     }
     // The stack has what the words leave, up to four rows.
-    let row = body * 0.62 * 1.7;
-    let stack = (rect.height() - words.content_size.y - body * 0.4).min(row * 4.6);
-    if !has_stack || stack < row * 1.6 {
+    let look = Look { text: body * 0.62, titles: false };
+    let stack = (rect.height() - words.content_size.y - body * 0.4).min(stack_height(4, &look));
+    if !has_stack || stack < stack_height(1, &look) {
         return None;
     }
-    let look = Look { text: body * 0.62, titles: false };
     figure(app, ui, Pane::StackHere, Rect::from_min_max(pos2(rect.left(), rect.bottom() - stack), rect.max), &look)
 }
 

@@ -48,13 +48,14 @@ impl Solid {
         mesh: Option<&Arc<Mesh>>,
         camera: &Camera,
         theme: &Theme,
+        ground: Role,
         lit: Option<Place>,
     ) {
         let Some(gpu) = &mut self.gpu else { return };
         let pixels_per_point = ui.ctx().pixels_per_point();
         let size = [rect.width(), rect.height()].map(|side| (side * pixels_per_point).round().max(1.0) as u32);
         let space = with_lit(space, lit);
-        let frame = Frame { prims, mesh, space: &space, camera, theme, size, pixels_per_point };
+        let frame = Frame { prims, mesh, space: &space, camera, theme, ground, size, pixels_per_point };
         let renewed = gpu.renderer.draw(&frame);
         let mut registry = gpu.state.renderer.write();
         let (device, view, filter) = (&gpu.state.device, gpu.renderer.view(), wgpu::FilterMode::Linear);

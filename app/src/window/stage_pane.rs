@@ -47,6 +47,11 @@ pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     under
 }
 
+/// What the stage stands on: in the study a pane, before a class the page itself.
+fn ground(app: &App) -> Role {
+    if app.state.present { Role::Page } else { Role::Panel }
+}
+
 /// The height of the names over two pictures.
 const STRIP: f32 = 38.0;
 
@@ -71,7 +76,7 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
     let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
     if solid {
         let (prims, mesh) = (&pictures.playback.play.scene.prims, pictures.playback.mesh.as_ref());
-        app.solid.show(ui, picture, &pictures.space, prims, mesh, &camera, app.theme, app.lit());
+        app.solid.show(ui, picture, &pictures.space, prims, mesh, &camera, app.theme, ground(app), app.lit());
     }
     let name = "Space";
     let lit = app.lit();
@@ -107,7 +112,7 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     let lit = app.lit();
     if solid {
         let (prims, mesh) = (&beside.play.scene.prims, beside.mesh.as_ref());
-        app.solid_beside.show(ui, rect, &shown, prims, mesh, &camera, app.theme, lit);
+        app.solid_beside.show(ui, rect, &shown, prims, mesh, &camera, app.theme, ground(app), lit);
     }
     let picture = Picture {
         space: &shown,

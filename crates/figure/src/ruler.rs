@@ -1,7 +1,7 @@
 //! The ray as a ruler: every known interval of t, the current t and the hits.
 
 use glam::Vec2;
-use raystep_accel::Visit;
+use raystep_accel::{Structure, Visit};
 
 use crate::look::{line, write};
 use crate::spans::{Span, current_t, extent, spans};
@@ -23,7 +23,12 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     let height = (bottom - top - u * 0.4).max(u);
     let fit = ((height / (u * 0.85)) as usize).max(1);
     let more = if spans.len() > fit { spans.len() + 1 - fit } else { 0 };
-    spans.truncate(spans.len() - more);
+    if moment.slab.is_some() {
+        // What all slabs leave stands last, and is what counts.
+        spans.drain(..more);
+    } else {
+        spans.truncate(spans.len() - more);
+    }
     let rows = spans.len() + usize::from(more > 0);
     let row = (height / rows.max(1) as f32).min(look.line());
     let letters = u.min(row * 0.9);
@@ -57,6 +62,13 @@ pub fn ruler_height(walk: &Walk<'_>, look: &Look) -> f32 {
     let rows = deepest.max().unwrap_or(1).min(6) as f32;
     let mut scratch = Figure::default();
     look.heading(&mut scratch, "", "") + look.line() * rows + look.margin() + look.text * 1.6
+}
+
+/// How high a [`ruler_line`] is: names over one line, or four rows where the intervals lie over each other.
+pub fn ruler_line_height(walk: &Walk<'_>, look: &Look) -> f32 {
+    // Slabs and boxes overlap, cells and the halves of a node do not.
+    let overlap = matches!(walk.structure, Structure::Slab(_) | Structure::Bvh(_));
+    look.text * if overlap { 6.2 } else { 4.6 }
 }
 
 /// Everything on one line, names above: for the far end of a lecture hall.

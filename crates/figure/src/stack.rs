@@ -49,6 +49,17 @@ pub fn stack_of_build(moment: &GrowMoment, here: bool, size: Vec2, look: &Look) 
     draw("Still to be built", remark, &rows, "Nothing waits.", size, look)
 }
 
+/// How high a row is, and the gap under it.
+fn row(look: &Look) -> (f32, f32) {
+    (look.text * 2.3, look.text * 0.45)
+}
+
+/// How high a stack with so many rows is.
+pub fn stack_height(rows: usize, look: &Look) -> f32 {
+    let (height, gap) = row(look);
+    look.heading(&mut Figure::default(), "", "") + (height + gap) * rows as f32 + gap
+}
+
 /// When the row with this place from the top is opened.
 fn word(index: usize, many: usize, here: bool) -> &'static str {
     match index {
@@ -68,7 +79,7 @@ fn draw(title: &str, remark: &str, rows: &[Row], nothing: &str, size: Vec2, look
     }
 
     // All rows that fit; of more, the last line says how many.
-    let (height, gap) = (look.text * 2.3, look.text * 0.45);
+    let (height, gap) = row(look);
     let fit = (((size.y - top) / (height + gap)) as usize).max(1);
     let shown = if rows.len() > fit { fit.saturating_sub(1).max(1) } else { rows.len() };
     for (index, Row { place, role, interval, word }) in rows.iter().take(shown).enumerate() {

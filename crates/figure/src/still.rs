@@ -3,11 +3,11 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Event, Place, Primitives};
 
-use crate::work::counted;
+use crate::work::{counted, tested};
 use crate::{
     Build, Figure, GrowMoment, ListingLine, Look, Moment, Role, Space, TreeView, Walk, cells, cells_of_build, costs,
-    legend, listing, ruler, ruler_height, ruler_line, slabs, space, space_of_build, stack, stack_of_build, timeline,
-    timeline_of_build, tree, tree_of_build, work, work_of_build,
+    legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack,
+    stack_of_build, timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
 
 /// One step, with what it belongs to. Window and page draw this and need not know which of the two it is.
@@ -90,7 +90,19 @@ impl Still<'_> {
     pub fn ruler_line(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
         match self {
             Still::Walk(walk, moment) => ruler_line(walk, moment, size, look),
+            // Between two weighings there is nothing but the tree so far.
+            Still::Build(_, moment) if moment.weighed.is_empty() => {
+                tree_of_build(moment, &TreeView::default(), size, look)
+            }
             Still::Build(_, moment) => costs(moment, hide, size, look),
+        }
+    }
+
+    /// How high that line is.
+    pub fn ruler_line_height(&self, look: &Look) -> f32 {
+        match self {
+            Still::Walk(walk, _) => ruler_line_height(walk, look),
+            Still::Build(..) => look.text * 9.0,
         }
     }
 
@@ -163,7 +175,8 @@ impl Still<'_> {
     pub fn tally(&self) -> String {
         match self {
             Still::Walk(walk, moment) => {
-                format!("{} of {} primitives tested", moment.cost.prim_tests, walk.prims.len())
+                let (tests, tested) = tested(walk, moment);
+                format!("{tests} of {tested} tested")
             }
             Still::Build(_, moment) => {
                 let tally = &moment.tally;

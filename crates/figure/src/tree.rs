@@ -84,22 +84,24 @@ pub(crate) fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Lo
     let u = look.text;
     let top = look.heading(&mut figure, "Tree", "dots: primitives of a leaf");
 
-    // As large as lets the whole tree be drawn; if none does, the smallest size and the part that fits.
+    // As large as lets the whole tree be drawn, or of a large one the whole path; if no size does, the smallest
+    // and the part that fits.
     let small = count_below(tree, view.focus.unwrap_or(NodeId::ROOT), MOST) <= MOST;
     // A picture of nothing but the tree has room for larger marks than a pane beside others.
     let scales: &[f32] = match (small, look.titles) {
         (true, false) => &[2.6, 2.2, 1.9, 1.6, 1.3, 1.0, 0.85, 0.7],
         (true, true) => &[1.0, 0.85, 0.7],
-        (false, _) => &[0.7],
+        (false, false) => &[1.9, 1.6, 1.3, 1.0],
+        (false, true) => &[1.0, 0.85],
     };
     let mut drawn = None;
     for scale in scales {
         let digit = text_width("0", Face::Mono, u * scale * 0.88);
         let pen = Pen { u: u * scale, digit, size, top, margin: look.margin(), alone: !look.titles };
         let branches = branches(tree, view, &pen.room());
-        let whole = branches.whole();
+        let enough = if small { branches.whole() } else { branches.above.is_empty() };
         drawn = Some((pen, branches));
-        if whole {
+        if enough {
             break;
         }
     }

@@ -6,20 +6,30 @@ use raystep_accel::{Primitives, Structure};
 use crate::look::{block, write};
 use crate::{Anchor, Face, Figure, Look, Moment, Role, VolumeName, Walk, text_width};
 
+/// Where only the box is tested, its test is the work.
+fn tests_box_only(walk: &Walk<'_>) -> bool {
+    matches!(walk.structure, Structure::Slab(_))
+}
+
+/// How many tests there were so far, and of what: "12 primitives", "1 box".
+pub(crate) fn tested(walk: &Walk<'_>, moment: &Moment) -> (u64, String) {
+    let volume = VolumeName::of(walk.structure);
+    if tests_box_only(walk) {
+        return (moment.cost.box_tests, counted(1, volume.one, volume.many));
+    }
+    (moment.cost.prim_tests, counted(walk.prims.len() as u64, "primitive", "primitives"))
+}
+
 /// The primitives tested so far as a number and a bar, the rest of the work in words. `beside` names
 /// another walk and how many it has tested, for a second bar.
 pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, "Work so far", "");
     let (left, u) = (look.margin(), look.text);
-    // Where only the box is tested, its test is the work.
-    let only_box = matches!(walk.structure, Structure::Slab(_));
+    let only_box = tests_box_only(walk);
     let volume = VolumeName::of(walk.structure);
-    let (tests, all, one, many) = if only_box {
-        (moment.cost.box_tests, 1, volume.one, volume.many)
-    } else {
-        (moment.cost.prim_tests, walk.prims.len() as u64, "primitive", "primitives")
-    };
+    let (tests, tested) = tested(walk, moment);
+    let all = if only_box { 1 } else { walk.prims.len() as u64 };
 
     // The one loud number.
     let loud = u * 2.6;
@@ -28,7 +38,7 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let base = Vec2::new(left, y);
     write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
     let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
-    let says = format!("of {} tested", counted(all, one, many));
+    let says = format!("of {tested} tested");
     write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
     y += loud * 0.5 + u * 0.6;
 

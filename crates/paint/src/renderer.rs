@@ -26,6 +26,8 @@ pub struct Frame<'a> {
     pub camera: &'a Camera,
     /// How roles look.
     pub theme: &'a Theme,
+    /// The role that the ground is filled with.
+    pub ground: Role,
     /// Width and height in pixels; brought into the range that the device allows.
     pub size: [u32; 2],
     /// How many pixels a point of the theme's line widths is.
@@ -181,7 +183,7 @@ impl Content {
     fn new(frame: &Frame<'_>, size: [u32; 2]) -> Content {
         Content {
             mesh: frame.mesh.cloned(),
-            ground: frame.theme.style(Role::Panel).fill.map_or([1.0; 4], unit),
+            ground: frame.theme.style(frame.ground).fill.map_or([1.0; 4], unit),
             view: ViewUniform::new(frame, size),
             batch: Batch::new(frame),
         }

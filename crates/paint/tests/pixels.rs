@@ -52,6 +52,7 @@ impl Stage {
             space: &space,
             camera: &self.camera,
             theme: self.theme,
+            ground: Role::Panel,
             size: SIZE,
             pixels_per_point: 1.0,
         });
@@ -192,6 +193,7 @@ fn walks_on_the_teapot() {
                 space: &space,
                 camera: &Camera::Solid { eye, target, up, fov_degrees },
                 theme,
+                ground: Role::Panel,
                 size: SIZE,
                 pixels_per_point: 1.0,
             });
