@@ -107,7 +107,7 @@ fn a_solid_bvh_slide_in_the_dark() {
 }
 
 #[test]
-#[ignore = "writes a hundred pictures to look at; see the README"]
+#[ignore = "writes 120 pictures to look at; see the README"]
 fn every_size_stage_and_theme() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window-pictures");
     std::fs::create_dir_all(&folder).expect("a folder for the pictures");

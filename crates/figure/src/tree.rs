@@ -187,14 +187,31 @@ impl Pen {
     /// From rim to rim; thick on the path.
     fn edge(&self, figure: &mut Figure, tree: &impl Tree, path: &[NodeId], from: (&Branch, Vec2), to: (&Branch, Vec2)) {
         let along = (to.1 - from.1).normalize_or_zero();
-        let rim = self.radius() + 1.0;
         let child = to.0.node;
         let role = match tree.role(child) {
             _ if path.contains(&child) && path.contains(&from.0.node) => Role::Here,
             Role::Guess => Role::Edge,
             role => role,
         };
-        figure.add(role, Some(Place::Node(child)), line(from.1 + along * rim, to.1 - along * rim));
+        figure.add(
+            role,
+            Some(Place::Node(child)),
+            line(from.1 + along * self.rim(from.0, along), to.1 - along * self.rim(to.0, along)),
+        );
+    }
+
+    /// How far the rim of a node's mark lies from its middle in a direction, and a point more.
+    fn rim(&self, branch: &Branch, along: Vec2) -> f32 {
+        let (half, radius) = (self.half_width(branch.node), self.radius());
+        let leaf = branch.children.is_empty() && !branch.closed;
+        let (across, up) = (along.x.abs().max(1e-6), along.y.abs().max(1e-6));
+        let rim = match half - radius {
+            _ if leaf => (half / across).min(radius / up),
+            // Through the straight side of a stretched circle, or through one of its round ends.
+            straight if radius / up * across <= straight => radius / up,
+            straight => straight * across + (radius * radius - (straight * up).powi(2)).max(0.0).sqrt(),
+        };
+        rim + 1.0
     }
 
     /// A circle for an inner node with its axis beside it, a square for a leaf with its primitives below.
