@@ -237,6 +237,7 @@ impl App {
         self.open_dialog(ui);
         self.underway(ui);
         self.toasts.show(ui, self.theme);
+        self.drop_hint(ui);
     }
 
     fn bars(&mut self, ui: &mut Ui) -> Option<Place> {

@@ -100,7 +100,7 @@ impl App {
     /// Makes the walk that is shown beside the other, if one is wanted.
     pub(super) fn catch_up_beside(&mut self, ui: &Ui) {
         while let Some((index, Ok(shows))) = self.second.search.collect() {
-            self.found(ui, index, &shows);
+            self.found(index, &shows);
         }
         self.arrive_beside(ui);
         let beside = self.state.beside;
@@ -169,15 +169,12 @@ impl App {
         self.catch_up_beside(ui);
     }
 
-    fn found(&mut self, ui: &Ui, index: usize, shows: &Shows) {
+    fn found(&mut self, index: usize, shows: &Shows) {
         let mistake = self.state.playback().and_then(|playback| playback.mistakes.get(index).copied());
         match (shows, mistake) {
             (Shows::Here, _) => {}
             (Shows::Ray(ray), _) => self.state.show_ray(RayChoice::Named(*ray), false),
-            (Shows::Elsewhere, Some(mistake)) => {
-                self.toasts.say(ui, "No ray here shows it: a small scene and a ray that do. Backspace goes back.");
-                self.state.show_example(mistake);
-            }
+            (Shows::Elsewhere, Some(mistake)) => self.state.show_example(mistake),
             (Shows::Elsewhere, None) => return,
         }
         self.state.beside = Beside::Mistake(index);

@@ -2,13 +2,29 @@
 
 use std::sync::Arc;
 
-use egui::Ui;
+use egui::{Align2, Id, LayerId, Order, StrokeKind, Ui};
+use raystep_figure::{Face, Role};
 use raystep_lesson::Library;
 
 use super::app::App;
 use super::errand::News;
+use super::painter::caption;
+use super::visuals::{fill, line};
 
 impl App {
+    /// While files are held over the window: what dropping them does.
+    pub(super) fn drop_hint(&self, ui: &Ui) {
+        if ui.input(|input| input.raw.hovered_files.is_empty()) {
+            return;
+        }
+        let rect = ui.ctx().content_rect();
+        let painter = ui.ctx().layer_painter(LayerId::new(Order::Foreground, Id::unique("drop hint")));
+        painter.rect_filled(rect, 0.0, fill(self.theme, Role::Page).gamma_multiply(0.85));
+        painter.rect_stroke(rect.shrink(14.0), 10.0, line(self.theme, Role::Here), StrokeKind::Inside);
+        let says = "Drop an OBJ file: a ray walks through it";
+        caption(&painter, rect.center(), Align2::CENTER_CENTER, says, Face::Medium, 22.0, Role::Text, self.theme);
+    }
+
     /// Takes in what has come back, and files dropped on the window.
     pub(super) fn errands_done(&mut self, ui: &Ui) {
         let dropped = ui.input(|input| input.raw.dropped_files.clone());

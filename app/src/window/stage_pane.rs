@@ -134,13 +134,15 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
 fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, cost: Option<Cost>) {
     let Some(cost) = cost else { return };
     let all = raystep_accel::Primitives::len(&playback.play.scene.prims);
-    let mut says = format!("{} of {all} tested", cost.prim_tests);
+    let structure = &*playback.play.structure;
+    let (tests, of) = raystep_figure::tested(structure, all, &cost);
+    let mut says = format!("{tests} of {of} tested");
     match (cost.node_visits, cost.cell_steps) {
         (0, 0) => {}
         (0, cells) => says.push_str(&format!(" · {cells} {}", if cells == 1 { "cell" } else { "cells" })),
         (nodes, _) => says.push_str(&format!(" · {nodes} {}", if nodes == 1 { "node" } else { "nodes" })),
     }
-    if playback.play.structure.bytes() > 0 {
+    if structure.node_count() > 0 || structure.grid().is_some() {
         says.push_str(&format!(" · built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
     }
     let at = rect.left_bottom() + vec2(14.0, -16.0);

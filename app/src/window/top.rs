@@ -215,6 +215,7 @@ fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked
 pub(super) fn kind_name(kind: &str) -> &str {
     match kind {
         "list" => "Brute force",
+        "slab" => "Box",
         "grid" => "Grid",
         "nested-grid" => "Nested grids",
         "hashed-grid" => "Hashed grid",

@@ -81,4 +81,4 @@ pub use timeline::{Track, timeline, timeline_of_build};
 pub use tree::tree;
 pub use volume::VolumeName;
 pub use walk::Walk;
-pub use work::work;
+pub use work::{tested, work};

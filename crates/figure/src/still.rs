@@ -175,7 +175,7 @@ impl Still<'_> {
     pub fn tally(&self) -> String {
         match self {
             Still::Walk(walk, moment) => {
-                let (tests, tested) = tested(walk, moment);
+                let (tests, tested) = tested(walk.structure, walk.prims.len(), &moment.cost);
                 format!("{tests} of {tested} tested")
             }
             Still::Build(_, moment) => {

@@ -1,23 +1,23 @@
 //! How much the walk has done so far, against testing everything.
 
 use glam::Vec2;
-use raystep_accel::{Primitives, Structure};
+use raystep_accel::{Cost, Primitives, Structure};
 
 use crate::look::{block, write};
 use crate::{Anchor, Face, Figure, Look, Moment, Role, VolumeName, Walk, text_width};
 
 /// Where only the box is tested, its test is the work.
-fn tests_box_only(walk: &Walk<'_>) -> bool {
-    matches!(walk.structure, Structure::Slab(_))
+fn tests_box_only(structure: &Structure) -> bool {
+    matches!(structure, Structure::Slab(_))
 }
 
-/// How many tests there were so far, and of what: "12 primitives", "1 box".
-pub(crate) fn tested(walk: &Walk<'_>, moment: &Moment) -> (u64, String) {
-    let volume = VolumeName::of(walk.structure);
-    if tests_box_only(walk) {
-        return (moment.cost.box_tests, counted(1, volume.one, volume.many));
+/// How many tests a walk has cost, and of how many things: "12 primitives", "1 box".
+pub fn tested(structure: &Structure, prims: usize, cost: &Cost) -> (u64, String) {
+    let volume = VolumeName::of(structure);
+    if tests_box_only(structure) {
+        return (cost.box_tests, counted(1, volume.one, volume.many));
     }
-    (moment.cost.prim_tests, counted(walk.prims.len() as u64, "primitive", "primitives"))
+    (cost.prim_tests, counted(prims as u64, "primitive", "primitives"))
 }
 
 /// The primitives tested so far as a number and a bar, the rest of the work in words. `beside` names
@@ -26,9 +26,9 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, "Work so far", "");
     let (left, u) = (look.margin(), look.text);
-    let only_box = tests_box_only(walk);
+    let only_box = tests_box_only(walk.structure);
     let volume = VolumeName::of(walk.structure);
-    let (tests, tested) = tested(walk, moment);
+    let (tests, tested) = tested(walk.structure, walk.prims.len(), &moment.cost);
     let all = if only_box { 1 } else { walk.prims.len() as u64 };
 
     // The one loud number.
