@@ -203,6 +203,7 @@ fn below(show: &Show) -> Option<Below> {
         Show::Tree => Some(Below::Tree),
         Show::Cells => Some(Below::Cells),
         Show::Slabs => Some(Below::Slabs),
+        Show::Bytes => Some(Below::Bytes),
         Show::Space | Show::Stack | Show::Listing | Show::Work => None,
     }
 }

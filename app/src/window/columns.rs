@@ -8,7 +8,7 @@ use raystep_lesson::Plays;
 
 use super::app::App;
 use super::painter::{paint_figure, place_at};
-use super::pictures::{Pane, main_pane};
+use super::pictures::{Pane, main_pane, shows_bytes};
 use super::space_pane::glam_size;
 use super::stage_pane;
 use super::state::Beside;
@@ -116,14 +116,19 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
     if !has(app, Pane::Ruler) {
         return stage_pane::stages(app, ui).or(under);
     }
-    // The costs of splits are curves; intervals are lines, of which four must fit.
+    // The costs of splits are curves and bytes are boxes; intervals are lines, of which four must fit.
+    let bytes = bytes(app);
     let builds = app.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
-    let usual = if builds { (height * 0.2).clamp(150.0, 200.0) } else { (height * 0.15).clamp(112.0, 150.0) };
+    let usual = match () {
+        () if bytes => (height * 0.24).clamp(190.0, 220.0),
+        () if builds => (height * 0.2).clamp(150.0, 200.0),
+        () => (height * 0.15).clamp(112.0, 150.0),
+    };
     let ruler = Panel::bottom(salt("ruler", sizes.ruler, height))
         .frame(frame)
         .default_size(sizes.ruler.unwrap_or(usual))
         .size_range(80.0..=height * 0.4);
-    let shown = ruler.show(ui, |ui| pane(app, ui, Pane::Ruler));
+    let shown = ruler.show(ui, |ui| pane(app, ui, if bytes { Pane::Bytes } else { Pane::Ruler }));
     note(ui, &mut app.remembered.heights.ruler, shown.response.rect.height(), usual);
     shown.inner.or(stage_pane::stages(app, ui)).or(under)
 }
@@ -131,6 +136,12 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
 /// Whether there is anything to show in a pane.
 fn has(app: &App, pane: Pane) -> bool {
     app.pictures.as_ref().is_none_or(|pictures| pictures.has(pane))
+}
+
+/// Whether a node's bytes stand where else the ruler does.
+pub(super) fn bytes(app: &App) -> bool {
+    let show = app.state.slide().map_or(&[][..], |slide| slide.show.as_slice());
+    app.state.playback().is_some_and(|playback| shows_bytes(playback, show))
 }
 
 /// The pane in which the structure of this slide is best seen.

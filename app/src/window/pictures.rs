@@ -50,6 +50,7 @@ pub(super) enum Pane {
     Tree,
     Cells,
     Slabs,
+    Bytes,
     Walk,
     Stack,
     StackHere,
@@ -66,6 +67,7 @@ impl Pane {
             Pane::Tree => "Tree",
             Pane::Cells => "Cells",
             Pane::Slabs => "Slabs",
+            Pane::Bytes => "Bytes",
             Pane::Walk => "Walk",
             Pane::Stack | Pane::StackHere => "Stack",
             Pane::Work => "Work",
@@ -119,6 +121,7 @@ impl Pictures {
                 Pane::Tree => still.tree(view, size, look),
                 Pane::Cells => still.cells(asking, size, look),
                 Pane::Slabs => still.slabs(size, look),
+                Pane::Bytes => still.bytes(size, look),
                 Pane::Walk => still.listing(&lines(code, still.event()), size, look),
                 Pane::Stack => still.stack(false, size, look),
                 Pane::StackHere => still.stack(true, size, look),
@@ -182,6 +185,11 @@ fn guess(instant: &mut Instant, choices: &[Choice]) {
             moment.guesses = choices.iter().filter_map(guess).collect();
         }
     }
+}
+
+/// Whether a slide wants to see a node's bytes, and there are any.
+pub(super) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
+    show.contains(&Show::Bytes) && matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_))
 }
 
 /// The pane that a structure is best seen in beside space.

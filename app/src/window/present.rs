@@ -5,7 +5,7 @@ use raystep_accel::Place;
 use raystep_figure::{Face, Look, Role, sentence, stack_height, told};
 
 use super::app::App;
-use super::columns::figure;
+use super::columns::{bytes, figure};
 use super::command::Command;
 use super::fonts::font;
 use super::painter::caption;
@@ -29,7 +29,12 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
 
     let foot = body * 1.5;
     let look = Look { text: body * 0.78, titles: false };
-    let ruler = app.pictures.as_ref().map_or(0.0, |pictures| pictures.ruler_line_height(&look));
+    let bytes = bytes(app);
+    let ruler = match &app.pictures {
+        _ if bytes => body * 7.4,
+        Some(pictures) => pictures.ruler_line_height(&look),
+        None => 0.0,
+    };
     let side = (inner.width() * 0.3).max(body * 11.0);
     let top = inner.top() + title_height;
     let bottom = inner.bottom() - foot - ruler;
@@ -39,7 +44,7 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
 
     let mut under = stage_pane::stage(app, ui, space, false, body / 19.0);
     if ruler > 0.0 {
-        under = figure(app, ui, Pane::RulerLine, line, &look).or(under);
+        under = figure(app, ui, if bytes { Pane::Bytes } else { Pane::RulerLine }, line, &look).or(under);
     }
     under = side_page(app, ui, words, body).or(under);
     footer(app, ui, Rect::from_min_max(pos2(inner.left(), inner.bottom() - foot), inner.max), body);

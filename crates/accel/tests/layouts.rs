@@ -123,6 +123,7 @@ proptest! {
                 prop_assert_eq!(memory.children(node), tree.children(node));
                 prop_assert_eq!(memory.split(node), tree.split(node));
                 prop_assert_eq!(memory.leaf_prims(node), tree.leaf_prims(node));
+                prop_assert_eq!(memory.fields(node).collect::<Vec<_>>(), layout.node(&tree, node).unwrap());
             }
         }
     }

@@ -8,6 +8,7 @@
 mod body;
 mod branches;
 mod build;
+mod bytes;
 mod camera;
 mod cells;
 mod controls;
@@ -51,6 +52,7 @@ mod work;
 pub use body::lines;
 pub use branches::TreeView;
 pub use build::{Build, Fate, GrowMoment, GrowNode, Taken, Tally, Weighed};
+pub use bytes::bytes;
 pub use camera::Camera;
 pub use cells::cells;
 pub use costs::costs;

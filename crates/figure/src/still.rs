@@ -5,8 +5,8 @@ use raystep_accel::{Aabb, Event, Place, Primitives};
 
 use crate::work::{counted, tested};
 use crate::{
-    Build, Figure, GrowMoment, ListingLine, Look, Moment, Role, Space, TreeView, Walk, cells, cells_of_build, costs,
-    legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack,
+    Build, Figure, GrowMoment, ListingLine, Look, Moment, Role, Space, TreeView, Walk, bytes, cells, cells_of_build,
+    costs, legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack,
     stack_of_build, timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
 
@@ -134,6 +134,14 @@ impl Still<'_> {
     pub fn slabs(&self, size: Vec2, look: &Look) -> Figure {
         match self {
             Still::Walk(walk, moment) => slabs(walk, moment, size, look),
+            Still::Build(..) => Figure::new(size),
+        }
+    }
+
+    /// The node where the walk stands, as it lies in memory; a build has none.
+    pub fn bytes(&self, size: Vec2, look: &Look) -> Figure {
+        match self {
+            Still::Walk(walk, moment) => bytes(walk, moment, size, look),
             Still::Build(..) => Figure::new(size),
         }
     }

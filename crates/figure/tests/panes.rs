@@ -82,6 +82,7 @@ fn a_plane_cuts_the_ray() {
     check("kd_tree", &tree(&walk, &moment, &TreeView::default(), Vec2::new(790.0, 160.0), &LOOK));
     check("kd_stack", &stack(&walk, &moment, true, Vec2::new(400.0, 160.0), &LOOK));
     check("kd_work", &work(&walk, &moment, None, Vec2::new(400.0, 160.0), &LOOK));
+    check("kd_bytes", &bytes(&walk, &moment, Vec2::new(790.0, 220.0), &LOOK));
     check("kd_timeline", &timeline(&walk, moment.step, false, Vec2::new(1000.0, 80.0), &LOOK));
 }
 
@@ -179,6 +180,7 @@ fn nothing_is_cut_off_at_any_step() {
                     ("stack", stack(&walk, &moment, true, narrow, &look)),
                     ("work", work(&walk, &moment, None, narrow, &look)),
                     ("slabs", slabs(&walk, &moment, narrow, &look)),
+                    ("bytes", bytes(&walk, &moment, wide, &look)),
                     ("cells", cells(&walk, &moment, false, narrow, &look)),
                 ];
                 for (name, figure) in panes {

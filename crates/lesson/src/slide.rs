@@ -231,6 +231,8 @@ pub enum Show {
     Cells,
     /// The three slab intervals.
     Slabs,
+    /// The bytes of a kd-tree's node.
+    Bytes,
     /// The ruler of t.
     Ruler,
     /// The stack.
@@ -243,11 +245,12 @@ pub enum Show {
 
 impl Show {
     /// All panes with the names that slides give them.
-    pub const NAMES: [(&'static str, Show); 8] = [
+    pub const NAMES: [(&'static str, Show); 9] = [
         ("space", Show::Space),
         ("tree", Show::Tree),
         ("cells", Show::Cells),
         ("slabs", Show::Slabs),
+        ("bytes", Show::Bytes),
         ("t", Show::Ruler),
         ("stack", Show::Stack),
         ("listing", Show::Listing),

@@ -41,6 +41,8 @@ pub enum Below {
     Cells,
     /// The slab table.
     Slabs,
+    /// A node's bytes.
+    Bytes,
 }
 
 /// The page at this size; `picture` draws space at the size that it gets.
@@ -191,6 +193,7 @@ impl Page<'_> {
             Below::Tree => 200.0,
             Below::Cells => 232.0,
             Below::Slabs => 190.0,
+            Below::Bytes => 220.0,
         }
     }
 
@@ -208,6 +211,7 @@ impl Page<'_> {
                 Below::Tree => still.tree(&TreeView::default(), inner.size(), look),
                 Below::Cells => still.cells(false, inner.size(), look),
                 Below::Slabs => still.slabs(inner.size(), look),
+                Below::Bytes => still.bytes(inner.size(), look),
             };
             set_in(&mut self.figure, part, inner.min);
         }

@@ -16,6 +16,15 @@ pub(super) struct Addresses {
 }
 
 impl Addresses {
+    /// Where the parts of a tree lie; none if it takes half of all addresses and more.
+    pub(super) fn of(tree: &Kd, layout: KdLayout) -> Option<Addresses> {
+        let node_bytes = layout.bytes(Machine::Printed);
+        let references = (tree.nodes.len() * node_bytes).next_multiple_of(REFERENCE);
+        let all = references + tree.refs.len() * REFERENCE;
+        let fits = all <= i32::MAX as usize;
+        fits.then_some(Addresses { node_bytes: node_bytes as u32, references: references as u32 })
+    }
+
     pub(super) fn of_node(&self, node: NodeId) -> u32 {
         node.0 * self.node_bytes
     }
@@ -44,14 +53,9 @@ pub struct KdMemory {
 impl KdMemory {
     /// Writes a tree down; none if it takes half of all addresses and more.
     pub fn of(tree: &Kd, layout: KdLayout) -> Option<KdMemory> {
-        let node_bytes = layout.bytes(Machine::Printed);
-        let references = (tree.nodes.len() * node_bytes).next_multiple_of(REFERENCE);
-        let all = references + tree.refs.len() * REFERENCE;
-        if all > i32::MAX as usize {
-            return None;
-        }
-        let addresses = Addresses { node_bytes: node_bytes as u32, references: references as u32 };
-        let mut bytes = Vec::with_capacity(all);
+        let addresses = Addresses::of(tree, layout)?;
+        let references = addresses.references as usize;
+        let mut bytes = Vec::with_capacity(references + tree.refs.len() * REFERENCE);
         for node in &tree.nodes {
             for (field, word) in layout.fields().iter().zip(layout.words(node.kind(), &addresses)) {
                 bytes.extend(&word.to_le_bytes()[..Machine::Printed.bytes(field.word)]);

@@ -16,9 +16,10 @@ pub use field::{Machine, NodeField, Word};
 pub use lines::CacheLines;
 pub use memory::KdMemory;
 
-use super::{KdNode, Upright};
+use super::{Kd, KdNode, Upright};
+use crate::NodeId;
 use crate::events::words;
-use crate::halving::Kind;
+use crate::halving::{Kind, Node};
 use form::Form;
 use memory::Addresses;
 use paired::Paired;
@@ -63,6 +64,13 @@ impl KdLayout {
             KdLayout::Shared => size_of::<Shared<usize>>(),
             KdLayout::Compact => size_of::<KdNode>(),
         }
+    }
+
+    /// The fields of one node and what stands in them, with addresses in bytes from the root on; none for a tree
+    /// that [`KdMemory`] cannot hold.
+    pub fn node(self, tree: &Kd, node: NodeId) -> Option<Vec<(&'static NodeField, u32)>> {
+        let words = self.words(tree.nodes[node.index()].kind(), &Addresses::of(tree, self)?);
+        Some(self.fields().iter().zip(words).collect())
     }
 
     /// What stands in the fields of a node that says this.
