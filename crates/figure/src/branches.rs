@@ -146,11 +146,12 @@ fn grow<F: Fn(NodeId) -> f32>(
         .iter()
         .map(|branch| Twig { half_width: (room.half_width)(branch.node), children: branch.children.clone() })
         .collect();
-    // What hangs below a closed node takes up room on the next level.
-    for index in (0..shown.len()).filter(|index| shown[*index].closed) {
+    // What hangs below a closed node, and the dots of a leaf, take up room on the next level.
+    for index in (0..shown.len()).filter(|index| shown[*index].children.is_empty()) {
         let below = twigs.len();
+        let half_width = if shown[index].closed { twigs[index].half_width } else { room.gap * 0.3 };
         twigs[index].children.push(below);
-        twigs.push(Twig { half_width: twigs[index].half_width, children: Vec::new() });
+        twigs.push(Twig { half_width, children: Vec::new() });
     }
     let tidy = tidy(&twigs, room.gap);
     (shown, tidy)

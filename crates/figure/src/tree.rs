@@ -98,7 +98,7 @@ pub(crate) fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Lo
     for scale in scales {
         let digit = text_width("0", Face::Mono, u * scale * 0.88);
         let pen = Pen { u: u * scale, digit, size, top, margin: look.margin(), alone: !look.titles };
-        let branches = branches(tree, view, &pen.room());
+        let branches = branches(tree, view, &pen.room(tree));
         let enough = if small { branches.whole() } else { branches.above.is_empty() };
         drawn = Some((pen, branches));
         if enough {
@@ -140,13 +140,15 @@ impl Pen {
         self.u * 2.05
     }
 
-    fn room(&self) -> Room<impl Fn(NodeId) -> f32 + '_> {
+    /// A node with a plane has its axis beside it.
+    fn room<'a>(&'a self, tree: &'a impl Tree) -> Room<impl Fn(NodeId) -> f32 + 'a> {
+        let letter = |node| if tree.axis(node).is_some() { self.u * 0.35 } else { 0.0 };
         let height = self.size.y - self.top - 2.0 * self.radius() - self.u * 1.9;
         Room {
             width: self.size.x - 2.0 * self.margin - self.u,
             levels: (height / self.step()).max(0.0) as usize + 1,
             gap: self.u * 1.1,
-            half_width: |node| self.half_width(node),
+            half_width: move |node| self.half_width(node) + letter(node),
         }
     }
 
