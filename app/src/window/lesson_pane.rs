@@ -52,17 +52,22 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
     match state.beat() {
         Some((beat, step)) => {
             let at = state.playback().and_then(|playback| playback.event(step));
+            let later = state.view.step > step;
             if beat.title != slide.title {
                 ui.add_space(2.0);
-                ui.label(RichText::new(&beat.title).font(font(Face::Medium, 15.5)).color(ink(theme, Role::Here)));
+                ui.horizontal_wrapped(|ui| {
+                    ui.label(RichText::new(&beat.title).font(font(Face::Medium, 15.5)).color(ink(theme, Role::Here)));
+                    // The text below stays while the walk goes on: it speaks of its own step.
+                    if later {
+                        said(ui, theme, &format!("at step {step}"));
+                    }
+                });
             }
             if let Some(at) = at {
                 prose.show(ui, formulas, &told(&beat.text(&at), &at));
             }
             // Later events say what they do themselves.
-            if state.view.step > step
-                && let Some(says) = says
-            {
+            if later && let Some(says) = says {
                 said(ui, theme, &says);
             }
         }
