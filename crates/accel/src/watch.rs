@@ -1,5 +1,7 @@
 //! Who watches an algorithm: nobody, a counter, a tape, or several at once.
 
+use std::cmp::Ordering;
+
 use crate::{Place, Visit};
 
 /// Receives what an algorithm does, in the order it does it.
@@ -17,13 +19,36 @@ pub trait Observer<E> {
 /// So many items are handed on between two questions.
 pub(crate) const BETWEEN_LOOKS: usize = 256;
 
-/// Hands on items, and asks now and then whether to give up: no long list makes a builder deaf.
+/// Hands on items, and asks now and then whether to give up: no long list makes a builder deaf. Short ones ask
+/// nothing, as builders ask once per node anyway.
 pub(crate) fn patiently<E, T>(
     items: impl IntoIterator<Item = T>,
     watch: &impl Observer<E>,
 ) -> impl Iterator<Item = Result<T, Cancelled>> {
-    let look = |(i, item)| if i % BETWEEN_LOOKS == 0 && watch.cancelled() { Err(Cancelled) } else { Ok(item) };
+    let look = |(i, item)| if (i + 1) % BETWEEN_LOOKS == 0 && watch.cancelled() { Err(Cancelled) } else { Ok(item) };
     items.into_iter().enumerate().map(look)
+}
+
+/// Sorts pieces of a list, then ever longer ones, and asks before each whether to give up. Equal items stay as they
+/// were. A stable sort finds what is in order already, so longer pieces are only merged.
+pub(crate) fn sort_patiently<E, T>(
+    items: &mut [T],
+    watch: &impl Observer<E>,
+    order: impl Fn(&T, &T) -> Ordering,
+) -> Result<(), Cancelled> {
+    let mut length = 1 << 14;
+    loop {
+        for piece in items.chunks_mut(length) {
+            if watch.cancelled() {
+                return Err(Cancelled);
+            }
+            piece.sort_by(&order);
+        }
+        if length >= items.len() {
+            return Ok(());
+        }
+        length *= 4;
+    }
 }
 
 /// The builder was told to give up by its observer.

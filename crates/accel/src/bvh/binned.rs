@@ -1,7 +1,8 @@
 //! A few evenly spaced planes are weighed (Wald, "On fast construction of SAH-based BVHs", 2007).
 
 use super::split::{Choice, Part, Splitter};
-use crate::{Aabb, Axis, Grow, NodeId, Observer};
+use crate::watch::patiently;
+use crate::{Aabb, Axis, Cancelled, Grow, NodeId, Observer};
 
 /// The primitives whose centres lie between two neighbouring planes.
 #[derive(Clone, Copy)]
@@ -24,7 +25,7 @@ pub(super) fn choose(
     node: NodeId,
     part: &Part,
     watch: &mut impl Observer<Grow>,
-) -> Option<Choice> {
+) -> Result<Option<Choice>, Cancelled> {
     let measure = splitter.rule.measure;
     let mut best: Option<Choice> = None;
     for &axis in splitter.rule.axes.list() {
@@ -34,7 +35,7 @@ pub(super) fn choose(
         if low >= high {
             continue;
         }
-        let bins = fill(splitter, order, axis, low, high);
+        let bins = fill(splitter, order, axis, [low, high], watch)?;
 
         // From above: everything from a bin on.
         let mut above = bins.clone();
@@ -66,19 +67,26 @@ pub(super) fn choose(
             }
         }
     }
-    best
+    Ok(best)
 }
 
 /// Throws each primitive into the bin of its centre.
-fn fill(splitter: &Splitter<'_>, order: &[u32], axis: Axis, low: f32, high: f32) -> Vec<Bin> {
+fn fill(
+    splitter: &Splitter<'_>,
+    order: &[u32],
+    axis: Axis,
+    [low, high]: [f32; 2],
+    watch: &impl Observer<Grow>,
+) -> Result<Vec<Bin>, Cancelled> {
     let mut bins = vec![Bin::EMPTY; splitter.rule.bins.max(2) as usize];
     let last = bins.len() - 1;
     let scale = bins.len() as f32 / (high - low);
-    for &prim in order {
+    for prim in patiently(order, watch) {
+        let &prim = prim?;
         let index = ((splitter.center(prim, axis) - low) * scale) as usize;
         let bin = &mut bins[index.min(last)];
         bin.count += 1;
         bin.bounds = bin.bounds.union(splitter.boxes[prim as usize]);
     }
-    bins
+    Ok(bins)
 }

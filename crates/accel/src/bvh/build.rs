@@ -3,6 +3,7 @@
 use super::sapling::Sapling;
 use super::split::{Part, Splitter};
 use super::{Bvh, BvhNode, bottom_up, insertion, ploc};
+use crate::watch::patiently;
 use crate::{
     Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume, around,
 };
@@ -26,7 +27,8 @@ impl<V: Volume> Bvh<V> {
     pub fn over<P: Primitives, W: Observer<Grow>>(prims: &P, rule: &BvhRule, watch: &mut W) -> Result<Self, Cancelled> {
         // The box around all, and each one's own.
         let all = around(prims, watch)?;
-        let boxes: Vec<Aabb> = (0..prims.len() as u32).map(|prim| prims.bounds(PrimId(prim))).collect();
+        let own = patiently((0..prims.len() as u32).map(PrimId), watch).map(|prim| Ok(prims.bounds(prim?)));
+        let boxes = own.collect::<Result<Vec<Aabb>, _>>()?;
         let mut bvh = Bvh { bounds: all, nodes: Vec::new(), refs: Vec::with_capacity(prims.len()), order: rule.order };
         if prims.is_empty() {
             return Ok(bvh);
@@ -67,7 +69,7 @@ impl<V: Volume> Bvh<V> {
 
         // Split nodes until they are small enough, those below before those above.
         let whole = splitter.whole(self.bounds);
-        let root = self.add(prims, &splitter, &whole);
+        let root = self.add(prims, &splitter, &whole, watch)?;
         let mut waiting = vec![Task { node: root, part: whole, depth: 0 }];
         while let Some(Task { node, part, depth }) = waiting.pop() {
             if watch.cancelled() {
@@ -84,9 +86,9 @@ impl<V: Volume> Bvh<V> {
             }
 
             // Divide its primitives; the children take neighbouring places at once.
-            let cut = splitter.split(node, &part, depth >= SAH_DEPTH, watch);
-            let below = self.add(prims, &splitter, &cut.below);
-            let above = self.add(prims, &splitter, &cut.above);
+            let cut = splitter.split(node, &part, depth >= SAH_DEPTH, watch)?;
+            let below = self.add(prims, &splitter, &cut.below, watch)?;
+            let above = self.add(prims, &splitter, &cut.above, watch)?;
             self.nodes[node.index()].first = below.0;
             watch.on(Grow::Split { node, axis: cut.axis.into(), plane: cut.plane, below, above, cost: cut.cost });
             waiting.push(Task { node: above, part: cut.above, depth: depth + 1 });
@@ -96,10 +98,16 @@ impl<V: Volume> Bvh<V> {
     }
 
     /// A new node, with the volume around its primitives.
-    fn add(&mut self, prims: &impl Primitives, splitter: &Splitter<'_>, part: &Part) -> NodeId {
-        let volume = V::fit(prims, splitter.prims(part), &part.bounds, splitter.rule.axes);
+    fn add(
+        &mut self,
+        prims: &impl Primitives,
+        splitter: &Splitter<'_>,
+        part: &Part,
+        watch: &impl Observer<Grow>,
+    ) -> Result<NodeId, Cancelled> {
+        let volume = V::fit(prims, splitter.prims(part), &part.bounds, splitter.rule.axes, watch)?;
         self.nodes.push(BvhNode { volume, first: 0, count: 0 });
-        NodeId(self.nodes.len() as u32 - 1)
+        Ok(NodeId(self.nodes.len() as u32 - 1))
     }
 
     /// Makes a node a leaf with these primitives.

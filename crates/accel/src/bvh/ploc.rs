@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::draft::Draft;
 use super::sapling::Sapling;
-use crate::watch::patiently;
+use crate::watch::{BETWEEN_LOOKS, patiently, sort_patiently};
 use crate::{Aabb, Cancelled, Grow, Observer, Primitives};
 
 /// Joins everything; the root.
@@ -20,7 +20,7 @@ pub(super) fn join_all<D: Draft, P: Primitives>(
 /// Joins sets until at most `most` are left.
 pub(super) fn join_until<D: Draft, P: Primitives>(
     tree: &mut Sapling<'_, D, P>,
-    mut sets: Vec<u32>,
+    sets: Vec<u32>,
     most: usize,
     watch: &mut impl Observer<Grow>,
 ) -> Result<Vec<u32>, Cancelled> {
@@ -28,7 +28,10 @@ pub(super) fn join_until<D: Draft, P: Primitives>(
         return Ok(sets);
     }
     let all = Aabb::around(sets.iter().map(|&set| tree.bounds(set).center()));
-    sets.sort_by_cached_key(|&set| morton(tree.bounds(set).center(), &all));
+    let place = |set| Ok((morton(tree.bounds(set).center(), &all), set));
+    let mut places: Vec<(u64, u32)> = patiently(sets, watch).map(|set| place(set?)).collect::<Result<_, _>>()?;
+    sort_patiently(&mut places, watch, |(a, _), (b, _)| a.cmp(b))?;
+    let mut sets: Vec<u32> = places.into_iter().map(|(_, set)| set).collect();
     while sets.len() > most {
         // Each set finds its nearest among its neighbours in the order.
         let reach = tree.rule.search.max(1) as usize;
@@ -43,6 +46,9 @@ pub(super) fn join_until<D: Draft, P: Primitives>(
         // Two that found each other are joined and keep the place of the first.
         let mut left = Vec::with_capacity(sets.len());
         for (i, &near) in nearest.iter().enumerate() {
+            if i % BETWEEN_LOOKS == 0 && watch.cancelled() {
+                return Err(Cancelled);
+            }
             if nearest[near] != i || near == i {
                 left.push(sets[i]);
             } else if i < near {

@@ -179,17 +179,17 @@ impl<'a, D: Draft, P: Primitives> Sapling<'a, D, P> {
         bvh: &mut Bvh<V>,
         watch: &mut impl Observer<Grow>,
     ) -> Result<(), Cancelled> {
-        let add = |bvh: &mut Bvh<V>, task: &Task| {
+        let add = |bvh: &mut Bvh<V>, task: &Task, watch: &_| {
             let (axes, prims) = (self.rule.axes, self.prims);
             let volume = match task {
-                Task::Bud(bud) => V::fit(prims, self.under(*bud), &self.bounds(*bud), axes),
-                Task::Halves(ids) => V::fit(prims, ids.iter().copied(), &self.around(ids), axes),
+                Task::Bud(bud) => V::fit(prims, self.under(*bud), &self.bounds(*bud), axes, watch)?,
+                Task::Halves(ids) => V::fit(prims, ids.iter().copied(), &self.around(ids), axes, watch)?,
             };
             bvh.nodes.push(BvhNode { volume, first: 0, count: 0 });
-            NodeId(bvh.nodes.len() as u32 - 1)
+            Ok(NodeId(bvh.nodes.len() as u32 - 1))
         };
         let task = Task::Bud(root);
-        let mut waiting = vec![(add(bvh, &task), task, 0)];
+        let mut waiting = vec![(add(bvh, &task, watch)?, task, 0)];
         while let Some((node, task, depth)) = waiting.pop() {
             if watch.cancelled() {
                 return Err(Cancelled);
@@ -226,7 +226,7 @@ impl<'a, D: Draft, P: Primitives> Sapling<'a, D, P> {
                 },
                 Task::Halves(ids) => (halves(&ids), true),
             };
-            let [left, right] = [add(bvh, &parts[0]), add(bvh, &parts[1])];
+            let [left, right] = [add(bvh, &parts[0], watch)?, add(bvh, &parts[1], watch)?];
             bvh.nodes[node.index()].first = left.0;
             if fresh {
                 for (child, part) in [left, right].into_iter().zip(&parts) {

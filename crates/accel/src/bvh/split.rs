@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::Vec3;
 
 use super::{binned, sweep};
+use crate::watch::{patiently, sort_patiently};
 use crate::{Aabb, Axis, BvhRule, BvhSplit, Cancelled, Grow, NodeId, Observer, PrimId};
 
 /// The primitives of one node: a stretch of every order.
@@ -58,12 +59,10 @@ impl<'a> Splitter<'a> {
     ) -> Result<Splitter<'a>, Cancelled> {
         let centers: Vec<Vec3> = boxes.iter().map(Aabb::center).collect();
         let order = |&axis: &Axis| {
-            if watch.cancelled() {
-                return Err(Cancelled);
-            }
             let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
             // Equal centres stay ordered by id.
-            order.sort_by(|&a, &b| centers[a as usize][axis].total_cmp(&centers[b as usize][axis]));
+            let center = |&prim: &u32| centers[prim as usize][axis];
+            sort_patiently(&mut order, watch, |a, b| center(a).total_cmp(&center(b)))?;
             Ok(order)
         };
         let orders = rule.axes.list().iter().map(order).collect::<Result<_, _>>()?;
@@ -92,24 +91,33 @@ impl<'a> Splitter<'a> {
     }
 
     /// Divides a node by the rule, or into halves.
-    pub(super) fn split(&mut self, node: NodeId, part: &Part, halve: bool, watch: &mut impl Observer<Grow>) -> Cut {
+    pub(super) fn split(
+        &mut self,
+        node: NodeId,
+        part: &Part,
+        halve: bool,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Cut, Cancelled> {
         let choice = match self.rule.split {
             _ if halve => None,
-            BvhSplit::Middle => self.middle(part),
+            BvhSplit::Middle => self.middle(part, watch)?,
             BvhSplit::Median => None,
-            BvhSplit::Binned => binned::choose(self, node, part, watch),
-            BvhSplit::Sweep => sweep::choose(self, node, part, watch),
+            BvhSplit::Binned => binned::choose(self, node, part, watch)?,
+            BvhSplit::Sweep => sweep::choose(self, node, part, watch)?,
         };
         // Halves always work, even if all centres coincide.
-        let choice = choice.unwrap_or_else(|| self.halves(part));
+        let choice = match choice {
+            Some(choice) => choice,
+            None => self.halves(part, watch)?,
+        };
 
-        let cut = self.divide(part, choice);
+        let cut = self.divide(part, choice, watch)?;
         if halve || matches!(self.rule.split, BvhSplit::Middle | BvhSplit::Median) {
             let Cut { axis, plane, cost, .. } = cut;
             let (below, above) = (cut.below.len() as u32, cut.above.len() as u32);
             watch.on(Grow::Weigh { node, axis: axis.into(), plane, below, above, cost });
         }
-        cut
+        Ok(cut)
     }
 
     /// What a ray that meets the node is expected to cost: one step, and the tests of each child times the
@@ -121,61 +129,64 @@ impl<'a> Splitter<'a> {
     }
 
     /// The box around a node's centres.
-    fn centers_box(&self, part: &Part) -> Aabb {
-        Aabb::around(self.prims(part).map(|prim| self.centers[prim.index()]))
+    fn centers_box(&self, part: &Part, watch: &impl Observer<Grow>) -> Result<Aabb, Cancelled> {
+        patiently(self.prims(part), watch)
+            .try_fold(Aabb::EMPTY, |bounds, prim| Ok(bounds.with_point(self.centers[prim?.index()])))
     }
 
     /// By the middle of the centres' longest side; nothing if all lie on one side of it.
-    fn middle(&self, part: &Part) -> Option<Choice> {
-        let centers = self.centers_box(part);
+    fn middle(&self, part: &Part, watch: &impl Observer<Grow>) -> Result<Option<Choice>, Cancelled> {
+        let centers = self.centers_box(part, watch)?;
         let axis = centers.longest(self.rule.axes);
         let plane = centers.center()[axis];
         let below = self.ordered(part, axis).partition_point(|&prim| self.center(prim, axis) < plane);
-        (below > 0 && below < part.len()).then_some(Choice { axis, plane, below, cost: 0.0 })
+        Ok((below > 0 && below < part.len()).then_some(Choice { axis, plane, below, cost: 0.0 }))
     }
 
     /// As many primitives below as above, along the centres' longest side.
-    fn halves(&self, part: &Part) -> Choice {
-        let axis = self.centers_box(part).longest(self.rule.axes);
+    fn halves(&self, part: &Part, watch: &impl Observer<Grow>) -> Result<Choice, Cancelled> {
+        let axis = self.centers_box(part, watch)?.longest(self.rule.axes);
         let below = part.len() / 2;
         let plane = self.center(self.ordered(part, axis)[below], axis);
-        Choice { axis, plane, below, cost: 0.0 }
+        Ok(Choice { axis, plane, below, cost: 0.0 })
     }
 
     /// Reorders the node's stretches so that those below come first in each.
-    fn divide(&mut self, part: &Part, choice: Choice) -> Cut {
+    fn divide(&mut self, part: &Part, choice: Choice, watch: &impl Observer<Grow>) -> Result<Cut, Cancelled> {
         let Choice { axis, plane, below, .. } = choice;
         let at = part.range.start + below;
         let mut bounds = [Aabb::EMPTY; 2];
-        for (i, &prim) in self.orders[axis.index()][part.range.clone()].iter().enumerate() {
+        for item in patiently(self.orders[axis.index()][part.range.clone()].iter().enumerate(), watch) {
+            let (i, &prim) = item?;
             let side = usize::from(i >= below);
             bounds[side] = bounds[side].union(self.boxes[prim as usize]);
             self.is_below[prim as usize] = side == 0;
         }
         for &other in self.rule.axes.list() {
             if other != axis {
-                self.reorder(other, part.range.clone());
+                self.reorder(other, part.range.clone(), watch)?;
             }
         }
         let [low, high] = bounds;
         let measure = |bounds: &Aabb| bounds.measure(self.rule.measure);
         let cost = self.cost(part, (measure(&low), below), (measure(&high), part.len() - below));
-        Cut {
+        let (below, above) = (part.range.start..at, at..part.range.end);
+        Ok(Cut {
             axis,
             plane,
             cost,
-            below: Part { range: part.range.start..at, bounds: low },
-            above: Part { range: at..part.range.end, bounds: high },
-        }
+            below: Part { range: below, bounds: low },
+            above: Part { range: above, bounds: high },
+        })
     }
 
     /// Moves those below to the front of a stretch; both sides stay ordered.
-    fn reorder(&mut self, axis: Axis, range: Range<usize>) {
+    fn reorder(&mut self, axis: Axis, range: Range<usize>, watch: &impl Observer<Grow>) -> Result<(), Cancelled> {
         let stretch = &mut self.orders[axis.index()][range];
         self.moved.clear();
         let mut front = 0;
-        for i in 0..stretch.len() {
-            let prim = stretch[i];
+        for i in patiently(0..stretch.len(), watch) {
+            let prim = stretch[i?];
             if self.is_below[prim as usize] {
                 stretch[front] = prim;
                 front += 1;
@@ -184,5 +195,6 @@ impl<'a> Splitter<'a> {
             }
         }
         stretch[front..].copy_from_slice(&self.moved);
+        Ok(())
     }
 }

@@ -1,7 +1,8 @@
 //! The cheapest place of all: every division along every axis is weighed.
 
 use super::split::{Choice, Part, Splitter};
-use crate::{Aabb, Grow, NodeId, Observer};
+use crate::watch::{BETWEEN_LOOKS, patiently};
+use crate::{Aabb, Cancelled, Grow, NodeId, Observer};
 
 /// Finds the division with the least expected cost; the first of equals.
 pub(super) fn choose(
@@ -9,7 +10,7 @@ pub(super) fn choose(
     node: NodeId,
     part: &Part,
     watch: &mut impl Observer<Grow>,
-) -> Option<Choice> {
+) -> Result<Option<Choice>, Cancelled> {
     let (n, measure) = (part.len(), splitter.rule.measure);
     let mut best: Option<Choice> = None;
     let mut measures = std::mem::take(&mut splitter.measures);
@@ -18,7 +19,8 @@ pub(super) fn choose(
 
         // From above: how large the box around the last ones is.
         let mut above = Aabb::EMPTY;
-        for i in (1..n).rev() {
+        for i in patiently((1..n).rev(), watch) {
+            let i = i?;
             above = above.union(splitter.boxes[order[i] as usize]);
             measures[i] = above.measure(measure);
         }
@@ -26,6 +28,9 @@ pub(super) fn choose(
         // From below: weigh each division.
         let mut below = Aabb::EMPTY;
         for i in 1..n {
+            if i % BETWEEN_LOOKS == 0 && watch.cancelled() {
+                return Err(Cancelled);
+            }
             below = below.union(splitter.boxes[order[i - 1] as usize]);
             let plane = splitter.center(order[i], axis);
             let cost = splitter.cost(part, (below.measure(measure), i), (measures[i], n - i));
@@ -36,5 +41,5 @@ pub(super) fn choose(
         }
     }
     splitter.measures = measures;
-    best
+    Ok(best)
 }

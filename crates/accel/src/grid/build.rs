@@ -3,7 +3,7 @@
 use super::cells::Reference;
 use super::resolution::{Room, asked};
 use super::{Dense, Grid, GridOf, Lattice};
-use crate::watch::BETWEEN_LOOKS;
+use crate::watch::{BETWEEN_LOOKS, patiently};
 use crate::{Aabb, Axis, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives, around};
 
 impl Grid {
@@ -12,24 +12,24 @@ impl Grid {
     /// # Errors
     /// The observer cancelled it.
     pub fn build(prims: &impl Primitives, rule: &GridRule, watch: &mut impl Observer<Grow>) -> Result<Grid, Cancelled> {
-        GridOf::uniform(prims, rule, watch, |count, settled| Dense::file(count, &settled))
+        GridOf::uniform(prims, rule, watch, |count, settled, watch| Dense::file(count, &settled, watch))
     }
 }
 
 impl<C> GridOf<C> {
     /// Builds a uniform grid; `file` stores the references to so many cells.
-    pub(super) fn uniform(
+    pub(super) fn uniform<W: Observer<Grow>>(
         prims: &impl Primitives,
         rule: &GridRule,
-        watch: &mut impl Observer<Grow>,
-        file: impl FnOnce(usize, Vec<Reference>) -> C,
+        watch: &mut W,
+        file: impl FnOnce(usize, Vec<Reference>, &W) -> Result<C, Cancelled>,
     ) -> Result<GridOf<C>, Cancelled> {
         let building = Building::begin(prims, rule.prune, Margin::of, watch)?;
-        let lattice = building.whole(rule, watch);
+        let lattice = building.whole(rule, watch)?;
         let everything: Vec<PrimId> = (0..prims.len() as u32).map(PrimId).collect();
         let settled = building.insert(&lattice, &everything, watch)?;
         let (count, references) = (lattice.cell_count(), settled.len());
-        let cells = file(count, settled);
+        let cells = file(count, settled, watch)?;
         watch.on(Grow::End { nodes: 0, cells: count as u32, references: references as u32 });
         Ok(GridOf { lattice, cells, margin: building.margin, mailbox: rule.mailbox })
     }
@@ -57,23 +57,30 @@ impl<'a, P: Primitives> Building<'a, P> {
     ) -> Result<Building<'a, P>, Cancelled> {
         let bounds = around(prims, watch)?;
         let margin = margin(&bounds, prims.len());
-        let reach = |prim| prims.bounds(prim).padded(margin.pad);
-        let reaches = (0..prims.len() as u32).map(PrimId).map(reach).collect();
+        let reach = |prim| Ok(prims.bounds(prim?).padded(margin.pad));
+        let reaches = patiently((0..prims.len() as u32).map(PrimId), watch).map(reach).collect::<Result<_, _>>()?;
         Ok(Building { prims, prune, bounds, margin, reaches, room: Room::within(prims.len()) })
     }
 
     /// Chooses the resolution of the grid over everything.
-    pub(super) fn whole(&self, rule: &GridRule, watch: &mut impl Observer<Grow>) -> Lattice {
+    pub(super) fn whole(&self, rule: &GridRule, watch: &mut impl Observer<Grow>) -> Result<Lattice, Cancelled> {
         let (bounds, prims) = (self.bounds, self.prims.len());
         let mut lattice = Lattice { bounds, resolution: asked(rule, &bounds, prims), first: CellId(0) };
-        Room::over(prims).fit(&mut lattice, &self.reaches);
+        Room::over(prims).fit(&mut lattice, &self.reaches, watch)?;
         let [nx, ny, nz] = lattice.resolution;
         watch.on(Grow::Resolve { bounds, nx, ny, nz, prims: prims as u32 });
-        lattice
+        Ok(lattice)
     }
 
     /// Chooses the resolution of the grid within a cell; nothing if there is no room to divide the cell.
-    pub(super) fn within(&mut self, rule: &GridRule, bounds: Aabb, held: &[PrimId], first: CellId) -> Option<Lattice> {
+    pub(super) fn within(
+        &mut self,
+        rule: &GridRule,
+        bounds: Aabb,
+        held: &[PrimId],
+        first: CellId,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Option<Lattice>, Cancelled> {
         let mut resolution = asked(rule, &bounds, held.len());
         // Cells narrower than their margins would part nothing.
         for axis in Axis::ALL {
@@ -82,8 +89,8 @@ impl<'a, P: Primitives> Building<'a, P> {
         }
         let mut lattice = Lattice { bounds, resolution, first };
         let reaches: Vec<Aabb> = held.iter().map(|prim| self.reaches[prim.index()]).collect();
-        let touched = self.room.fit(&mut lattice, &reaches);
-        self.room.give(&lattice, touched).then_some(lattice)
+        let touched = self.room.fit(&mut lattice, &reaches, watch)?;
+        Ok(self.room.give(&lattice, touched).then_some(lattice))
     }
 
     /// Inserts one primitive after the other: finds the cells that are to refer to it.

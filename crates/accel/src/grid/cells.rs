@@ -1,7 +1,8 @@
 //! What cells refer to: the trait behind all grids, and the plain array of slides 18 and 20.
 
 use super::Lattice;
-use crate::{CellId, Observer, PrimId, Visit};
+use crate::watch::patiently;
+use crate::{Cancelled, CellId, Grow, Observer, PrimId, Visit};
 
 /// A reference from a cell to a primitive.
 pub(super) type Reference = (CellId, PrimId);
@@ -39,22 +40,24 @@ pub struct Dense {
 
 impl Dense {
     /// Sorts the references to `count` cells by cell, in the order in which they settled.
-    pub(super) fn file(count: usize, settled: &[Reference]) -> Dense {
+    pub(super) fn file(count: usize, settled: &[Reference], watch: &impl Observer<Grow>) -> Result<Dense, Cancelled> {
         let mut starts = vec![0; count + 1];
-        for (cell, _) in settled {
-            starts[cell.index() + 1] += 1;
+        for reference in patiently(settled, watch) {
+            starts[reference?.0.index() + 1] += 1;
         }
-        for cell in 1..starts.len() {
+        for cell in patiently(1..starts.len(), watch) {
+            let cell = cell?;
             starts[cell] += starts[cell - 1];
         }
         let mut next = starts.clone();
         let mut refs = vec![PrimId(0); settled.len()];
-        for &(cell, prim) in settled {
+        for reference in patiently(settled, watch) {
+            let &(cell, prim) = reference?;
             let place = &mut next[cell.index()];
             refs[*place as usize] = prim;
             *place += 1;
         }
-        Dense { starts, refs }
+        Ok(Dense { starts, refs })
     }
 
     /// How much memory so many cells and references take.

@@ -2,6 +2,7 @@
 
 use super::cells::Reference;
 use super::{Cells, Dense, GridOf};
+use crate::watch::{patiently, sort_patiently};
 use crate::{Cancelled, CellId, GridRule, Grow, Observer, PrimId, Primitives, Probed, Visit};
 
 /// A uniform grid whose occupied cells are found by hashing. It has the cells of the plain one, and a walk
@@ -40,7 +41,7 @@ impl HashedGrid {
         rule: &GridRule,
         watch: &mut impl Observer<Grow>,
     ) -> Result<HashedGrid, Cancelled> {
-        GridOf::uniform(prims, rule, watch, |_, settled| Hashed::file(settled))
+        GridOf::uniform(prims, rule, watch, |_, settled, watch| Hashed::file(settled, watch))
     }
 
     /// How many bytes the same grid would take with all its cells stored.
@@ -50,19 +51,20 @@ impl HashedGrid {
 }
 
 impl Hashed {
-    fn file(mut settled: Vec<Reference>) -> Hashed {
-        settled.sort_by_key(|(cell, _)| *cell);
+    fn file(mut settled: Vec<Reference>, watch: &impl Observer<Grow>) -> Result<Hashed, Cancelled> {
+        sort_patiently(&mut settled, watch, |(a, _), (b, _)| a.cmp(b))?;
         let occupied = settled.chunk_by(|a, b| a.0 == b.0);
         // At least half of the slots stay empty, so that no search is long.
         let slots = (2 * occupied.clone().count()).next_power_of_two().max(2);
         let mut table = Hashed { slots: vec![Slot::EMPTY; slots], refs: Vec::with_capacity(settled.len()) };
-        for references in occupied {
+        for references in patiently(occupied, watch) {
+            let references = references?;
             let (cell, start) = (references[0].0, table.refs.len() as u32);
             table.refs.extend(references.iter().map(|(_, prim)| prim));
             let slot = table.find(cell, &mut ());
             table.slots[slot] = Slot { cell, start, end: table.refs.len() as u32 };
         }
-        table
+        Ok(table)
     }
 
     /// The slot that holds a cell, or the empty one where it would be.

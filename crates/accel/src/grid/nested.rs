@@ -5,6 +5,7 @@ use std::cmp::Reverse;
 use super::build::Building;
 use super::cells::Reference;
 use super::{Cells, Dense, GridOf, Lattice};
+use crate::watch::{patiently, sort_patiently};
 use crate::{Aabb, Cancelled, CellId, GridRule, Grow, Margin, NestedRule, Observer, PrimId, Primitives, Visit};
 
 /// A coarse grid in which each cell with many primitives holds a finer grid, and so on for some levels.
@@ -44,11 +45,11 @@ impl NestedGrid {
     ) -> Result<NestedGrid, Cancelled> {
         // The coarse grid, as if it were the only one.
         let mut building = Building::begin(prims, rule.grid.prune, |bounds, _| Margin::near(bounds), watch)?;
-        let lattice = building.whole(&rule.grid, watch);
+        let lattice = building.whole(&rule.grid, watch)?;
         let everything: Vec<PrimId> = (0..prims.len() as u32).map(PrimId).collect();
         let settled = building.insert(&lattice, &everything, watch)?;
         let (mut stay, mut crowded) = (Vec::new(), Vec::new());
-        rule.part(&lattice, 1, settled, &mut stay, &mut crowded);
+        rule.part(&lattice, 1, settled, (&mut stay, &mut crowded), watch)?;
 
         // Level by level, the most crowded cells first: a grid of its own for each.
         let (mut count, mut finer) = (lattice.cell_count(), Vec::new());
@@ -56,25 +57,27 @@ impl NestedGrid {
             let mut crowd = std::mem::take(&mut crowded);
             crowd.sort_by_key(|Crowded { held, .. }| Reverse(held.len()));
             for Crowded { cell, bounds, held } in crowd {
-                let Some(inner) = building.within(&rule.inner(), bounds, &held, CellId(count as u32)) else {
+                let first = CellId(count as u32);
+                let Some(inner) = building.within(&rule.inner(), bounds, &held, first, watch)? else {
                     stay.extend(held.into_iter().map(|prim| (cell, prim)));
                     continue;
                 };
                 let [nx, ny, nz] = inner.resolution;
                 watch.on(Grow::Refine { cell, first: inner.first, nx, ny, nz, prims: held.len() as u32 });
                 let settled = building.insert(&inner, &held, watch)?;
-                rule.part(&inner, level, settled, &mut stay, &mut crowded);
+                rule.part(&inner, level, settled, (&mut stay, &mut crowded), watch)?;
                 count += inner.cell_count();
                 finer.push((cell, inner));
             }
         }
 
         let mut own = vec![NONE; count];
-        for (place, (cell, _)) in (0..).zip(&finer) {
+        for grid in patiently((0..).zip(&finer), watch) {
+            let (place, (cell, _)) = grid?;
             own[cell.index()] = place;
         }
         watch.on(Grow::End { nodes: 0, cells: count as u32, references: stay.len() as u32 });
-        let cells = Nested { refs: Dense::file(count, &stay), finer, own };
+        let cells = Nested { refs: Dense::file(count, &stay, watch)?, finer, own };
         Ok(GridOf { lattice, cells, margin: building.margin, mailbox: rule.grid.mailbox })
     }
 }
@@ -86,11 +89,12 @@ impl NestedRule {
         lattice: &Lattice,
         level: u32,
         mut settled: Vec<Reference>,
-        stay: &mut Vec<Reference>,
-        crowded: &mut Vec<Crowded>,
-    ) {
-        settled.sort_by_key(|(cell, _)| *cell);
-        for references in settled.chunk_by(|a, b| a.0 == b.0) {
+        (stay, crowded): (&mut Vec<Reference>, &mut Vec<Crowded>),
+        watch: &impl Observer<Grow>,
+    ) -> Result<(), Cancelled> {
+        sort_patiently(&mut settled, watch, |(a, _), (b, _)| a.cmp(b))?;
+        for references in patiently(settled.chunk_by(|a, b| a.0 == b.0), watch) {
+            let references = references?;
             if level < self.levels && references.len() > self.more_than as usize {
                 let cell = references[0].0;
                 let held = references.iter().map(|(_, prim)| *prim).collect();
@@ -99,6 +103,7 @@ impl NestedRule {
                 stay.extend_from_slice(references);
             }
         }
+        Ok(())
     }
 
     /// How a grid within a cell is built.

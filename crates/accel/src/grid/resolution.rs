@@ -1,7 +1,8 @@
 //! How many cells, slide 17.
 
 use super::Lattice;
-use crate::{Aabb, Axes, Axis, GridRule, Resolution};
+use crate::watch::patiently;
+use crate::{Aabb, Axes, Axis, Cancelled, GridRule, Grow, Observer, Resolution};
 
 /// No grid has more cells than this, nor have all the grids within its cells.
 const MOST_CELLS: u64 = 1 << 24;
@@ -60,13 +61,18 @@ impl Room {
 
     /// Halves the finest axis until the cells and the references of primitives that reach so far have room, or
     /// there is one cell. Returns how many cells the primitives' boxes touch, all together.
-    pub(super) fn fit(&self, lattice: &mut Lattice, reaches: &[Aabb]) -> u64 {
+    pub(super) fn fit(
+        &self,
+        lattice: &mut Lattice,
+        reaches: &[Aabb],
+        watch: &impl Observer<Grow>,
+    ) -> Result<u64, Cancelled> {
         loop {
             let cells: u64 = lattice.resolution.iter().map(|&n| u64::from(n)).product();
-            let touched = lattice.touched(reaches);
+            let touched = lattice.touched(reaches, watch)?;
             let finest = lattice.resolution.iter_mut().max().expect("a grid has three axes");
             if *finest == 1 || (cells <= self.cells && touched <= self.references) {
-                return touched;
+                return Ok(touched);
             }
             *finest = finest.div_ceil(2);
         }
@@ -86,10 +92,10 @@ impl Room {
 
 impl Lattice {
     /// How many cells the boxes touch, all together.
-    fn touched(&self, reaches: &[Aabb]) -> u64 {
+    fn touched(&self, reaches: &[Aabb], watch: &impl Observer<Grow>) -> Result<u64, Cancelled> {
         let touched = |reach: &Aabb| -> u64 {
             self.rasterise(reach).map(|range| u64::from(range.end() - range.start() + 1)).iter().product()
         };
-        reaches.iter().map(touched).fold(0, u64::saturating_add)
+        patiently(reaches, watch).try_fold(0, |all: u64, reach| Ok(all.saturating_add(touched(reach?))))
     }
 }

@@ -1,13 +1,19 @@
 //! The axis-aligned box, slide 50: the most common volume.
 
 use super::{Outline, Volume};
-use crate::{Aabb, Axes, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
+use crate::{Aabb, Axes, Cancelled, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 
 impl Volume for Aabb {
     type Draft = Aabb;
 
-    fn fit<P: Primitives>(_: &P, _: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Aabb {
-        *bounds
+    fn fit<P: Primitives>(
+        _: &P,
+        _: impl Iterator<Item = PrimId>,
+        bounds: &Aabb,
+        _: Axes,
+        _: &impl Observer<Grow>,
+    ) -> Result<Aabb, Cancelled> {
+        Ok(*bounds)
     }
 
     #[inline(always)]

@@ -47,7 +47,7 @@ impl Appraisal {
 fn appraise<V: Volume>(prims: &impl Primitives, rays: u32, seed: u64) -> Appraisal {
     let ids = || (0..prims.len() as u32).map(PrimId);
     let bounds = ids().fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(prim)));
-    let volume = V::fit(prims, ids(), &bounds, Axes::Xyz);
+    let volume = V::fit(prims, ids(), &bounds, Axes::Xyz, &()).expect("nobody cancels");
     let (mut met, mut in_vain) = (0, 0);
     let mut random = Random::new(seed);
     let radius = bounds.extent().length() * 0.5;

@@ -3,10 +3,12 @@
 use glam::{DVec3, Vec3};
 
 use super::quickhull::quickhull;
-use super::{Outline, Volume, corners, slack};
+use super::{Outline, Volume, corners, slack, spans};
 use crate::bvh::Spans;
 use crate::slab::{earlier, later};
-use crate::{Aabb, Axes, Corner, Direction, Interval, Observer, Place, PrimId, Primitives, Ray, Visit};
+use crate::{
+    Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit,
+};
 
 /// All points behind some planes.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,8 +28,14 @@ const MOST_CORNERS: usize = 48;
 impl Volume for Hull {
     type Draft = Spans;
 
-    fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Hull {
-        let corners = corners(prims, ids);
+    fn fit<P: Primitives>(
+        prims: &P,
+        ids: impl Iterator<Item = PrimId>,
+        bounds: &Aabb,
+        _: Axes,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Hull, Cancelled> {
+        let corners = corners(prims, ids, watch)?;
         let center = bounds.center();
         let seen = |corner: &Corner| corner.at.as_dvec3() - center.as_dvec3();
         let mut points: Vec<DVec3> = corners.iter().filter(|corner| corner.radius == 0.0).map(seen).collect();
@@ -35,19 +43,18 @@ impl Volume for Hull {
         for round in corners.iter().filter(|corner| corner.radius > 0.0) {
             points.extend(directions().map(|n| seen(round) + n * f64::from(round.radius)));
         }
-        let found = quickhull(&points, MOST_CORNERS);
+        let found = quickhull(&points, MOST_CORNERS, watch)?;
         // Whatever the search left out or rounding moved: each plane goes out as far as the furthest corner.
-        let planes = found.faces.iter().map(|face| {
-            let n = face.n.as_vec3();
-            let far = corners.iter().map(|c| n.as_dvec3().dot(seen(c)) + f64::from(c.radius));
-            (n, (far.fold(f64::NEG_INFINITY, f64::max) as f32).next_up())
-        });
+        let normals: Vec<Vec3> = found.faces.iter().map(|face| face.n.as_vec3()).collect();
+        let along: Vec<DVec3> = normals.iter().map(|n| n.as_dvec3()).collect();
+        let far = spans(&corners, center, &along, watch)?;
+        let offsets = far.into_iter().map(|[_, high]| (high as f32).next_up());
         let kept = found.corners.into_iter().filter(|&i| i < sharp);
-        Hull {
+        Ok(Hull {
             bounds: *bounds,
-            planes: planes.collect(),
+            planes: normals.into_iter().zip(offsets).collect(),
             corners: kept.map(|i| (points[i] + center.as_dvec3()).as_vec3()).collect(),
-        }
+        })
     }
 
     /// Clips the ray against one plane after the other (Cyrus and Beck 1978).

@@ -2,10 +2,10 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Outline, Volume, corners, slack, span};
+use super::{Outline, Volume, corners, slack, spans};
 use crate::bvh::Spans;
 use crate::slab::Slab;
-use crate::{Aabb, Axes, Direction, Interval, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
+use crate::{Aabb, Axes, Cancelled, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 
 /// A box with `N` more slabs: those of [`Direction::SLANTED`] from `FIRST` on. The number of planes, k, is
 /// 6 + 2·`N`.
@@ -36,13 +36,17 @@ impl Direction {
 impl<const FIRST: usize, const N: usize> Volume for KDop<FIRST, N> {
     type Draft = Spans;
 
-    fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Self {
-        let corners = if N == 0 { Vec::new() } else { corners(prims, ids) };
-        let slabs = std::array::from_fn(|i| {
-            let [low, high] = span(&corners, bounds.center(), normal(FIRST + i));
-            [low as f32, high as f32]
-        });
-        KDop { bounds: *bounds, slabs }
+    fn fit<P: Primitives>(
+        prims: &P,
+        ids: impl Iterator<Item = PrimId>,
+        bounds: &Aabb,
+        _: Axes,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Self, Cancelled> {
+        let corners = if N == 0 { Vec::new() } else { corners(prims, ids, watch)? };
+        let normals: [DVec3; N] = std::array::from_fn(|i| normal(FIRST + i));
+        let spans = spans(&corners, bounds.center(), &normals, watch)?;
+        Ok(KDop { bounds: *bounds, slabs: std::array::from_fn(|i| spans[i].map(|at| at as f32)) })
     }
 
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {

@@ -20,7 +20,8 @@ pub use outline::Outline;
 pub use quickhull::outline;
 
 use crate::bvh::Draft;
-use crate::{Aabb, Axes, Corner, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit};
+use crate::watch::{BETWEEN_LOOKS, patiently};
+use crate::{Aabb, Axes, Cancelled, Corner, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit};
 
 /// A shape that holds a set of primitives and is tested before any of them.
 ///
@@ -32,7 +33,16 @@ pub trait Volume: Clone + Debug + PartialEq {
     type Draft: Draft;
 
     /// The volume around some primitives; `bounds` is the box around them. There must be at least one.
-    fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, axes: Axes) -> Self;
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    fn fit<P: Primitives>(
+        prims: &P,
+        ids: impl Iterator<Item = PrimId>,
+        bounds: &Aabb,
+        axes: Axes,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Self, Cancelled>;
 
     /// The part of `within` for which the ray lies in the volume; empty if it misses.
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval;
@@ -72,10 +82,36 @@ fn slack(f: Vec3, reach: f32) -> f32 {
 }
 
 /// The corners of all primitives of a set.
-fn corners<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>) -> Vec<Corner> {
+fn corners<P: Primitives>(
+    prims: &P,
+    ids: impl Iterator<Item = PrimId>,
+    watch: &impl Observer<Grow>,
+) -> Result<Vec<Corner>, Cancelled> {
     let mut corners = Vec::new();
-    ids.for_each(|prim| prims.shape(prim).corners(|corner| corners.push(corner)));
-    corners
+    for prim in patiently(ids, watch) {
+        prims.shape(prim?).corners(|corner| corners.push(corner));
+    }
+    Ok(corners)
+}
+
+/// How far the corners reach along each of some normals, in one pass.
+fn spans(
+    corners: &[Corner],
+    center: Vec3,
+    normals: &[DVec3],
+    watch: &impl Observer<Grow>,
+) -> Result<Vec<[f64; 2]>, Cancelled> {
+    let mut spans = vec![[f64::INFINITY, f64::NEG_INFINITY]; normals.len()];
+    for piece in corners.chunks(BETWEEN_LOOKS) {
+        if watch.cancelled() {
+            return Err(Cancelled);
+        }
+        for ([low, high], &n) in spans.iter_mut().zip(normals) {
+            let [least, most] = span(piece, center, n);
+            (*low, *high) = (low.min(least), high.max(most));
+        }
+    }
+    Ok(spans)
 }
 
 /// How far the corners reach along `n`, seen from `center`: the lowest and the highest coordinate.

@@ -2,25 +2,33 @@
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::{Outline, Volume, corners, slack, span};
+use super::{Outline, Volume, corners, slack, span, spans};
 use crate::bvh::Spans;
-use crate::{Aabb, Axes, Corner, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit};
+use crate::watch::patiently;
+use crate::{
+    Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit,
+};
 
 impl Volume for Obb {
     type Draft = Spans;
 
-    fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, axes: Axes) -> Obb {
-        let corners = corners(prims, ids);
+    fn fit<P: Primitives>(
+        prims: &P,
+        ids: impl Iterator<Item = PrimId>,
+        bounds: &Aabb,
+        axes: Axes,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Obb, Cancelled> {
+        let corners = corners(prims, ids, watch)?;
         let center = bounds.center();
-        // The principal axes and the world's, each turned until no small turn makes the box smaller.
-        let few = outermost(&corners, center);
-        let frames = [principal(&few, center, axes), DMat3::IDENTITY];
-        let (_, frame) = frames
-            .map(|frame| refined(&few, center, axes, frame))
-            .into_iter()
-            .reduce(|best, next| if next.0 < best.0 { next } else { best })
-            .unwrap_or((0.0, DMat3::IDENTITY));
-        Obb::along(&corners, center, [frame.x_axis.as_vec3(), frame.y_axis.as_vec3(), frame.z_axis.as_vec3()])
+        // The principal axes or the world's, turned until no small turn makes the box smaller.
+        let few = outermost(&corners, center, watch)?;
+        let starts = [principal(&few, center, axes), DMat3::IDENTITY].map(|frame| Turned::by(&few, center, frame));
+        let [principal, world] = starts;
+        let start = if world.size() < principal.size() { world } else { principal };
+        let frame = start.refined(&few, center, axes).frame;
+        let axes = [frame.x_axis.as_vec3(), frame.y_axis.as_vec3(), frame.z_axis.as_vec3()];
+        Obb::along(&corners, center, axes, watch)
     }
 
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
@@ -43,39 +51,50 @@ impl Volume for Obb {
 
 impl Obb {
     /// The box along given directions around balls.
-    fn along(corners: &[Corner], near: Vec3, axes: [Vec3; 3]) -> Obb {
-        let middle = axes.iter().fold(near.as_dvec3(), |middle, axis| {
-            let [low, high] = span(corners, near, axis.as_dvec3());
-            middle + axis.as_dvec3() * ((low + high) * 0.5)
-        });
+    fn along(corners: &[Corner], near: Vec3, axes: [Vec3; 3], watch: &impl Observer<Grow>) -> Result<Obb, Cancelled> {
+        let normals = axes.map(|axis| axis.as_dvec3());
+        let across = spans(corners, near, &normals, watch)?;
+        let middle = normals
+            .iter()
+            .zip(across)
+            .fold(near.as_dvec3(), |middle, (axis, [low, high])| middle + axis * ((low + high) * 0.5));
+        // Single precision moves the centre: as large as it then must be.
         let center = middle.as_vec3();
-        let half = axes.map(|axis| {
-            let [low, high] = span(corners, center, axis.as_dvec3());
-            (high.max(-low) as f32).next_up()
-        });
-        Obb { center, axes, half: Vec3::from(half) }
+        let across = spans(corners, center, &normals, watch)?;
+        let half = [0, 1, 2].map(|i| (across[i][1].max(-across[i][0]) as f32).next_up());
+        Ok(Obb { center, axes, half: Vec3::from(half) })
     }
 }
 
-/// The corners that lie furthest along a few dozen directions: enough to choose the box's directions by
-/// (Larsson and Källberg, "Fast computation of tight-fitting oriented bounding boxes", 2011).
-fn outermost(corners: &[Corner], center: Vec3) -> Vec<Corner> {
-    const FEW: usize = 64;
-    if corners.len() <= FEW {
-        return corners.to_vec();
-    }
-    let step = |i: i32| [-2, -1, 0, 1, 2].map(move |j| [f64::from(i), f64::from(j)]);
-    let directions = [-2, -1, 0, 1, 2]
-        .into_iter()
-        .flat_map(step)
-        .flat_map(|[x, y]| [DVec3::new(x, y, 2.0), DVec3::new(y, 2.0, x), DVec3::new(2.0, x, y)]);
-    let far = |corner: &Corner, n: DVec3| {
-        n.dot(corner.at.as_dvec3() - center.as_dvec3()) + f64::from(corner.radius) * n.length()
+/// The corners that lie furthest along the directions of a 26-DOP, or all if there are few: enough to choose the
+/// box's directions by (Larsson and Källberg, "Fast computation of tight-fitting oriented bounding boxes", 2011).
+fn outermost(corners: &[Corner], center: Vec3, watch: &impl Observer<Grow>) -> Result<Vec<Corner>, Cancelled> {
+    const FEW: usize = 32;
+    let found = if corners.len() <= FEW {
+        corners.to_vec()
+    } else {
+        let lines = Vec3::AXES.into_iter().chain(Direction::SLANTED_VECTORS).map(|n| n.as_dvec3().normalize());
+        let mut ends: Vec<_> = lines.flat_map(|n| [n, -n]).map(|n| (n, f64::NEG_INFINITY, corners[0])).collect();
+        for corner in patiently(corners, watch) {
+            let corner = corner?;
+            let at = corner.at.as_dvec3() - center.as_dvec3();
+            for (n, far, furthest) in &mut ends {
+                let here = n.dot(at) + f64::from(corner.radius);
+                if here > *far {
+                    (*far, *furthest) = (here, *corner);
+                }
+            }
+        }
+        ends.into_iter().map(|(_, _, furthest)| furthest).collect()
     };
-    directions
-        .flat_map(|n| [n, -n])
-        .filter_map(|n| corners.iter().max_by(|a, b| far(a, n).total_cmp(&far(b, n))).copied())
-        .collect()
+    // Neighbours share corners.
+    let mut few: Vec<Corner> = Vec::with_capacity(found.len());
+    for corner in found {
+        if !few.contains(&corner) {
+            few.push(corner);
+        }
+    }
+    Ok(few)
 }
 
 /// Along which directions the corners spread most and least: the eigenvectors of their covariance.
@@ -115,27 +134,47 @@ fn turned(frame: DMat3, i: usize, j: usize, tangent: f64) -> DMat3 {
     next
 }
 
-/// Turns a frame by smaller and smaller angles as long as the box along it shrinks; its surface, and the frame.
-fn refined(corners: &[Corner], center: Vec3, axes: Axes, start: DMat3) -> (f64, DMat3) {
-    let size = |frame: DMat3| {
-        let side = |i: usize| {
-            let [low, high] = span(corners, center, frame.col(i));
-            high - low
-        };
-        let (u, v, w) = (side(0), side(1), side(2));
-        // The sum of the sides decides between boxes without a surface.
-        u * v + v * w + w * u + 1e-9 * (u + v + w) * (u + v + w)
-    };
-    let pairs: &[(usize, usize)] = if axes == Axes::Xy { &[(0, 1)] } else { &[(0, 1), (0, 2), (1, 2)] };
-    let (mut frame, mut least) = (start, size(start));
-    let mut tangent = 0.5;
-    while tangent > 1e-4 {
-        let turns = pairs.iter().flat_map(|&(i, j)| [turned(frame, i, j, tangent), turned(frame, i, j, -tangent)]);
-        let best = turns.map(|turn| (size(turn), turn)).reduce(|a, b| if b.0 < a.0 { b } else { a });
-        match best {
-            Some((size, turn)) if size < least => (least, frame) = (size, turn),
-            _ => tangent *= 0.5,
-        }
+/// A frame, and how long the sides of the box along it are.
+#[derive(Clone, Copy)]
+struct Turned {
+    frame: DMat3,
+    sides: DVec3,
+}
+
+impl Turned {
+    fn by(corners: &[Corner], center: Vec3, frame: DMat3) -> Turned {
+        Turned { frame, sides: DVec3::from_array([0, 1, 2].map(|i| side(corners, center, frame.col(i)))) }
     }
-    (least, frame)
+
+    /// The surface; the sum of the sides decides between boxes without one.
+    fn size(&self) -> f64 {
+        let DVec3 { x, y, z } = self.sides;
+        x * y + y * z + z * x + 1e-9 * (x + y + z) * (x + y + z)
+    }
+
+    /// Turned by smaller and smaller angles as long as the box shrinks.
+    fn refined(mut self, corners: &[Corner], center: Vec3, axes: Axes) -> Turned {
+        let pairs: &[(usize, usize)] = if axes == Axes::Xy { &[(0, 1)] } else { &[(0, 1), (0, 2), (1, 2)] };
+        let mut tangent = 0.5;
+        while tangent > 1e-4 {
+            let turns = pairs.iter().flat_map(|&(i, j)| [(i, j, tangent), (i, j, -tangent)]);
+            let tried = turns.map(|(i, j, tangent)| {
+                // The third side stays as it is.
+                let (frame, mut sides) = (turned(self.frame, i, j, tangent), self.sides);
+                (sides[i], sides[j]) = (side(corners, center, frame.col(i)), side(corners, center, frame.col(j)));
+                Turned { frame, sides }
+            });
+            match tried.reduce(|a, b| if b.size() < a.size() { b } else { a }) {
+                Some(best) if best.size() < self.size() => self = best,
+                _ => tangent *= 0.5,
+            }
+        }
+        self
+    }
+}
+
+/// How far apart the outermost corners along `n` are.
+fn side(corners: &[Corner], center: Vec3, n: DVec3) -> f64 {
+    let [low, high] = span(corners, center, n);
+    high - low
 }

@@ -4,6 +4,9 @@ use std::cmp::Ordering;
 
 use glam::{DVec2, DVec3};
 
+use crate::watch::patiently;
+use crate::{Cancelled, Grow, Observer};
+
 /// A plane of a hull: the hull lies where `n · p ≤ offset`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Face {
@@ -32,30 +35,35 @@ pub(super) struct Found {
 const THIN: f64 = 1e-6;
 
 /// The hull of at least one point. At most `most` corners are sought, those that stick out furthest first.
-pub(super) fn quickhull(points: &[DVec3], most: usize) -> Found {
+pub(super) fn quickhull(points: &[DVec3], most: usize, watch: &impl Observer<Grow>) -> Result<Found, Cancelled> {
     let furthest = |far: &dyn Fn(DVec3) -> f64| {
-        (0..points.len()).max_by(|&a, &b| far(points[a]).total_cmp(&far(points[b])).then(b.cmp(&a))).unwrap_or(0)
+        let mut found = Furthest::NONE;
+        for point in patiently(points.iter().enumerate(), watch) {
+            let (i, &p) = point?;
+            found = found.or(far(p), i);
+        }
+        Ok(found.point)
     };
     // Two points far apart, the one furthest from their line, the one furthest from their plane.
-    let a = furthest(&|p| p.length_squared());
-    let b = furthest(&|p| (p - points[a]).length_squared());
+    let a = furthest(&|p| p.length_squared())?;
+    let b = furthest(&|p| (p - points[a]).length_squared())?;
     let along = points[b] - points[a];
     let thin = along.length() * THIN;
     let Some(u) = along.try_normalize().filter(|_| thin > 0.0) else {
-        return Found { faces: stick(points[a], points[a], DVec3::X), corners: vec![a] };
+        return Ok(Found { faces: stick(points[a], points[a], DVec3::X), corners: vec![a] });
     };
     let off_line = |p: DVec3| (p - points[a]).reject_from_normalized(u);
-    let c = furthest(&|p| off_line(p).length_squared());
+    let c = furthest(&|p| off_line(p).length_squared())?;
     if off_line(points[c]).length() <= thin {
-        return Found { faces: stick(points[a], points[b], u), corners: vec![a, b] };
+        return Ok(Found { faces: stick(points[a], points[b], u), corners: vec![a, b] });
     }
     let v = off_line(points[c]).normalize();
     let base = Face::through(u.cross(v), points[a]);
-    let d = furthest(&|p| base.above(p).abs());
+    let d = furthest(&|p| base.above(p).abs())?;
     if base.above(points[d]).abs() <= thin {
-        return plate(points, points[a], u, v);
+        return Ok(plate(points, points[a], u, v));
     }
-    solid(points, [a, b, c, d], thin, most)
+    solid(points, [a, b, c, d], thin, most, watch)
 }
 
 /// A line or a point: planes at its ends and around it.
@@ -108,19 +116,42 @@ pub fn outline(points: &[DVec2]) -> Vec<usize> {
     lower
 }
 
+/// The point that lies furthest out so far; of equals the first.
+#[derive(Clone, Copy)]
+struct Furthest {
+    far: f64,
+    point: usize,
+}
+
+impl Furthest {
+    const NONE: Furthest = Furthest { far: f64::NEG_INFINITY, point: 0 };
+
+    fn or(self, far: f64, point: usize) -> Furthest {
+        if far > self.far || (far == self.far && point < self.point) { Furthest { far, point } } else { self }
+    }
+}
+
 /// A triangle of the hull with the points that lie before it.
 struct Triangle {
     corners: [usize; 3],
     face: Face,
     before: Vec<usize>,
+    apex: Furthest,
 }
 
 /// A body: a tetrahedron that grows by the point furthest outside.
-fn solid(points: &[DVec3], first: [usize; 4], thin: f64, most: usize) -> Found {
+fn solid(
+    points: &[DVec3],
+    first: [usize; 4],
+    thin: f64,
+    most: usize,
+    watch: &impl Observer<Grow>,
+) -> Result<Found, Cancelled> {
     let middle = first.iter().map(|&i| points[i]).sum::<DVec3>() / 4.0;
     let triangle = |[a, b, c]: [usize; 3]| {
         let n = (points[b] - points[a]).cross(points[c] - points[a]).try_normalize()?;
-        Some(Triangle { corners: [a, b, c], face: Face::through(n, points[a]), before: Vec::new() })
+        let face = Face::through(n, points[a]);
+        Some(Triangle { corners: [a, b, c], face, before: Vec::new(), apex: Furthest::NONE })
     };
     // The four triangles of the tetrahedron, all turned outward.
     let [a, b, c, d] = first;
@@ -129,17 +160,15 @@ fn solid(points: &[DVec3], first: [usize; 4], thin: f64, most: usize) -> Found {
         if found.face.above(middle) > 0.0 { triangle([corners[0], corners[2], corners[1]]) } else { Some(found) }
     });
     let mut hull: Vec<Triangle> = start.collect();
-    share(points, &mut hull, &mut (0..points.len()), thin);
+    share(points, &mut hull, 0..points.len(), thin, watch)?;
     let mut count = 4;
     while count < most {
         // The point furthest before any triangle.
-        let far = |triangle: &Triangle| {
-            let before = triangle.before.iter().map(|&i| (triangle.face.above(points[i]), i));
-            before.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)))
-        };
-        let Some((_, apex)) = hull.iter().filter_map(far).max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1))) else {
+        let all = hull.iter().map(|triangle| triangle.apex);
+        let Furthest { far, point: apex } = all.fold(Furthest::NONE, |most, each| most.or(each.far, each.point));
+        if far <= thin {
             break;
-        };
+        }
         // What it sees goes; the edges between seen and unseen are joined to it.
         let (seen, kept): (Vec<Triangle>, Vec<Triangle>) =
             hull.into_iter().partition(|triangle| triangle.face.above(points[apex]) > thin);
@@ -147,7 +176,8 @@ fn solid(points: &[DVec3], first: [usize; 4], thin: f64, most: usize) -> Found {
             seen.iter().flat_map(|t| [[0, 1], [1, 2], [2, 0]].map(|[i, j]| [t.corners[i], t.corners[j]])).collect();
         let rim = edges.iter().filter(|&&[from, to]| !edges.contains(&[to, from]));
         let mut fresh: Vec<Triangle> = rim.filter_map(|&[from, to]| triangle([from, to, apex])).collect();
-        share(points, &mut fresh, &mut seen.into_iter().flat_map(|t| t.before).filter(|&i| i != apex), thin);
+        let homeless = seen.into_iter().flat_map(|triangle| triangle.before).filter(|&i| i != apex);
+        share(points, &mut fresh, homeless, thin, watch)?;
         hull = kept;
         hull.append(&mut fresh);
         count += 1;
@@ -155,19 +185,28 @@ fn solid(points: &[DVec3], first: [usize; 4], thin: f64, most: usize) -> Found {
     let mut corners: Vec<usize> = hull.iter().flat_map(|triangle| triangle.corners).collect();
     corners.sort_unstable();
     corners.dedup();
-    Found { faces: distinct(hull.iter().map(|triangle| triangle.face)), corners }
+    Ok(Found { faces: distinct(hull.iter().map(|triangle| triangle.face)), corners })
 }
 
 /// Gives each point to the triangle that it lies furthest before; those before none lie inside.
-fn share(points: &[DVec3], hull: &mut [Triangle], ids: &mut dyn Iterator<Item = usize>, thin: f64) {
-    for i in ids {
+fn share(
+    points: &[DVec3],
+    hull: &mut [Triangle],
+    ids: impl Iterator<Item = usize>,
+    thin: f64,
+    watch: &impl Observer<Grow>,
+) -> Result<(), Cancelled> {
+    for i in patiently(ids, watch) {
+        let i = i?;
         let best = hull.iter_mut().map(|triangle| (triangle.face.above(points[i]), triangle));
         if let Some((above, triangle)) = best.max_by(|a, b| a.0.total_cmp(&b.0))
             && above > thin
         {
             triangle.before.push(i);
+            triangle.apex = triangle.apex.or(above, i);
         }
     }
+    Ok(())
 }
 
 /// Triangles in one plane make one face.

@@ -6,15 +6,23 @@ use glam::{DMat3, DVec3};
 
 use super::{Outline, Volume, corners, slack};
 use crate::slab::{earlier, later};
+use crate::watch::patiently;
 use crate::{
-    Aabb, Axes, Corner, Each, Interval, Measure, Observer, Place, PrimId, Primitives, Probe, Ray, Sphere, Visit,
+    Aabb, Axes, Cancelled, Corner, Each, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Probe, Ray,
+    Sphere, Visit,
 };
 
 impl Volume for Sphere {
     type Draft = Sphere;
 
-    fn fit<P: Primitives>(prims: &P, ids: impl Iterator<Item = PrimId>, bounds: &Aabb, _: Axes) -> Sphere {
-        Sphere::around(&corners(prims, ids), bounds)
+    fn fit<P: Primitives>(
+        prims: &P,
+        ids: impl Iterator<Item = PrimId>,
+        bounds: &Aabb,
+        _: Axes,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Sphere, Cancelled> {
+        Sphere::around(&corners(prims, ids, watch)?, bounds, watch)
     }
 
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
@@ -63,21 +71,37 @@ impl Volume for Sphere {
 
 /// How often the centre is moved to shrink a sphere around balls.
 const SHRINK: usize = 64;
+/// How many points at most decide where the centre lies; four would do if the right ones were known.
+const FEW: usize = 64;
+/// A point so little outside, as a part of the squared radius, lies on the sphere but for rounding.
+const ROUNDING: f64 = 1e-12;
 
 impl Sphere {
     /// A small sphere around balls: the smallest, if they are points.
-    pub(crate) fn around(corners: &[Corner], bounds: &Aabb) -> Sphere {
+    pub(crate) fn around(corners: &[Corner], bounds: &Aabb, watch: &impl Observer<Grow>) -> Result<Sphere, Cancelled> {
         let base = bounds.center().as_dvec3();
-        let mut points: Vec<DVec3> = corners.iter().map(|corner| corner.at.as_dvec3() - base).collect();
-        let count = points.len();
-        let mut center = smallest(&mut points, count, &mut Vec::new()).center;
+        let seen = |corner: &Corner| corner.at.as_dvec3() - base;
+        // The smallest sphere around a few points: whatever lies furthest outside becomes one of them, until
+        // nothing does (Gärtner, "Fast and robust smallest enclosing balls", 1999).
+        let (mut few, mut ball) = (Vec::new(), through(&[]));
+        while few.len() < FEW {
+            let from_center = |corner: &Corner| (seen(corner) - ball.center).length_squared();
+            let (far, furthest) = reach(corners, from_center, watch)?;
+            if ball.holds(far) {
+                break;
+            }
+            few.push(seen(&corners[furthest]));
+            let count = few.len();
+            ball = smallest(&mut few, count, &mut Vec::new());
+        }
+        let mut center = ball.center;
         if corners.iter().any(|corner| corner.radius > 0.0) {
-            center = shrunk(corners, base, center);
+            center = shrunk(corners, base, center, watch)?;
         }
         // What single precision makes of the centre, and as large as it then must be.
         let center = (base + center).as_vec3();
-        let (radius, _) = reach(corners, center.as_dvec3());
-        Sphere { center, radius: (radius as f32).next_up() }
+        let (radius, _) = reach(corners, |corner| far_side(corner, center.as_dvec3()), watch)?;
+        Ok(Sphere { center, radius: (radius as f32).next_up() })
     }
 
     /// The smallest sphere around two: it holds both, not only their centres.
@@ -95,34 +119,50 @@ impl Sphere {
     }
 }
 
-/// How far the balls reach from `center`, and which of them furthest.
-fn reach(corners: &[Corner], center: DVec3) -> (f64, usize) {
-    let far = |corner: &Corner| (corner.at.as_dvec3() - center).length() + f64::from(corner.radius);
-    corners.iter().enumerate().fold((0.0, 0), |most, (i, corner)| {
+/// How far away the far side of a ball is.
+fn far_side(corner: &Corner, from: DVec3) -> f64 {
+    (corner.at.as_dvec3() - from).length() + f64::from(corner.radius)
+}
+
+/// How far away the furthest corner is, and which it is.
+fn reach(
+    corners: &[Corner],
+    far: impl Fn(&Corner) -> f64,
+    watch: &impl Observer<Grow>,
+) -> Result<(f64, usize), Cancelled> {
+    patiently(corners.iter().enumerate(), watch).try_fold((0.0, 0), |most, corner| {
+        let (i, corner) = corner?;
         let far = far(corner);
-        if far > most.0 { (far, i) } else { most }
+        Ok(if far > most.0 { (far, i) } else { most })
     })
 }
 
 /// Moves the centre towards whatever is furthest, by ever smaller steps (Bădoiu and Clarkson, "Smaller core-sets
 /// for balls", 2003); keeps the best.
-fn shrunk(corners: &[Corner], base: DVec3, start: DVec3) -> DVec3 {
+fn shrunk(corners: &[Corner], base: DVec3, start: DVec3, watch: &impl Observer<Grow>) -> Result<DVec3, Cancelled> {
     let mut center = start;
     let (mut best, mut least) = (start, f64::INFINITY);
     for step in 0..SHRINK {
-        let (radius, furthest) = reach(corners, base + center);
+        let (radius, furthest) = reach(corners, |corner| far_side(corner, base + center), watch)?;
         if radius < least {
             (best, least) = (center, radius);
         }
         center += (corners[furthest].at.as_dvec3() - base - center) / (step + 2) as f64;
     }
-    best
+    Ok(best)
 }
 
 /// A sphere through some points.
 struct Ball {
     center: DVec3,
     radius_squared: f64,
+}
+
+impl Ball {
+    /// Whether a point so far from the centre, squared, lies in it.
+    fn holds(&self, far_squared: f64) -> bool {
+        far_squared <= self.radius_squared * (1.0 + ROUNDING)
+    }
 }
 
 /// The smallest sphere around the first `count` points that has those of `edge`, at most four, on it.
@@ -133,7 +173,7 @@ fn smallest(points: &mut [DVec3], count: usize, edge: &mut Vec<DVec3>) -> Ball {
     }
     for i in 0..count {
         let p = points[i];
-        if (p - ball.center).length_squared() > ball.radius_squared * (1.0 + 1e-12) {
+        if !ball.holds((p - ball.center).length_squared()) {
             // It lies outside, so it lies on the sphere around itself and those before it.
             edge.push(p);
             ball = smallest(points, i, edge);
