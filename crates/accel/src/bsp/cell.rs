@@ -59,7 +59,7 @@ impl ConvexCell {
 
     /// Where its corners lie along a direction: the first and the last.
     pub(super) fn extent(&self, along: DVec3) -> [f64; 2] {
-        extent(self.faces.iter().flat_map(|face| &face.corners).copied(), along)
+        extent(self.faces.iter().map(|face| &face.corners), along)
     }
 
     /// The polygon in which a plane cuts it; no corners if it passes beside.

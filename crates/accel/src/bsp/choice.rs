@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::fragment::{Fragment, Proposal, proposals};
 use super::{ConvexCell, FreePlane};
-use crate::watch::patiently;
+use crate::watch::BETWEEN_LOOKS;
 use crate::{Axes, BspPlanes, BspRule, Cancelled, Grow, NodeId, Observer, Place, Primitives, Random};
 
 /// Planes stand a little further beside a fragment than it is padded, so that it lies on one side of them
@@ -23,49 +23,70 @@ pub(super) struct Scale<'a, P, O> {
     pub(super) watch: &'a mut O,
 }
 
-/// A plane, where it came from, and what it is worth.
-#[derive(Clone, Copy)]
-struct Weighed {
-    plane: FreePlane,
+/// Planes across one direction.
+struct Across {
+    normal: Vec3,
+    /// Who proposes them.
     from: Place,
-    cost: f32,
+    planes: Vec<Tried>,
+}
+
+/// A plane, and how many fragments reach below it and above it.
+struct Tried {
+    plane: FreePlane,
+    below: u32,
+    above: u32,
 }
 
 impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
     /// The cheapest plane; none if no proposed plane separates the fragments.
     pub(super) fn best(&mut self) -> Result<Option<(FreePlane, f32)>, Cancelled> {
+        let mut proposed = self.proposed();
+        self.count(&mut proposed)?;
         let whole = self.cell.measure(self.rule.measure);
-        let mut best: Option<Weighed> = None;
-        for (normal, from, places) in self.proposed() {
-            // Along the normal, fragments and cell are intervals.
-            let along = normal.as_dvec3();
-            let extents: Vec<[f64; 2]> = patiently(self.refs, &*self.watch)
-                .map(|fragment| Ok(fragment?.extent(along)))
-                .collect::<Result<_, _>>()?;
-            let [first, last] = self.cell.extent(along);
-            for at in places {
-                let plane = FreePlane { normal, at: at as f32 };
-                // A plane in a face of the cell cuts nothing.
-                if f64::from(plane.at) <= first + self.pad || last - self.pad <= f64::from(plane.at) {
-                    continue;
-                }
-                let cost = self.weigh(plane, from, &extents, whole);
-                if cost.is_some_and(|cost| best.is_none_or(|best| cost < best.cost)) {
-                    best = cost.map(|cost| Weighed { plane, from, cost });
+        let mut best: Option<(FreePlane, Place, f32)> = None;
+        for Across { from, planes, .. } in &proposed {
+            for tried in planes {
+                let cost = self.weigh(tried, *from, whole);
+                if let Some(cost) = cost
+                    && best.is_none_or(|(_, _, least)| cost < least)
+                {
+                    best = Some((tried.plane, *from, cost));
                 }
             }
         }
-        let Some(Weighed { plane, from, cost }) = best else { return Ok(None) };
+        let Some((plane, from, cost)) = best else { return Ok(None) };
         self.tell(plane, from);
         Ok(Some((plane, cost)))
     }
 
+    /// Counts what reaches below and above all planes in one pass, so that a large node's fragments are fetched
+    /// from memory once.
+    fn count(&self, proposed: &mut [Across]) -> Result<(), Cancelled> {
+        let mut extents = Vec::with_capacity(BETWEEN_LOOKS);
+        for piece in self.refs.chunks(BETWEEN_LOOKS) {
+            if self.watch.cancelled() {
+                return Err(Cancelled);
+            }
+            for Across { normal, planes, .. } in proposed.iter_mut() {
+                // Along the normal, fragments are intervals.
+                let along = normal.as_dvec3();
+                extents.clear();
+                extents.extend(piece.iter().map(|fragment| fragment.extent(along)));
+                for Tried { plane, below, above } in planes {
+                    for &extent in &extents {
+                        let (reaches_below, reaches_above) = sides(extent, *plane, self.pad);
+                        *below += u32::from(reaches_below);
+                        *above += u32::from(reaches_above);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
     /// What the node costs if it is cut by the plane, as in a kd-tree; none if hardly anything is separated.
-    fn weigh(&mut self, plane: FreePlane, from: Place, extents: &[[f64; 2]], whole: f32) -> Option<f32> {
-        let sides = extents.iter().map(|&extent| sides(extent, plane, self.pad));
-        let (below, above) = sides.fold((0, 0), |(below, above), (reaches_below, reaches_above)| {
-            (below + u32::from(reaches_below), above + u32::from(reaches_above))
-        });
+    fn weigh(&mut self, &Tried { plane, below, above }: &Tried, from: Place, whole: f32) -> Option<f32> {
         let [lower, upper] = self.cell.halves(plane, self.rule.measure).map(|half| half / whole);
         let tests = lower * below as f32 + upper * above as f32;
         let cost = self.rule.traversal_cost + self.rule.intersection_cost * tests;
@@ -84,8 +105,8 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
         self.watch.on(normal);
     }
 
-    /// Normals, who proposes them, and where planes may stand along each.
-    fn proposed(&mut self) -> Vec<(Vec3, Place, Vec<f64>)> {
+    /// The planes that cut the cell, of those that the rule proposes.
+    fn proposed(&mut self) -> Vec<Across> {
         let samples = self.samples();
         let (refs, off) = (self.refs, BESIDE * self.pad);
         match self.rule.planes {
@@ -98,23 +119,31 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
                     let (Proposal::Across(along) | Proposal::Beyond(along)) = proposal;
                     let normal = self.normal(along)?;
                     let [low, high] = refs[i].extent(normal.as_dvec3());
-                    let places = match proposal {
-                        Proposal::Across(_) => vec![low - off, high + off],
-                        Proposal::Beyond(_) => vec![high + off],
-                    };
-                    Some((normal, Place::Prim(refs[i].prim), places))
+                    let from = Place::Prim(refs[i].prim);
+                    Some(match proposal {
+                        Proposal::Across(_) => self.across(normal, from, [low - off, high + off]),
+                        Proposal::Beyond(_) => self.across(normal, from, [high + off]),
+                    })
                 })
                 .collect()
             }
             BspPlanes::Candidates => {
                 let beside = |normal: Vec3| {
                     let extents = samples.iter().map(|&i| refs[i].extent(normal.as_dvec3()));
-                    extents.flat_map(|[low, high]| [low - off, high + off]).collect()
+                    self.across(normal, Place::World, extents.flat_map(|[low, high]| [low - off, high + off]))
                 };
-                let normals = DIRECTIONS.iter().filter_map(|&along| self.normal(along.into()));
-                normals.map(|normal| (normal, Place::World, beside(normal))).collect()
+                DIRECTIONS.iter().filter_map(|&along| self.normal(along.into())).map(beside).collect()
             }
         }
+    }
+
+    /// Planes across a direction. One in a face of the cell cuts nothing.
+    fn across(&self, normal: Vec3, from: Place, places: impl IntoIterator<Item = f64>) -> Across {
+        let [first, last] = self.cell.extent(normal.as_dvec3());
+        let planes = places.into_iter().map(|at| FreePlane { normal, at: at as f32 });
+        let cuts = |plane: &FreePlane| first + self.pad < plane.at.into() && f64::from(plane.at) < last - self.pad;
+        let planes = planes.filter(cuts).map(|plane| Tried { plane, below: 0, above: 0 });
+        Across { normal, from, planes: planes.collect() }
     }
 
     /// Which of the node's fragments propose planes: all, or a few at random.

@@ -46,8 +46,8 @@ impl Fragment {
     /// Where along a direction it begins and ends.
     pub(super) fn extent(&self, along: DVec3) -> [f64; 2] {
         match &*self.body {
-            Body::Faces(faces) => extent(faces.iter().flatten().copied(), along),
-            Body::Between(corners) => extent(corners.iter().copied(), along),
+            Body::Faces(faces) => extent(faces, along),
+            Body::Between(corners) => extent([corners], along),
             &Body::Round { center, radius, axis } => {
                 // A plate reaches less far along its own axis than across it.
                 let tilt = axis.map_or(0.0, |axis| along.dot(axis));
@@ -70,10 +70,16 @@ impl Fragment {
     }
 }
 
-/// Where along a direction points begin and end.
-pub(super) fn extent(points: impl IntoIterator<Item = DVec3>, along: DVec3) -> [f64; 2] {
-    let places = points.into_iter().map(|p| along.dot(p));
-    places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)])
+/// Where along a direction the corners of some faces begin and end.
+pub(super) fn extent(faces: impl IntoIterator<Item: AsRef<[DVec3]>>, along: DVec3) -> [f64; 2] {
+    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
+    for face in faces {
+        for &p in face.as_ref() {
+            let at = along.dot(p);
+            (low, high) = (low.min(at), high.max(at));
+        }
+    }
+    [low, high]
 }
 
 /// The eight corners of a box.

@@ -52,7 +52,7 @@ impl Volume for Obb {
 impl Obb {
     /// The box along given directions around balls.
     fn along(corners: &[Corner], near: Vec3, axes: [Vec3; 3], watch: &impl Observer<Grow>) -> Result<Obb, Cancelled> {
-        let normals = axes.map(|axis| axis.as_dvec3());
+        let normals = axes.map(Vec3::as_dvec3);
         let across = spans(corners, near, &normals, watch)?;
         let middle = normals
             .iter()
