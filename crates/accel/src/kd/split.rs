@@ -56,7 +56,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
     }
 
     /// The surface area heuristic: of all planes along the faces of the references, the one with the
-    /// least expected cost. One sweep from low to high per axis, as counts change only at faces.
+    /// least expected cost.
     fn cheapest(&mut self) -> Result<Option<Cut>, Cancelled> {
         let mut best: Option<Cut> = None;
         let all = self.refs.len();
@@ -67,30 +67,42 @@ impl<O: Observer<Grow>> Scale<'_, O> {
             }
             sorted(&mut starts, self.refs, |bounds| bounds.min[axis]);
             sorted(&mut ends, self.refs, |bounds| bounds.max[axis]);
-
-            // So many references have begun before the plane, and so many have ended at it.
-            let (mut begun, mut ended) = (0, 0);
-            while ended < all {
-                let plane = if begun < all && starts[begun] < ends[ended] { starts[begun] } else { ends[ended] };
-                while ended < all && ends[ended] <= plane {
-                    ended += 1;
-                }
-                if self.inside(axis, plane) {
-                    let cut = self.weigh(axis, plane, begun as u32, (all - ended) as u32);
-                    if self.separates(&cut) && best.is_none_or(|best| cut.cost < best.cost) {
-                        best = Some(cut);
-                    }
-                }
-                while begun < all && starts[begun] <= plane {
-                    begun += 1;
-                }
+            // Which axis it is, is asked here and not again at every plane.
+            match axis {
+                Axis::X => self.sweep(Axis::X, &starts, &ends, &mut best),
+                Axis::Y => self.sweep(Axis::Y, &starts, &ends, &mut best),
+                Axis::Z => self.sweep(Axis::Z, &starts, &ends, &mut best),
             }
         }
         Ok(best)
     }
 
+    /// Weighs the planes across one axis from low to high, as counts change only where a reference starts or ends.
+    #[inline(always)]
+    fn sweep(&mut self, axis: Axis, mut starts: &[f32], mut ends: &[f32], best: &mut Option<Cut>) {
+        while let [end, ..] = *ends {
+            // The next face, of those that are left.
+            let plane = if let [start, ..] = *starts && start < end { start } else { end };
+            while let [end, later @ ..] = ends && *end <= plane {
+                ends = later;
+            }
+            // Below the plane lies what has started, and above it what has not ended.
+            if self.inside(axis, plane) {
+                let (below, above) = (self.refs.len() - starts.len(), ends.len());
+                let cut = self.weigh(axis, plane, below as u32, above as u32);
+                if self.separates(&cut) && best.is_none_or(|best| cut.cost < best.cost) {
+                    *best = Some(cut);
+                }
+            }
+            while let [start, later @ ..] = starts && *start <= plane {
+                starts = later;
+            }
+        }
+    }
+
     /// What the node costs if it is cut there: a step, and for each child its primitives as often as a ray
     /// that meets the node meets the child. Cutting off empty space is worth a bonus.
+    #[inline(always)]
     fn weigh(&mut self, axis: Axis, plane: f32, below: u32, above: u32) -> Cut {
         // The children are as wide as the node, but along the axis.
         let sides = |side: f32| match axis {
