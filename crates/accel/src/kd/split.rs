@@ -48,8 +48,12 @@ impl<O: Observer<Grow>> Scale<'_, O> {
             if !self.inside(axis, plane) {
                 return None;
             }
-            let sides = || self.refs.iter().map(|reference| reference.sides(axis, plane));
-            let (below, above) = (sides().filter(|s| s.0).count() as u32, sides().filter(|s| s.1).count() as u32);
+            let (mut below, mut above) = (0, 0);
+            for reference in self.refs {
+                let reaches = reference.sides(axis, plane);
+                below += u32::from(reaches.0);
+                above += u32::from(reaches.1);
+            }
             let cut = self.weigh(axis, plane, below, above);
             self.separates(&cut).then_some(cut)
         })
@@ -80,11 +84,11 @@ impl<O: Observer<Grow>> Scale<'_, O> {
     /// Weighs the planes across one axis from low to high, as counts change only where a reference starts or ends.
     #[inline(always)]
     fn sweep(&mut self, axis: Axis, mut starts: &[f32], mut ends: &[f32], best: &mut Option<Cut>) {
-        while let [end, ..] = *ends {
+        while let Some(end) = ends.first() {
             // The next face, of those that are left.
-            let plane = if let [start, ..] = *starts && start < end { start } else { end };
-            while let [end, later @ ..] = ends && *end <= plane {
-                ends = later;
+            let &plane = starts.first().filter(|&start| start < end).unwrap_or(end);
+            while ends.first().is_some_and(|&end| end <= plane) {
+                ends = &ends[1..];
             }
             // Below the plane lies what has started, and above it what has not ended.
             if self.inside(axis, plane) {
@@ -94,8 +98,8 @@ impl<O: Observer<Grow>> Scale<'_, O> {
                     *best = Some(cut);
                 }
             }
-            while let [start, later @ ..] = starts && *start <= plane {
-                starts = later;
+            while starts.first().is_some_and(|&start| start <= plane) {
+                starts = &starts[1..];
             }
         }
     }

@@ -85,9 +85,9 @@ impl Corners {
 
     /// The box around the part where `inside` is not negative.
     fn bounds_within(&self, inside: impl Fn(DVec3) -> f64) -> Aabb {
-        let mut bounds = Aabb::EMPTY;
-        clipped(self.list(), inside, |p| bounds = bounds.with_point(p.as_vec3()));
-        bounds
+        let (mut min, mut max) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        clipped(self.list(), inside, |p| (min, max) = (min.min(p), max.max(p)));
+        Aabb::new(min.as_vec3(), max.as_vec3())
     }
 
     /// Puts the part where `inside` is not negative into `kept`.
@@ -100,10 +100,10 @@ impl Corners {
 /// Hands on the corners of the part of a polygon where `inside` is not negative.
 #[inline]
 pub(crate) fn clipped(corners: &[DVec3], inside: impl Fn(DVec3) -> f64, mut keep: impl FnMut(DVec3)) {
-    let Some(&first) = corners.first() else { return };
-    let (mut p, mut a) = (first, inside(first));
-    for next in 1..=corners.len() {
-        let q = corners.get(next).copied().unwrap_or(first);
+    let Some(first) = corners.first() else { return };
+    let (mut p, mut a) = (*first, inside(*first));
+    for next in 0..corners.len() {
+        let q = *corners.get(next + 1).unwrap_or(first);
         let b = inside(q);
         if a >= 0.0 {
             keep(p);

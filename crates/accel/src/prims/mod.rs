@@ -158,6 +158,7 @@ impl Shape<'_> {
     }
 
     /// The same for two parts at once: of what lies in `bounds`, that below `high` and that above `low`.
+    #[inline]
     pub fn clip_twice(&self, bounds: &Aabb, axis: Axis, [high, low]: [f32; 2]) -> [Aabb; 2] {
         match self {
             Shape::Triangle(shape) => shape.clip_twice(bounds, axis, [high, low]),
