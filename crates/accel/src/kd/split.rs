@@ -69,8 +69,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
             if self.watch.cancelled() {
                 return Err(Cancelled);
             }
-            sorted(&mut starts, self.refs, |bounds| bounds.min[axis]);
-            sorted(&mut ends, self.refs, |bounds| bounds.max[axis]);
+            self.faces(axis, &mut starts, &mut ends);
             // Which axis it is, is asked here and not again at every plane.
             match axis {
                 Axis::X => self.sweep(Axis::X, &starts, &ends, &mut best),
@@ -81,18 +80,44 @@ impl<O: Observer<Grow>> Scale<'_, O> {
         Ok(best)
     }
 
+    /// Fills `starts` and `ends` with the lower and upper faces across one axis, from low to high, but not with
+    /// those that lie in the node's own faces: what starts there lies below all planes, what ends there above all.
+    fn faces(&self, axis: Axis, starts: &mut Vec<f32>, ends: &mut Vec<f32>) {
+        starts.clear();
+        ends.clear();
+        let (low, high) = (self.bounds.min[axis], self.bounds.max[axis]);
+        for Reference { bounds, .. } in self.refs {
+            let (start, end) = (bounds.min[axis], bounds.max[axis]);
+            if start > low {
+                starts.push(start);
+            }
+            if end < high {
+                ends.push(end);
+            }
+        }
+        starts.sort_unstable_by(by_size);
+        ends.sort_unstable_by(by_size);
+    }
+
     /// Weighs the planes across one axis from low to high, as counts change only where a reference starts or ends.
     #[inline(always)]
     fn sweep(&mut self, axis: Axis, mut starts: &[f32], mut ends: &[f32], best: &mut Option<Cut>) {
-        while let Some(end) = ends.first() {
+        let all = self.refs.len();
+        let lasting = all - ends.len();
+        loop {
             // The next face, of those that are left.
-            let &plane = starts.first().filter(|&start| start < end).unwrap_or(end);
+            let plane = match (starts, ends) {
+                ([start, ..], [end, ..]) if start < end => *start,
+                (_, [end, ..]) => *end,
+                ([start, ..], []) => *start,
+                ([], []) => return,
+            };
             while ends.first().is_some_and(|&end| end <= plane) {
                 ends = &ends[1..];
             }
             // Below the plane lies what has started, and above it what has not ended.
             if self.inside(axis, plane) {
-                let (below, above) = (self.refs.len() - starts.len(), ends.len());
+                let (below, above) = (all - starts.len(), ends.len() + lasting);
                 let cut = self.weigh(axis, plane, below as u32, above as u32);
                 if self.separates(&cut) && best.is_none_or(|best| cut.cost < best.cost) {
                     *best = Some(cut);
@@ -132,13 +157,6 @@ impl<O: Observer<Grow>> Scale<'_, O> {
     fn separates(&self, cut: &Cut) -> bool {
         4 * (cut.below as usize + cut.above as usize) <= 7 * self.refs.len()
     }
-}
-
-/// Fills `faces` with one face of each reference, from low to high.
-fn sorted(faces: &mut Vec<f32>, refs: &[Reference], face: impl Fn(&Aabb) -> f32) {
-    faces.clear();
-    faces.extend(refs.iter().map(|reference| face(&reference.bounds)));
-    faces.sort_unstable_by(by_size);
 }
 
 /// Half of the references have their middle below it.
