@@ -47,7 +47,7 @@ pub(crate) fn sort_patiently<E, T>(
         if length >= items.len() {
             return Ok(());
         }
-        length *= 4;
+        length *= 2;
     }
 }
 

@@ -57,6 +57,9 @@ impl NestedGrid {
             let mut crowd = std::mem::take(&mut crowded);
             crowd.sort_by_key(|Crowded { held, .. }| Reverse(held.len()));
             for Crowded { cell, bounds, held } in crowd {
+                if watch.cancelled() {
+                    return Err(Cancelled);
+                }
                 let first = CellId(count as u32);
                 let Some(inner) = building.within(&rule.inner(), bounds, &held, first, watch)? else {
                     stay.extend(held.into_iter().map(|prim| (cell, prim)));
