@@ -1,6 +1,6 @@
 //! The walk of the kd-tree, stripped.
 
-use raystep_accel::{Aabb, Accel, Axis, Hit, Interval, Kd, List, Margin, NodeId, PrimId, Primitives, Ray, Side, Want};
+use raystep_accel::{Aabb, Accel, Axis, Ending, Hit, Interval, Kd, List, Margin, NodeId, PrimId, Primitives, Ray, Side, Want};
 
 use super::{Best, Mailbox, slab, test_each};
 
@@ -100,8 +100,8 @@ impl StrippedKd {
         best.hit
     }
 
-    fn find(&self, prims: &impl Primitives, ray: &Ray, best: &mut Best) {
-        let Some(mut here) = Part::root(&self.bounds, ray) else { return };
+    fn find(&self, prims: &impl Primitives, ray: &Ray, best: &mut Best) -> Ending {
+        let Some(mut here) = Part::root(&self.bounds, ray) else { return Ending::Outside };
         let mut stack = Stack::below(here);
         let mut mailbox = Mailbox::new();
 
@@ -121,13 +121,13 @@ impl StrippedKd {
                     let refs = &self.refs[first as usize..(first + count) as usize];
                     test_each(refs, self.mailbox.then_some(&mut mailbox), prims, ray, best);
                     if best.answered() {
-                        return;
+                        return Ending::Found;
                     }
                 }
             }
             here = match stack.next(best) {
-                Some(part) => part,
-                None => return,
+                Ok(part) => part,
+                Err(why) => return why,
             };
         }
     }
@@ -187,14 +187,16 @@ impl Stack {
     }
 
     #[inline]
-    fn next(&mut self, best: &Best) -> Option<Part> {
+    fn next(&mut self, best: &Best) -> Result<Part, Ending> {
+        let mut why = Ending::Exhausted;
         while self.len > 0 {
             self.len -= 1;
             let part = self.parts[self.len];
             if !best.rules_out(part.live.near) {
-                return Some(part);
+                return Ok(part);
             }
+            why = Ending::Settled;
         }
-        None
+        Err(why)
     }
 }
