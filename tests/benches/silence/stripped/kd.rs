@@ -1,6 +1,8 @@
 //! The walk of the kd-tree, stripped.
 
-use raystep_accel::{Aabb, Accel, Axis, Ending, Hit, Interval, Kd, List, Margin, NodeId, PrimId, Primitives, Ray, Side, Want};
+use raystep_accel::{
+    Aabb, Accel, Axis, Ending, Hit, Interval, Kd, List, Margin, NodeId, PrimId, Primitives, Ray, Side, Want,
+};
 
 use super::{Best, Mailbox, slab, test_each};
 
@@ -27,20 +29,6 @@ enum Kind {
 struct Upright {
     axis: Axis,
     at: f32,
-}
-
-/// A plane and the ray along the plane's direction.
-struct Crossing {
-    plane: f32,
-    o: f32,
-    d: f32,
-}
-
-impl Upright {
-    #[inline]
-    fn across(self, ray: &Ray) -> Crossing {
-        Crossing { plane: self.at, o: ray.o[self.axis], d: ray.d[self.axis] }
-    }
 }
 
 impl Node {
@@ -108,7 +96,7 @@ impl StrippedKd {
         loop {
             match self.nodes[here.node.index()].kind() {
                 Kind::Inner { plane, below, above } => {
-                    here = match split(here, plane.across(ray), [below, above]) {
+                    here = match split(here, plane, ray, [below, above]) {
                         (near, None) => near,
                         (near, Some(far)) => {
                             stack.push(far);
@@ -145,8 +133,14 @@ impl Part {
 }
 
 #[inline]
-fn split(here: Part, Crossing { plane, o, d }: Crossing, [below, above]: [NodeId; 2]) -> (Part, Option<Part>) {
+fn split(
+    here: Part,
+    Upright { axis, at: plane }: Upright,
+    ray: &Ray,
+    [below, above]: [NodeId; 2],
+) -> (Part, Option<Part>) {
     let Interval { near: t_near, far: t_far } = here.live;
+    let (o, d) = (ray.o[axis], ray.d[axis]);
     let t = (plane - o) / d;
     let from_below = if d == 0.0 { o <= plane } else { d > 0.0 };
     let (near, far) = if from_below { (below, above) } else { (above, below) };
