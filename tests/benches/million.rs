@@ -17,7 +17,7 @@ use raystep_tests::rules::rule;
 const STEPS: [u32; 5] = [126, 63, 32, 16, 8];
 
 /// How long a builder has, unless the command line says otherwise.
-const SECONDS: u64 = 60;
+const SECONDS: u64 = 180;
 
 /// Every kind, and every builder of a hierarchy with every volume.
 const RULES: &[&str] = &[
