@@ -4,7 +4,7 @@ use std::path::Path;
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use raystep_accel::{Accel, List, Primitives, Random, Ray, Rule, Structure};
+use raystep_accel::{Accel, List, Primitives, Prims, Random, Ray, Rule, Structure};
 use raystep_scene::trial::{rays::Targets, scenes::cases_of, sphere};
 use raystep_scene::{Scene, scene_names};
 
@@ -139,17 +139,20 @@ impl Campaign<'_> {
                     Difference { scene: &stage.scene.name, line, ray, right, found }.keep(self.keep);
                 }
             }
-            if number.is_multiple_of(SAMPLE) && has_no_end(&ray) {
-                tally.referee += Sample::of(&ray, right, referee::nearest(prims, &ray));
+            if number.is_multiple_of(SAMPLE) && is_for_the_referee(prims, &ray) {
+                let mut sample = Sample::of(prims, &ray, right, referee::nearest(prims, &ray));
+                sample.riddle = sample.riddle.map(|ray| format!("{}, {ray}", stage.scene.name));
+                tally.referee += sample;
             }
         }
         tally
     }
 }
 
-/// The referee rounds otherwise: a ray that ends at its very hit is not for him.
-fn has_no_end(ray: &Ray) -> bool {
-    ray.t_min == 0.0 && ray.t_max == f32::INFINITY
+/// The referee rounds otherwise: a ray that ends at its very hit is not for him. And of an instance he would
+/// see the box only.
+fn is_for_the_referee(prims: &Prims, ray: &Ray) -> bool {
+    ray.t_min == 0.0 && ray.t_max == f32::INFINITY && !matches!(prims, Prims::Instances(_))
 }
 
 /// The scenes that a seed draws by lot.

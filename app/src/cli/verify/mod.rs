@@ -1,6 +1,7 @@
 //! `raystep verify`: every structure against brute force, and brute force against double precision.
 
 mod campaign;
+mod cause;
 mod kept;
 mod referee;
 mod tally;

@@ -7,7 +7,12 @@ use raystep_accel::{Cone, Cylinder, Obb, Polygon, PrimId, Primitives, Ray, Shape
 
 /// The nearest hit and its t.
 pub(super) fn nearest(prims: &impl Primitives, ray: &Ray) -> Option<(f64, PrimId)> {
-    let line = Line { o: ray.o.as_dvec3(), d: ray.d.as_dvec3() };
+    nearest_moved(prims, ray, DVec3::ZERO)
+}
+
+/// The same for the ray that begins so far from where this one does.
+pub(super) fn nearest_moved(prims: &impl Primitives, ray: &Ray, by: DVec3) -> Option<(f64, PrimId)> {
+    let line = Line { o: ray.o.as_dvec3() + by, d: ray.d.as_dvec3() };
     let in_range = |t: &f64| f64::from(ray.t_min) <= *t && *t <= f64::from(ray.t_max);
     let mut best: Option<(f64, PrimId)> = None;
     for prim in (0..prims.len() as u32).map(PrimId) {
@@ -191,7 +196,7 @@ mod tests {
                 let right = nearest(prims, &ray);
                 hits += u32::from(right.is_some());
                 let found = raystep_accel::Accel::intersect(&raystep_accel::List, prims, &ray, &mut ());
-                sample += Sample::of(&ray, found, right);
+                sample += Sample::of(prims, &ray, found, right);
             }
             assert!(hits > 300, "shape {i}: {hits}");
             assert!(sample.to_string().contains(": 0 (0.0 %) differ"), "shape {i}: {sample}");

@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::AddAssign;
 
-use raystep_accel::{Hit, PrimId, Ray};
+use raystep_accel::{Hit, PrimId, Primitives, Ray};
 
+use super::cause::{CAUSES, cause};
 use super::{counted, percent, thousands};
 
 /// What came of some rays.
@@ -44,7 +45,7 @@ impl AddAssign for Tally {
 }
 
 /// Brute force in single precision against the referee in double precision.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Sample {
     rays: u64,
     /// Only the referee hits something.
@@ -53,6 +54,10 @@ pub(super) struct Sample {
     gained: u64,
     /// Both hit, at different places.
     elsewhere: u64,
+    /// How many differences have which of [`CAUSES`].
+    causes: [u64; CAUSES.len()],
+    /// The first ray that is not explained.
+    pub(super) riddle: Option<String>,
     /// The largest relative error of t where both hit at the same place.
     error: f64,
 }
@@ -61,26 +66,42 @@ pub(super) struct Sample {
 const APART: f64 = 1e-4;
 
 impl Sample {
-    /// One ray's answers compared.
-    pub(super) fn of(ray: &Ray, found: Option<Hit>, right: Option<(f64, PrimId)>) -> Sample {
+    /// One ray's answers compared: what brute force `found`, and what is `right`.
+    pub(super) fn of(prims: &impl Primitives, ray: &Ray, found: Option<Hit>, right: Option<(f64, PrimId)>) -> Sample {
         let mut sample = Sample { rays: 1, ..Sample::default() };
+        let found = found.map(|hit| (f64::from(hit.t), hit.prim));
+        if is_same(ray, found, right, 0.0) {
+            sample.error = found.zip(right).map_or(0.0, |(found, right)| error(ray, found.0, right.0, 0.0));
+            return sample;
+        }
         match (found, right) {
-            (None, None) => {}
-            (None, Some(_)) => sample.lost = 1,
-            (Some(_), None) => sample.gained = 1,
-            (Some(found), Some((t, _))) => {
-                // A hit at the origin itself has no relative error but that of the origin's own coordinates.
-                let (o, d) = (ray.o.as_dvec3(), ray.d.as_dvec3());
-                let least = o.length() * f64::from(f32::EPSILON) / d.length();
-                let error = (f64::from(found.t) - t).abs() / t.abs().max(least).max(f64::from(f32::MIN_POSITIVE));
-                if error > APART {
-                    sample.elsewhere = 1;
-                } else {
-                    sample.error = error;
-                }
-            }
+            (None, _) => sample.lost = 1,
+            (_, None) => sample.gained = 1,
+            _ => sample.elsewhere = 1,
+        }
+        let cause = cause(prims, ray, found, right);
+        sample.causes[cause] = 1;
+        if cause + 1 == CAUSES.len() {
+            sample.riddle = Some(format!("{ray:?}"));
         }
         sample
+    }
+}
+
+/// By how much of itself t differs, beyond `slack`.
+fn error(ray: &Ray, found: f64, t: f64, slack: f64) -> f64 {
+    // A hit at the origin itself has no relative error but that of the origin's own coordinates.
+    let (o, d) = (ray.o.as_dvec3(), ray.d.as_dvec3());
+    let least = o.length() * f64::from(f32::EPSILON) / d.length();
+    ((found - t).abs() - slack).max(0.0) / t.abs().max(least).max(f64::from(f32::MIN_POSITIVE))
+}
+
+/// Whether two answers are hits at the same place, or none.
+pub(super) fn is_same(ray: &Ray, a: Option<(f64, PrimId)>, b: Option<(f64, PrimId)>, slack: f64) -> bool {
+    match (a, b) {
+        (None, None) => true,
+        (Some((a, _)), Some((b, _))) => error(ray, a, b, slack) <= APART,
+        _ => false,
     }
 }
 
@@ -90,6 +111,8 @@ impl AddAssign for Sample {
         self.lost += other.lost;
         self.gained += other.gained;
         self.elsewhere += other.elsewhere;
+        self.causes.iter_mut().zip(other.causes).for_each(|(own, more)| *own += more);
+        self.riddle = self.riddle.take().or(other.riddle);
         self.error = self.error.max(other.error);
     }
 }
@@ -99,7 +122,7 @@ impl fmt::Display for Sample {
         let differ = self.lost + self.gained + self.elsewhere;
         writeln!(
             f,
-            "Brute force against double precision, on {}: {} ({}) differ, as a ray at an edge may \
+            "Brute force against double precision, on {}: {} ({}) differ \
              ({} only in double precision, {} only in brute force, {} elsewhere); \
              where both hit, t differs by {:.1e} of itself at most.",
             counted(self.rays, "ray"),
@@ -109,6 +132,16 @@ impl fmt::Display for Sample {
             thousands(self.gained),
             thousands(self.elsewhere),
             self.error
-        )
+        )?;
+        if differ > 0 {
+            writeln!(f, "Where they differ, brute force is")?;
+        }
+        for (cause, &rays) in CAUSES.iter().zip(&self.causes).filter(|(_, rays)| **rays > 0) {
+            writeln!(f, "  {cause:<60}{:>12}{:>12}", thousands(rays), percent(rays, differ))?;
+        }
+        if let Some(riddle) = &self.riddle {
+            writeln!(f, "  the first of them: {riddle}")?;
+        }
+        Ok(())
     }
 }
