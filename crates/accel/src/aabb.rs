@@ -27,6 +27,21 @@ impl Aabb {
         points.into_iter().fold(Aabb::EMPTY, Aabb::with_point)
     }
 
+    /// The smallest box around everything no further than `reach` from `center`, rounded outward: what touches its
+    /// faces lies in it.
+    pub fn reaching(center: Vec3, reach: Vec3) -> Aabb {
+        let (center, reach) = (center.as_dvec3(), reach.as_dvec3());
+        let down = |exact: f64| {
+            let near = exact as f32;
+            if f64::from(near) > exact { near.next_down() } else { near }
+        };
+        let (min, max) = (center - reach, center + reach);
+        Aabb {
+            min: Vec3::new(down(min.x), down(min.y), down(min.z)),
+            max: -Vec3::new(down(-max.x), down(-max.y), down(-max.z)),
+        }
+    }
+
     /// Whether it holds no point.
     #[inline]
     pub fn is_empty(&self) -> bool {

@@ -25,7 +25,7 @@ impl Obb {
     pub fn bounds(&self) -> Aabb {
         let [u, v, w] = self.axes.map(Vec3::abs);
         let reach = (u * self.half.x + v * self.half.y + w * self.half.z) * (1.0 + 4.0 * f32::EPSILON);
-        Aabb { min: self.center - reach, max: self.center + reach }
+        Aabb::reaching(self.center, reach)
     }
 
     /// Its corners: bit `i` of a corner's number says which way it lies along axis `i`.

@@ -121,6 +121,29 @@ fn a_ray_from_inside_leaves_a_solid_once_more_than_it_enters() {
 }
 
 #[test]
+fn a_ray_that_starts_close_to_a_pole_meets_the_ball_there() {
+    let random = &mut Random::new(5);
+    for _ in 0..4000 {
+        let (center, radius) = (point(random, 10.0), random.range(0.01, 5.0));
+        let ball = Shape::Sphere(Sphere { center, radius });
+        for out in Vec3::AXES.into_iter().flat_map(|axis| [axis, -axis]) {
+            let off = random.range(1.0, 22.0).exp2().recip();
+            for o in [1.0 - off, 1.0 + off].map(|part| center + out * (radius * part)) {
+                // From inside outward, from outside inward: the pole is as far away as the origin is deep or high.
+                let deep = depth(&ball, o.as_dvec3());
+                let d = if deep > 0.0 { out } else { -out };
+                let t = ball.intersect(&Ray::new(o, d).unwrap());
+                let t = t.unwrap_or_else(|| panic!("{ball:?} is not met from {o} along {d}"));
+                assert!(
+                    (f64::from(t) - deep.abs()).abs() <= f64::from(8.0 * f32::EPSILON * t),
+                    "{ball:?} from {o}: {t}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn a_box_around_a_solid_holds_all_of_it_and_a_clip_all_of_the_part() {
     let random = &mut Random::new(4);
     let mut kept = 0;

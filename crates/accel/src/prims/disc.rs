@@ -24,7 +24,7 @@ impl Disc {
         let part = DVec3::new(n2.y + n2.z, n2.z + n2.x, n2.x + n2.y) / n2.element_sum();
         let reach = (DVec3::new(part.x.sqrt(), part.y.sqrt(), part.z.sqrt()) * f64::from(self.radius)).as_vec3()
             * (1.0 + 2.0 * f32::EPSILON);
-        Aabb { min: self.center - reach, max: self.center + reach }
+        Aabb::reaching(self.center, reach)
     }
 
     /// A small box around the part of its box that lies in `bounds`; empty if the plane passes beside.

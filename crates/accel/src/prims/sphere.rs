@@ -16,7 +16,7 @@ pub struct Sphere {
 impl Sphere {
     /// The smallest box around it.
     pub fn bounds(&self) -> Aabb {
-        Aabb { min: self.center - self.radius, max: self.center + self.radius }
+        Aabb::reaching(self.center, Vec3::splat(self.radius))
     }
 
     /// A small box around the part of the ball that lies in `bounds`.
