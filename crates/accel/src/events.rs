@@ -1,7 +1,7 @@
 //! How an event vocabulary is written down: a table of variants, from which names, fields and their
 //! values follow. Slides, listings and questions refer to events by these names.
 
-use crate::{Aabb, Axis, CellId, Lanes, NodeId, Place, PrimId};
+use crate::{Aabb, Axis, CellId, Direction, Lanes, NodeId, Place, PrimId};
 
 /// The value of one field of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +45,18 @@ value_from! {
     NodeId => |id| Value::Place(Place::Node(id));
     CellId => |id| Value::Place(Place::Cell(id));
     PrimId => |id| Value::Place(Place::Prim(id));
+}
+
+impl From<Direction> for Value {
+    /// An axis where it is one, else its name.
+    fn from(value: Direction) -> Value {
+        match value {
+            Direction::Along(axis) => Value::Axis(axis),
+            Direction::Own(_) => Value::Word(value.name(), &["u", "v", "w"]),
+            Direction::Slanted(_) => Value::Word(value.name(), &Direction::SLANTED),
+            Direction::Normal => Value::Word(value.name(), &["n"]),
+        }
+    }
 }
 
 /// Declares an enum of events with, for each variant, the names it can go by and its fields.

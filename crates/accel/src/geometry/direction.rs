@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::{Axis, Value};
+use crate::Axis;
 
 /// The direction across which a slab or a plane stands.
 ///
@@ -66,17 +66,5 @@ impl From<Axis> for Direction {
 impl std::fmt::Display for Direction {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.name())
-    }
-}
-
-impl From<Direction> for Value {
-    /// An axis where it is one, else its name.
-    fn from(value: Direction) -> Value {
-        match value {
-            Direction::Along(axis) => Value::Axis(axis),
-            Direction::Own(_) => Value::Word(value.name(), &["u", "v", "w"]),
-            Direction::Slanted(_) => Value::Word(value.name(), &Direction::SLANTED),
-            Direction::Normal => Value::Word(value.name(), &["n"]),
-        }
     }
 }

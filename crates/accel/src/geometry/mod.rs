@@ -1,0 +1,15 @@
+//! Points, rays and boxes: what everything else is said in.
+
+mod aabb;
+mod axis;
+mod direction;
+mod interval;
+mod obb;
+mod ray;
+
+pub use aabb::Aabb;
+pub use axis::{Axes, Axis, Measure};
+pub use direction::Direction;
+pub use interval::Interval;
+pub use obb::Obb;
+pub use ray::{Hit, Ray, RayError};
