@@ -66,24 +66,6 @@ impl Aabb {
         Aabb { min: self.min.max(other.min), max: self.max.min(other.max) }
     }
 
-    /// Whether the two share a point; touching counts.
-    #[inline]
-    pub fn touches(&self, other: &Aabb) -> bool {
-        self.overlaps(other, &mut ())
-    }
-
-    /// Whether `p` lies in it, faces included.
-    #[inline]
-    pub fn contains(&self, p: Vec3) -> bool {
-        self.holds(p, &mut ())
-    }
-
-    /// Whether all of `other` lies in it.
-    #[inline]
-    pub fn encloses(&self, other: &Aabb) -> bool {
-        other.is_empty() || (self.contains(other.min) && self.contains(other.max))
-    }
-
     /// Widened by `by` on all sides.
     #[inline]
     pub fn padded(self, by: f32) -> Aabb {

@@ -35,10 +35,4 @@ impl Obb {
             self.center + along(0) + along(1) + along(2)
         })
     }
-
-    /// A small box around the part of its box that lies in `bounds`; empty if the two are apart.
-    pub fn clip(&self, bounds: &Aabb) -> Aabb {
-        let part = self.bounds().intersection(*bounds);
-        if part.is_empty() || self.overlaps(&Obb::from_aabb(&part), &mut ()) { part } else { Aabb::EMPTY }
-    }
 }

@@ -17,4 +17,10 @@ impl Aabb {
             overlap
         })
     }
+
+    /// Whether the two share a point; touching counts.
+    #[inline]
+    pub fn touches(&self, other: &Aabb) -> bool {
+        self.overlaps(other, &mut ())
+    }
 }

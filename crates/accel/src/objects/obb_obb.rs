@@ -4,7 +4,7 @@
 use glam::{DVec3, Vec3};
 
 use super::{Part, Probe};
-use crate::{Obb, Observer};
+use crate::{Aabb, Obb, Observer};
 
 /// Edges this near to parallel have no direction across both; the faces decide then.
 const PARALLEL: f64 = 1e-12;
@@ -39,5 +39,11 @@ impl Obb {
                     .map(|other| edge.cross(*other))
                     .all(|along| along.length_squared() <= PARALLEL || overlap_along(Part::Edges, along))
             })
+    }
+
+    /// A small box around the part of its box that lies in `bounds`; empty if the two are apart.
+    pub fn clip(&self, bounds: &Aabb) -> Aabb {
+        let part = self.bounds().intersection(*bounds);
+        if part.is_empty() || self.overlaps(&Obb::from_aabb(&part), &mut ()) { part } else { Aabb::EMPTY }
     }
 }

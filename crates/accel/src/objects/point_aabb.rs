@@ -16,4 +16,16 @@ impl Aabb {
             inside
         })
     }
+
+    /// Whether `p` lies in it, faces included.
+    #[inline]
+    pub fn contains(&self, p: Vec3) -> bool {
+        self.holds(p, &mut ())
+    }
+
+    /// Whether all of `other` lies in it.
+    #[inline]
+    pub fn encloses(&self, other: &Aabb) -> bool {
+        other.is_empty() || (self.contains(other.min) && self.contains(other.max))
+    }
 }
