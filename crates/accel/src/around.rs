@@ -1,6 +1,6 @@
 //! The box around everything, slide 29: it begins empty and grows by one primitive after the other.
 
-use crate::watch::BETWEEN_LOOKS;
+use crate::events::BETWEEN_LOOKS;
 use crate::{Aabb, Cancelled, Grow, Observer, PrimId, Primitives};
 
 /// The box around all primitives.

@@ -12,13 +12,10 @@ mod around;
 mod best;
 mod bsp;
 mod bvh;
-mod event;
 mod events;
 mod geometry;
 mod grid;
-mod grow;
 mod halving;
-mod ids;
 mod instancing;
 mod kd;
 mod list;
@@ -35,21 +32,19 @@ mod rule;
 mod slab;
 mod stack;
 mod structure;
-mod visit;
 mod volume;
-mod watch;
 
 pub(crate) use around::around;
 pub use best::{Best, Want, test};
 pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};
 pub use bvh::{AnyBvh, Bvh, Draft, Spans};
-pub use event::Event;
-pub use events::Value;
+pub use events::{
+    Cancelled, CellId, Cost, Each, Ending, Event, Grain, Grow, Lanes, LeafReason, NodeId, Observer, Place, PrimId,
+    Probed, Side, Trace, Value, Verdict, Visit,
+};
 pub use geometry::{Aabb, Axes, Axis, Direction, Hit, Interval, Measure, Obb, Ray, RayError};
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
-pub use grow::{Grow, LeafReason};
 pub use halving::PlaneTest;
-pub use ids::{CellId, NodeId, Place, PrimId};
 pub use instancing::{Instance, Instances, Model, Transform, TransformError};
 pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upright, Word};
 pub use list::List;
@@ -58,7 +53,7 @@ pub use mistakes::{Example, Mistake};
 pub use objects::{Body, Cover, Frustum, Kind, PAIRS, Pair, Part, Plane, Probe, Step, Steps, Watch};
 pub use octree::{Octree, Outside};
 pub use one_box::OneBox;
-pub use packet::{Abreast, Fill, Found, Lanes, Packet, PacketStep, PacketVisit, WalkPackets, Width};
+pub use packet::{Abreast, Fill, Found, Packet, PacketStep, PacketVisit, WalkPackets, Width};
 pub use prims::{Cone, Corner, Cylinder, Disc, Mesh, Polygon, Primitives, Prims, Prism, Shape, Sphere, Triangle, Wall};
 pub use random::Random;
 pub use rule::{
@@ -67,9 +62,7 @@ pub use rule::{
 };
 pub use slab::slab;
 pub use structure::Structure;
-pub use visit::{Ending, Grain, Probed, Side, Verdict, Visit};
 pub use volume::{Appraisal, Hull, KDop, Outline, Volume, outline};
-pub use watch::{Cancelled, Cost, Each, Observer, Trace};
 
 /// What every structure of this crate can do with a ray: slides 7 and 21, whatever lies between.
 pub trait Accel {

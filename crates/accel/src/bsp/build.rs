@@ -4,8 +4,8 @@
 use super::choice::{Scale, sides};
 use super::fragment::Fragment;
 use super::{Bsp, BspNode, ConvexCell, FreePlane};
+use crate::events::patiently;
 use crate::halving::{Cutter, Half, Stops};
-use crate::watch::patiently;
 use crate::{Aabb, BspRule, Cancelled, Grow, Margin, NodeId, Observer, PrimId, Primitives, Random, Straddlers};
 
 impl Bsp {

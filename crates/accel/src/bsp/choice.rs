@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::fragment::{Fragment, Proposal, proposals};
 use super::{ConvexCell, FreePlane};
-use crate::watch::BETWEEN_LOOKS;
+use crate::events::BETWEEN_LOOKS;
 use crate::{Axes, BspPlanes, BspRule, Cancelled, Grow, NodeId, Observer, Place, Primitives, Random};
 
 /// Planes stand a little further beside a fragment than it is padded, so that it lies on one side of them

@@ -1,7 +1,7 @@
 //! A few evenly spaced planes are weighed (Wald, "On fast construction of SAH-based BVHs", 2007).
 
 use super::split::{Choice, Part, Splitter};
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{Aabb, Axis, Cancelled, Grow, NodeId, Observer};
 
 /// The primitives whose centres lie between two neighbouring planes.

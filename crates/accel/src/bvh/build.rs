@@ -3,7 +3,7 @@
 use super::sapling::Sapling;
 use super::split::{Part, Splitter};
 use super::{Bvh, BvhNode, bottom_up, insertion, ploc};
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{
     Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume, around,
 };

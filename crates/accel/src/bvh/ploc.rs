@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::draft::Draft;
 use super::sapling::Sapling;
-use crate::watch::{BETWEEN_LOOKS, patiently, sort_patiently};
+use crate::events::{BETWEEN_LOOKS, patiently, sort_patiently};
 use crate::{Aabb, Cancelled, Grow, Observer, Primitives};
 
 /// Joins everything; the root.

@@ -3,7 +3,7 @@
 use super::build::SAH_DEPTH;
 use super::draft::Draft;
 use super::{Bvh, BvhNode};
-use crate::watch::BETWEEN_LOOKS;
+use crate::events::BETWEEN_LOOKS;
 use crate::{Aabb, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume};
 
 /// A node of a tree in the making.

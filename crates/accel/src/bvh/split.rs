@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::Vec3;
 
 use super::{binned, sweep};
-use crate::watch::{patiently, sort_patiently};
+use crate::events::{patiently, sort_patiently};
 use crate::{Aabb, Axis, BvhRule, BvhSplit, Cancelled, Grow, NodeId, Observer, PrimId};
 
 /// The primitives of one node: a stretch of every order.

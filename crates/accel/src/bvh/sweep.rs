@@ -1,7 +1,7 @@
 //! The cheapest place of all: every division along every axis is weighed.
 
 use super::split::{Choice, Part, Splitter};
-use crate::watch::{BETWEEN_LOOKS, patiently};
+use crate::events::{BETWEEN_LOOKS, patiently};
 use crate::{Aabb, Cancelled, Grow, NodeId, Observer};
 
 /// Finds the division with the least expected cost; the first of equals.

@@ -3,7 +3,7 @@
 use super::cells::Reference;
 use super::resolution::{Room, asked};
 use super::{Dense, Grid, GridOf, Lattice};
-use crate::watch::{BETWEEN_LOOKS, patiently};
+use crate::events::{BETWEEN_LOOKS, patiently};
 use crate::{Aabb, Axis, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives, around};
 
 impl Grid {

@@ -1,7 +1,7 @@
 //! What cells refer to: the trait behind all grids, and the plain array of slides 18 and 20.
 
 use super::Lattice;
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{Cancelled, CellId, Grow, Observer, PrimId, Visit};
 
 /// A reference from a cell to a primitive.

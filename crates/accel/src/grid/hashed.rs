@@ -2,7 +2,7 @@
 
 use super::cells::Reference;
 use super::{Cells, Dense, GridOf};
-use crate::watch::{patiently, sort_patiently};
+use crate::events::{patiently, sort_patiently};
 use crate::{Cancelled, CellId, GridRule, Grow, Observer, PrimId, Primitives, Probed, Visit};
 
 /// A uniform grid whose occupied cells are found by hashing. It has the cells of the plain one, and a walk

@@ -5,7 +5,7 @@ use std::cmp::Reverse;
 use super::build::Building;
 use super::cells::Reference;
 use super::{Cells, Dense, GridOf, Lattice};
-use crate::watch::{patiently, sort_patiently};
+use crate::events::{patiently, sort_patiently};
 use crate::{Aabb, Cancelled, CellId, GridRule, Grow, Margin, NestedRule, Observer, PrimId, Primitives, Visit};
 
 /// A coarse grid in which each cell with many primitives holds a finer grid, and so on for some levels.

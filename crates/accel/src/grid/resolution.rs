@@ -1,7 +1,7 @@
 //! How many cells, slide 17.
 
 use super::Lattice;
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{Aabb, Axes, Axis, Cancelled, GridRule, Grow, Observer, Resolution};
 
 /// No grid has more cells than this, nor have all the grids within its cells.

@@ -3,7 +3,7 @@
 use glam::Vec3;
 
 use super::node::Upright;
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{Aabb, Axis, Cancelled, Grow, Observer, PrimId, Primitives};
 
 /// A primitive and the box around what of it lies in the node, `pad` larger than that part on all sides

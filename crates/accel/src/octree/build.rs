@@ -1,7 +1,7 @@
 //! Building an octree, slide 43: the bounding box, then eight equal cells, until few enough or deep enough.
 
 use super::{Node, Octree};
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{
     Aabb, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, OctreeRule, Place, PrimId, Primitives, around,
 };

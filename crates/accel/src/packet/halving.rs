@@ -1,11 +1,11 @@
 //! A packet walks a kd-tree or a BSP tree: every lane splits its own interval.
 
 use super::walk::{Part, Walk};
-use super::{Found, Lanes, Packet, PacketVisit, WalkPackets};
+use super::{Found, Packet, PacketVisit, WalkPackets};
 use crate::halving::{Halving, Node, Plane, split};
 use crate::mailbox::Mailbox;
 use crate::stack::Part as LanePart;
-use crate::{Accel, List, NodeId, Observer, Primitives, Visit, Want};
+use crate::{Accel, Lanes, List, NodeId, Observer, Primitives, Visit, Want};
 
 impl<N: Node> WalkPackets for Halving<N> {
     fn walk_packet(

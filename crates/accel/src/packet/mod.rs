@@ -6,16 +6,14 @@
 mod bvh;
 mod fill;
 mod halving;
-mod lanes;
 mod visit;
 mod walk;
 
 pub use fill::Fill;
-pub use lanes::Lanes;
 pub use visit::{Abreast, PacketStep, PacketVisit};
 
 use crate::events::words;
-use crate::{Hit, Observer, Primitives, Ray, Structure, Want};
+use crate::{Hit, Lanes, Observer, Primitives, Ray, Structure, Want};
 
 words! {
     /// How many rays walk together.

@@ -1,8 +1,7 @@
 //! The vocabulary of packets: what several rays do abreast, with the lanes that take part.
 
-use super::Lanes;
 use crate::events::vocabulary;
-use crate::{Grain, NodeId, Place, PrimId, Value, Visit};
+use crate::{Grain, Lanes, NodeId, Place, PrimId, Value, Visit};
 
 /// One thing that a packet did.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -20,7 +20,7 @@ pub use outline::Outline;
 pub use quickhull::outline;
 
 use crate::bvh::Draft;
-use crate::watch::{BETWEEN_LOOKS, patiently};
+use crate::events::{BETWEEN_LOOKS, patiently};
 use crate::{Aabb, Axes, Cancelled, Corner, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit};
 
 /// A shape that holds a set of primitives and is tested before any of them.

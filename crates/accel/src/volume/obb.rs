@@ -4,7 +4,7 @@ use glam::{DMat3, DVec3, Vec3};
 
 use super::{Outline, Volume, corners, slack, span, spans};
 use crate::bvh::Spans;
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{
     Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit,
 };

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use glam::{DVec2, DVec3};
 
-use crate::watch::patiently;
+use crate::events::patiently;
 use crate::{Cancelled, Grow, Observer};
 
 /// A plane of a hull: the hull lies where `n · p ≤ offset`.

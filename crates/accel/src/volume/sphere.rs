@@ -5,8 +5,8 @@ use std::f32::consts::PI;
 use glam::{DMat3, DVec3};
 
 use super::{Outline, Volume, corners, slack};
+use crate::events::patiently;
 use crate::slab::{earlier, later};
-use crate::watch::patiently;
 use crate::{
     Aabb, Axes, Cancelled, Corner, Each, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Probe, Ray,
     Sphere, Visit,

@@ -1,6 +1,6 @@
 //! An event of a walk or of a build, for whoever shows both.
 
-use crate::{Grain, Grow, Place, Value, Visit};
+use super::{Grain, Grow, Place, Value, Visit};
 
 /// Something that a walk or a builder did.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! The vocabulary of walks: what a ray does in any structure, in the order it does it.
 
-use crate::events::{vocabulary, words};
-use crate::{Axis, CellId, Direction, NodeId, Place, PrimId};
+use super::{CellId, NodeId, Place, PrimId, vocabulary, words};
+use crate::{Axis, Direction};
 
 words! {
     /// What became of a tested volume.

@@ -1,8 +1,7 @@
 //! The vocabulary of builders: what a structure does while it grows. Folding it rebuilds the structure.
 
-use crate::Aabb;
-use crate::events::{vocabulary, words};
-use crate::{CellId, Direction, Grain, NodeId, Place, PrimId};
+use super::{CellId, Grain, NodeId, Place, PrimId, vocabulary, words};
+use crate::{Aabb, Direction};
 
 words! {
     /// Why a node was not split further.

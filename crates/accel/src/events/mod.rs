@@ -1,0 +1,24 @@
+//! What is told: the events of walks and of builds, the places that they are about, and who listens.
+
+mod cost;
+mod either;
+mod grow;
+mod lanes;
+mod observer;
+mod place;
+mod trace;
+mod value;
+mod visit;
+mod vocabulary;
+
+pub use cost::Cost;
+pub use either::Event;
+pub use grow::{Grow, LeafReason};
+pub use lanes::Lanes;
+pub(crate) use observer::{BETWEEN_LOOKS, patiently, sort_patiently};
+pub use observer::{Cancelled, Each, Observer};
+pub use place::{CellId, NodeId, Place, PrimId};
+pub use trace::Trace;
+pub use value::Value;
+pub use visit::{Ending, Grain, Probed, Side, Verdict, Visit};
+pub(crate) use vocabulary::{vocabulary, words};
