@@ -50,11 +50,14 @@ pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upr
 pub use list::List;
 pub use margin::Margin;
 pub use mistakes::{Example, Mistake};
-pub use objects::{Body, Cover, Frustum, Kind, PAIRS, Pair, Part, Plane, Probe, Step, Steps, Watch};
+pub use objects::{
+    Body, Cone, Corner, Cover, Cylinder, Disc, Frustum, Kind, PAIRS, Pair, Part, Plane, Polygon, Prism, Probe, Shape,
+    Sphere, Step, Steps, Triangle, Wall, Watch,
+};
 pub use octree::{Octree, Outside};
 pub use one_box::OneBox;
 pub use packet::{Abreast, Fill, Found, Packet, PacketStep, PacketVisit, WalkPackets, Width};
-pub use prims::{Cone, Corner, Cylinder, Disc, Mesh, Polygon, Primitives, Prims, Prism, Shape, Sphere, Triangle, Wall};
+pub use prims::{Mesh, Primitives, Prims};
 pub use random::Random;
 pub use rule::{
     Allowed, BspPlanes, BspRule, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit,

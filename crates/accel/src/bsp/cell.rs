@@ -4,7 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::FreePlane;
 use super::fragment::extent;
-use crate::prims::clipped;
+use crate::objects::clipped;
 use crate::{Aabb, Measure};
 
 /// A convex part of space by its faces. Only builders and pictures need it; a walk does without.

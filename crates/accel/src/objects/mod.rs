@@ -1,4 +1,5 @@
-//! Two objects and whether they meet, slide 19: one file a pair, each test observed step by step.
+//! Two objects and whether they meet, slide 19: one file a pair, each test observed step by step; the objects
+//! themselves stand in `shapes`.
 //!
 //! These are the tests that structures use: a walk meets triangles by [`ray_triangle`] and boxes by
 //! [`ray_aabb`], a builder prunes by [`triangle_aabb`]. Unwatched they tell nothing and cost nothing.
@@ -6,13 +7,11 @@
 mod aabb_aabb;
 mod body;
 mod example;
-mod frustum;
 mod frustum_aabb;
 mod inside;
 mod obb_obb;
 mod pairs;
-mod plane;
-pub(crate) mod plane_aabb;
+mod plane_aabb;
 mod point_aabb;
 mod point_cone;
 mod point_cylinder;
@@ -32,17 +31,16 @@ mod ray_plane;
 mod ray_polygon;
 mod ray_sphere;
 mod ray_triangle;
+mod shapes;
 mod sphere_aabb;
 mod step;
 mod triangle_aabb;
 
-pub(crate) use ray_plane::cut;
-
 pub use body::{Body, Kind};
-pub use frustum::Frustum;
 pub use pairs::{PAIRS, Pair};
-pub use plane::Plane;
 pub use probe::{Cover, Part, Probe};
+pub(crate) use shapes::clipped;
+pub use shapes::{Cone, Corner, Cylinder, Disc, Frustum, Plane, Polygon, Prism, Shape, Sphere, Triangle, Wall};
 pub use step::{Step, Steps, Watch};
 
 use glam::DVec3;

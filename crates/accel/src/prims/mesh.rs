@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 
-use super::{Primitives, Shape, Triangle};
-use crate::PrimId;
+use super::Primitives;
+use crate::{PrimId, Shape, Triangle};
 
 /// Corners and the triangles that share them.
 #[derive(Clone, Debug, Default, PartialEq)]

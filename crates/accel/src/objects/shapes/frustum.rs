@@ -2,7 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
-use super::{Part, Plane};
+use super::Plane;
+use crate::objects::Part;
 
 /// A pyramid without its tip, between six planes whose normals point inwards.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,7 +16,7 @@ pub struct Frustum {
 
 impl Frustum {
     /// What the planes are called.
-    pub(super) const SIDES: [Part; 6] = [Part::Left, Part::Right, Part::Bottom, Part::Top, Part::Near, Part::Far];
+    pub(crate) const SIDES: [Part; 6] = [Part::Left, Part::Right, Part::Bottom, Part::Top, Part::Near, Part::Far];
 
     /// What is seen from `eye` along `forward`, from `depth[0]` to `depth[1]` lengths of it. At one length
     /// the view is `2·slope` wide and high; `forward` and `up` are not parallel.

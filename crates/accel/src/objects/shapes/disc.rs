@@ -2,7 +2,8 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::objects::{Cover, Part, Probe, cut, plane_aabb};
+use crate::objects::ray_plane::cut;
+use crate::objects::{Cover, Part, Probe, plane_aabb};
 use crate::{Aabb, Observer, Ray};
 
 /// All points of the plane through `center` with normal `normal` no further than `radius` from `center`.
