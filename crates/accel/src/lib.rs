@@ -9,7 +9,6 @@
 //! machine: single precision in the structures, double precision rounded once where a primitive is met. This crate knows no screen, no file, no thread and no lesson.
 
 mod around;
-mod best;
 mod bsp;
 mod bvh;
 mod events;
@@ -35,17 +34,16 @@ mod structure;
 mod volume;
 
 pub(crate) use around::around;
-pub use best::{Best, Want, test};
 pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};
 pub use bvh::{AnyBvh, Bvh, Draft, Spans};
 pub use events::{
     Cancelled, CellId, Cost, Each, Ending, Event, Grain, Grow, Lanes, LeafReason, NodeId, Observer, Place, PrimId,
     Probed, Side, Trace, Value, Verdict, Visit,
 };
-pub use geometry::{Aabb, Axes, Axis, Direction, Hit, Interval, Measure, Obb, Ray, RayError};
+pub use geometry::{Aabb, Axes, Axis, Direction, Interval, Measure, Obb, Ray, RayError};
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
 pub use halving::PlaneTest;
-pub use instancing::{Instance, Instances, Model, Transform, TransformError};
+pub use instancing::{Instance, Instances, Model, Prims, Transform, TransformError};
 pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upright, Word};
 pub use list::List;
 pub use margin::Margin;
@@ -57,7 +55,7 @@ pub use objects::{
 pub use octree::{Octree, Outside};
 pub use one_box::OneBox;
 pub use packet::{Abreast, Fill, Found, Packet, PacketStep, PacketVisit, WalkPackets, Width};
-pub use prims::{Mesh, Primitives, Prims};
+pub use prims::{Best, Hit, Mesh, Primitives, Want, test};
 pub use random::Random;
 pub use rule::{
     Allowed, BspPlanes, BspRule, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit,

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::{Axes, Axis, Measure};
+use super::{Axes, Axis, Measure};
 
 /// All points between `min` and `max`, faces included. Empty when `min > max` on some axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

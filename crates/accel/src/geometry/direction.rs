@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::Axis;
+use super::Axis;
 
 /// The direction across which a slab or a plane stands.
 ///

@@ -12,4 +12,4 @@ pub use axis::{Axes, Axis, Measure};
 pub use direction::Direction;
 pub use interval::Interval;
 pub use obb::Obb;
-pub use ray::{Hit, Ray, RayError};
+pub use ray::{Ray, RayError};

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::Aabb;
+use super::Aabb;
 
 /// All points `center + u·axes[0] + v·axes[1] + w·axes[2]` with `|u|`, `|v|`, `|w|` at most `half`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,10 @@
-//! A ray and what it can hit.
+//! A ray: where it starts, where it goes, and how much of it counts.
 
 use std::fmt;
 
 use glam::Vec3;
 
-use crate::{Interval, PrimId};
+use super::Interval;
 
 /// The points `o + t·d` with `t` in `[t_min, t_max]`. The direction need not have length one, so `t`
 /// is measured in lengths of `d`. Only [`Ray::new`] makes one, so every ray can be walked.
@@ -31,17 +31,6 @@ pub enum RayError {
     NoDirection,
     /// `t_min` or `t_max` is NaN, or `t_min` is infinite.
     Range,
-}
-
-/// The answer to "what does this ray meet first".
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Hit {
-    /// Where along the ray, in lengths of `d`.
-    pub t: f32,
-    /// What is hit there.
-    pub prim: PrimId,
-    /// If that is an instance, which primitive of the model that it places.
-    pub inner: Option<PrimId>,
 }
 
 impl Ray {

@@ -6,8 +6,10 @@
 
 mod below;
 mod meet;
+mod prims;
 mod transform;
 
+pub use prims::Prims;
 pub use transform::{Transform, TransformError};
 
 use std::sync::Arc;

@@ -1,6 +1,7 @@
 //! The best hit so far, and the one way to test a primitive.
 
-use crate::{Hit, Observer, PrimId, Primitives, Ray, Visit};
+use super::Primitives;
+use crate::{Observer, PrimId, Ray, Visit};
 
 /// Which question a walk answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +10,17 @@ pub enum Want {
     Nearest,
     /// Any hit: a shadow ray.
     Any,
+}
+
+/// The answer to "what does this ray meet first".
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// Where along the ray, in lengths of `d`.
+    pub t: f32,
+    /// What is hit there.
+    pub prim: PrimId,
+    /// If that is an instance, which primitive of the model that it places.
+    pub inner: Option<PrimId>,
 }
 
 /// The best hit so far: smallest t, then smallest id.
