@@ -8,9 +8,9 @@
 //! Arithmetic is `+ − × ÷ √` and comparisons alone, so that the same ray gives the same bits on every
 //! machine: single precision in the structures, double precision rounded once where a primitive is met. This crate knows no screen, no file, no thread and no lesson.
 
-mod around;
 mod bsp;
 mod bvh;
+mod common;
 mod events;
 mod geometry;
 mod grid;
@@ -18,24 +18,21 @@ mod halving;
 mod instancing;
 mod kd;
 mod list;
-mod mailbox;
-mod margin;
 mod mistakes;
 mod objects;
 mod octree;
 mod one_box;
 mod packet;
 mod prims;
-mod random;
 mod rule;
 mod slab;
-mod stack;
 mod structure;
 mod volume;
 
-pub(crate) use around::around;
 pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};
 pub use bvh::{AnyBvh, Bvh, Draft, Spans};
+pub(crate) use common::around;
+pub use common::{Accel, Margin, Random};
 pub use events::{
     Cancelled, CellId, Cost, Each, Ending, Event, Grain, Grow, Lanes, LeafReason, NodeId, Observer, Place, PrimId,
     Probed, Side, Trace, Value, Verdict, Visit,
@@ -46,7 +43,6 @@ pub use halving::PlaneTest;
 pub use instancing::{Instance, Instances, Model, Prims, Transform, TransformError};
 pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upright, Word};
 pub use list::List;
-pub use margin::Margin;
 pub use mistakes::{Example, Mistake};
 pub use objects::{
     Body, Cone, Corner, Cover, Cylinder, Disc, Frustum, Kind, PAIRS, Pair, Part, Plane, Polygon, Prism, Probe, Shape,
@@ -56,7 +52,6 @@ pub use octree::{Octree, Outside};
 pub use one_box::OneBox;
 pub use packet::{Abreast, Fill, Found, Packet, PacketStep, PacketVisit, WalkPackets, Width};
 pub use prims::{Best, Hit, Mesh, Primitives, Want, test};
-pub use random::Random;
 pub use rule::{
     Allowed, BspPlanes, BspRule, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit,
     NestedRule, OctreeRule, Parameter, Resolution, Rule, RuleError, Straddlers,
@@ -64,21 +59,3 @@ pub use rule::{
 pub use slab::slab;
 pub use structure::Structure;
 pub use volume::{Appraisal, Hull, KDop, Outline, Volume, outline};
-
-/// What every structure of this crate can do with a ray: slides 7 and 21, whatever lies between.
-pub trait Accel {
-    /// The nearest hit in `[ray.t_min, ray.t_max]`: smallest `t`, then smallest [`PrimId`].
-    ///
-    /// `prims` must be the primitives that the structure was built over.
-    fn intersect(&self, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {
-        self.walk(prims, ray, Want::Nearest, watch)
-    }
-
-    /// Whether anything is hit in `[ray.t_min, ray.t_max]`; stops at the first hit found.
-    fn occluded(&self, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> bool {
-        self.walk(prims, ray, Want::Any, watch).is_some()
-    }
-
-    /// The walk behind both questions.
-    fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit>;
-}

@@ -2,7 +2,7 @@
 //! grids within cells.
 
 use super::{Cells, GridOf, Lattice};
-use crate::mailbox::{Mailbox, test_each};
+use crate::common::{Mailbox, test_each};
 use crate::{
     Accel, Axis, Best, CellId, Ending, Hit, Interval, List, Observer, Place, PrimId, Primitives, Ray, Verdict, Visit,
     Want, slab,

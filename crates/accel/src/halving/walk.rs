@@ -1,8 +1,7 @@
 //! Walking a tree of planes, slides 33-38: in an inner node split the interval, in a leaf intersect.
 
 use super::{DEEPEST, Halving, Kind, Node, Plane};
-use crate::mailbox::{Mailbox, test_each};
-use crate::stack::{Part, Stack};
+use crate::common::{Mailbox, Part, Stack, test_each};
 use crate::{
     Accel, Best, Direction, Ending, Hit, Interval, List, NodeId, Observer, Primitives, Ray, Side, Visit, Want,
 };

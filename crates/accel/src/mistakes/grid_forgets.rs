@@ -1,7 +1,7 @@
 //! The grid walk that throws away a hit beyond the cell, though its mailbox will skip the primitive.
 
+use crate::common::Mailbox;
 use crate::grid::Crossing;
-use crate::mailbox::Mailbox;
 use crate::{Best, Ending, Grid, Hit, Observer, Primitives, Ray, Visit, Want, test};
 
 pub(super) fn walk(grid: &Grid, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {

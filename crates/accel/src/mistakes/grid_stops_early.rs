@@ -1,7 +1,7 @@
 //! The grid walk that stops at the first hit it finds (slide 16 read literally).
 
+use crate::common::Mailbox;
 use crate::grid::Crossing;
-use crate::mailbox::Mailbox;
 use crate::{Best, Ending, Grid, Hit, Observer, Primitives, Ray, Visit, Want, test};
 
 pub(super) fn walk(grid: &Grid, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {

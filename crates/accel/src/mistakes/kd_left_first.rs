@@ -1,7 +1,7 @@
 //! The kd walk that takes the left child for the near one, whichever way the ray runs.
 
+use crate::common::{Part, Stack};
 use crate::halving::{Crossing, Plane};
-use crate::stack::{Part, Stack};
 use crate::{Best, Ending, Hit, Interval, Kd, NodeId, Observer, Primitives, Ray, Side, Visit, Want, test};
 
 pub(super) fn walk(tree: &Kd, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {

@@ -1,8 +1,8 @@
 //! A ray through an octree, slide 44: as through a kd-tree, with up to four of the eight children in ray order.
 
 use super::{Node, Octree};
-use crate::mailbox::{Mailbox, test_each};
-use crate::stack::Stack;
+use crate::common::Stack;
+use crate::common::{Mailbox, test_each};
 use crate::{
     Aabb, Accel, Axis, Best, Ending, Hit, Interval, List, NodeId, Observer, OctreeRule, Primitives, Ray, Visit, Want,
 };
@@ -11,7 +11,7 @@ use crate::{
 type Child = (u32, Interval);
 
 /// A node, its cell and the part of the ray that may lie in it.
-type Part = crate::stack::Part<Aabb>;
+type Part = crate::common::Part<Aabb>;
 
 /// As many nodes can wait: three beside each that is walked.
 const WAITING: usize = 3 * OctreeRule::DEEPEST as usize;

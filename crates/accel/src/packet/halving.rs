@@ -2,9 +2,8 @@
 
 use super::walk::{Part, Walk};
 use super::{Found, Packet, PacketVisit, WalkPackets};
+use crate::common::{Mailbox, Part as LanePart};
 use crate::halving::{Halving, Node, Plane, split};
-use crate::mailbox::Mailbox;
-use crate::stack::Part as LanePart;
 use crate::{Accel, Lanes, List, NodeId, Observer, Primitives, Visit, Want};
 
 impl<N: Node> WalkPackets for Halving<N> {

@@ -1,7 +1,7 @@
 //! What walks of packets have in common, whatever the tree.
 
 use super::{Abreast, Found, Packet, PacketStep, PacketVisit};
-use crate::mailbox::Mailbox;
+use crate::common::Mailbox;
 use crate::{Best, Interval, Lanes, NodeId, Observer, PrimId, Primitives, Ray, Visit, Want, test};
 
 const EMPTY: Interval = Interval { near: f32::INFINITY, far: f32::NEG_INFINITY };
