@@ -30,7 +30,7 @@ mod structure;
 mod volume;
 
 pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};
-pub use bvh::{AnyBvh, Bvh, Draft, Spans};
+pub use bvh::{AnyBvh, Bvh};
 pub(crate) use common::around;
 pub use common::{Accel, Margin, Random};
 pub use events::{
@@ -58,4 +58,4 @@ pub use rule::{
 };
 pub use slab::slab;
 pub use structure::Structure;
-pub use volume::{Appraisal, Hull, KDop, Outline, Volume, outline};
+pub use volume::{Appraisal, Draft, Hull, KDop, Outline, Spans, Volume, outline};

@@ -2,8 +2,8 @@
 
 use super::Bvh;
 use crate::{
-    Aabb, Accel, BvhRule, BvhVolume, Cancelled, Found, Grow, Hit, Hull, Interval, KDop, NodeId, Obb, Observer, Outline,
-    Packet, PacketVisit, Place, PrimId, Primitives, Ray, Sphere, Visit, Volume, WalkPackets, Want,
+    Aabb, Accel, BvhRule, BvhVolume, Cancelled, Grow, Hit, Hull, Interval, KDop, NodeId, Obb, Observer, Outline, Place,
+    PrimId, Primitives, Ray, Sphere, Visit, Volume, Want,
 };
 
 /// A hierarchy of bounding volumes of one kind.
@@ -110,17 +110,5 @@ impl AnyBvh {
 impl Accel for AnyBvh {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
         each!(self, tree => tree.walk(prims, ray, want, watch))
-    }
-}
-
-impl WalkPackets for AnyBvh {
-    fn walk_packet(
-        &self,
-        prims: &impl Primitives,
-        packet: Packet<'_>,
-        want: Want,
-        watch: &mut impl Observer<PacketVisit>,
-    ) -> Found {
-        each!(self, tree => tree.walk_packet(prims, packet, want, watch))
     }
 }

@@ -3,10 +3,9 @@
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-use super::draft::Draft;
 use super::ploc;
 use super::sapling::{Nearness, Sapling};
-use crate::{Cancelled, Grow, Observer, Primitives};
+use crate::{Cancelled, Draft, Grow, Observer, Primitives};
 
 /// Of more sets than this not all pairs are compared: PLOC joins them until so few are left.
 const MOST: usize = 1 << 14;

@@ -1,9 +1,8 @@
 //! Building a hierarchy by insertion, slide 55: each primitive goes to where the tree grows least (Bittner,
 //! Hapala and Havran, "Incremental BVH construction for ray tracing", 2015), then the way up is straightened.
 
-use super::draft::Draft;
 use super::sapling::Sapling;
-use crate::{Cancelled, Grow, Observer, PrimId, Primitives};
+use crate::{Cancelled, Draft, Grow, Observer, PrimId, Primitives};
 
 /// Inserts everything; the root.
 pub(super) fn insert_all<D: Draft, P: Primitives>(

@@ -4,7 +4,6 @@ mod any;
 mod binned;
 mod bottom_up;
 mod build;
-mod draft;
 mod insertion;
 mod ploc;
 mod sapling;
@@ -14,7 +13,6 @@ mod walk;
 
 pub use any::AnyBvh;
 pub(crate) use any::each;
-pub use draft::{Draft, Spans};
 pub(crate) use walk::{BvhWalk, Met};
 
 use crate::{Aabb, BvhOrder, BvhRule, Cancelled, Grow, NodeId, Observer, PrimId, Primitives, Volume};

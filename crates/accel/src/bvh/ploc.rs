@@ -3,10 +3,9 @@
 
 use glam::Vec3;
 
-use super::draft::Draft;
 use super::sapling::Sapling;
 use crate::events::{BETWEEN_LOOKS, patiently, sort_patiently};
-use crate::{Aabb, Cancelled, Grow, Observer, Primitives};
+use crate::{Aabb, Cancelled, Draft, Grow, Observer, Primitives};
 
 /// Joins everything; the root.
 pub(super) fn join_all<D: Draft, P: Primitives>(

@@ -1,10 +1,9 @@
 //! A tree in the making: sets that are joined and moved until one is left, then laid out.
 
 use super::build::SAH_DEPTH;
-use super::draft::Draft;
 use super::{Bvh, BvhNode};
 use crate::events::BETWEEN_LOOKS;
-use crate::{Aabb, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume};
+use crate::{Aabb, BvhRule, Cancelled, Draft, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume};
 
 /// A node of a tree in the making.
 struct Bud<D> {

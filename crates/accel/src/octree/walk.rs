@@ -1,8 +1,7 @@
 //! A ray through an octree, slide 44: as through a kd-tree, with up to four of the eight children in ray order.
 
 use super::{Node, Octree};
-use crate::common::Stack;
-use crate::common::{Mailbox, test_each};
+use crate::common::{Mailbox, Stack, test_each};
 use crate::{
     Aabb, Accel, Axis, Best, Ending, Hit, Interval, List, NodeId, Observer, OctreeRule, Primitives, Ray, Visit, Want,
 };

@@ -2,8 +2,8 @@
 
 use super::walk::{Part, Walk};
 use super::{Found, Packet, PacketVisit, WalkPackets};
-use crate::bvh::BvhWalk;
-use crate::{Bvh, NodeId, Observer, Primitives, Volume, Want};
+use crate::bvh::{BvhWalk, each};
+use crate::{AnyBvh, Bvh, NodeId, Observer, Primitives, Volume, Want};
 
 impl<V: Volume> WalkPackets for Bvh<V> {
     /// Always in order and with the early exit, whatever the rule says of single rays.
@@ -58,5 +58,17 @@ impl<V: Volume> WalkPackets for Bvh<V> {
             next = next.or_else(|| walk.next());
         }
         walk.end()
+    }
+}
+
+impl WalkPackets for AnyBvh {
+    fn walk_packet(
+        &self,
+        prims: &impl Primitives,
+        packet: Packet<'_>,
+        want: Want,
+        watch: &mut impl Observer<PacketVisit>,
+    ) -> Found {
+        each!(self, tree => tree.walk_packet(prims, packet, want, watch))
     }
 }

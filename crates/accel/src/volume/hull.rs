@@ -3,8 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::quickhull::quickhull;
-use super::{Outline, Volume, corners, slack, spans};
-use crate::bvh::Spans;
+use super::{Outline, Spans, Volume, corners, slack, spans};
 use crate::slab::{earlier, later};
 use crate::{
     Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit,

@@ -2,8 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Outline, Volume, corners, slack, spans};
-use crate::bvh::Spans;
+use super::{Outline, Spans, Volume, corners, slack, spans};
 use crate::slab::Slab;
 use crate::{Aabb, Axes, Cancelled, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 

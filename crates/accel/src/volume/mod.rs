@@ -1,25 +1,26 @@
 //! Bounding volumes, slides 49-52: shapes around sets of primitives that a ray can be tested against first.
 
-mod aabb;
+mod aligned_box;
 mod appraisal;
+mod draft;
 mod hull;
 mod kdop;
-mod obb;
+mod oriented_box;
 mod outline;
 mod quickhull;
-mod sphere;
+mod smallest_sphere;
 
 use std::fmt::Debug;
 
 use glam::{DVec3, Vec3};
 
 pub use appraisal::Appraisal;
+pub use draft::{Draft, Spans};
 pub use hull::Hull;
 pub use kdop::KDop;
 pub use outline::Outline;
 pub use quickhull::outline;
 
-use crate::bvh::Draft;
 use crate::events::{BETWEEN_LOOKS, patiently};
 use crate::{Aabb, Axes, Cancelled, Corner, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit};
 

@@ -2,8 +2,7 @@
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::{Outline, Volume, corners, slack, span, spans};
-use crate::bvh::Spans;
+use super::{Outline, Spans, Volume, corners, slack, span, spans};
 use crate::events::patiently;
 use crate::{
     Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit,

@@ -42,7 +42,7 @@ impl Draft for Sphere {
     }
 
     fn measure(&self, measure: Measure) -> f32 {
-        crate::Volume::measure(self, measure)
+        super::Volume::measure(self, measure)
     }
 }
 
