@@ -14,7 +14,6 @@ mod common;
 mod events;
 mod geometry;
 mod grid;
-mod halving;
 mod instancing;
 mod kd;
 mod list;
@@ -29,7 +28,7 @@ mod slab;
 mod structure;
 mod volume;
 
-pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane};
+pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane, PlaneTest};
 pub use bvh::{AnyBvh, Bvh};
 pub(crate) use common::around;
 pub use common::{Accel, Margin, Random};
@@ -39,7 +38,6 @@ pub use events::{
 };
 pub use geometry::{Aabb, Axes, Axis, Direction, Interval, Measure, Obb, Ray, RayError};
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
-pub use halving::PlaneTest;
 pub use instancing::{Instance, Instances, Model, Prims, Transform, TransformError};
 pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upright, Word};
 pub use list::List;

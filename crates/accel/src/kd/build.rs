@@ -4,8 +4,8 @@ use super::Kd;
 use super::node::{KdNode, Upright};
 use super::reference::{Reference, deal};
 use super::split::Scale;
+use crate::bsp::{Cutter, Half, Stops};
 use crate::events::patiently;
-use crate::halving::{Cutter, Half, Stops};
 use crate::{Aabb, Cancelled, Grow, KdRule, KdSplit, Margin, NodeId, Observer, PrimId, Primitives};
 
 impl Kd {

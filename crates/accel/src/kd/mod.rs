@@ -9,11 +9,11 @@ mod split;
 pub use layout::{CacheLines, KdLayout, KdMemory, Machine, NodeField, Word};
 pub use node::{KdNode, Upright};
 
-use crate::halving::Halving;
+use crate::bsp::PlaneTree;
 use crate::{Aabb, Axis, NodeId};
 
 /// A kd-tree: every plane stands across an axis.
-pub type Kd = Halving<KdNode>;
+pub type Kd = PlaneTree<KdNode>;
 
 impl Kd {
     /// The axis that a node's plane stands across, and where; nothing for a leaf.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::halving::{Crossing, Kind, Node, Plane, PlaneTest};
+use crate::bsp::{Kind, Meeting, Node, Plane, PlaneTest};
 use crate::{Axis, Direction, NodeId, Ray};
 
 /// A plane across an axis.
@@ -22,8 +22,8 @@ impl Plane for Upright {
     }
 
     #[inline]
-    fn across(self, ray: &Ray) -> Crossing {
-        Crossing { axis: self.axis.into(), plane: self.at, o: ray.o[self.axis], d: ray.d[self.axis] }
+    fn across(self, ray: &Ray) -> Meeting {
+        Meeting { axis: self.axis.into(), plane: self.at, o: ray.o[self.axis], d: ray.d[self.axis] }
     }
 
     #[inline]

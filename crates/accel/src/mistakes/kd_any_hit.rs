@@ -1,7 +1,7 @@
 //! The kd walk that stops at the first leaf with a hit.
 
+use crate::bsp::{Plane, split};
 use crate::common::Stack;
-use crate::halving::{Plane, split};
 use crate::{Best, Ending, Hit, Kd, Observer, Primitives, Ray, Visit, Want, test};
 
 pub(super) fn walk(tree: &Kd, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {

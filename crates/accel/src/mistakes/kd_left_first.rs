@@ -1,7 +1,7 @@
 //! The kd walk that takes the left child for the near one, whichever way the ray runs.
 
+use crate::bsp::{Meeting, Plane};
 use crate::common::{Part, Stack};
-use crate::halving::{Crossing, Plane};
 use crate::{Best, Ending, Hit, Interval, Kd, NodeId, Observer, Primitives, Ray, Side, Visit, Want, test};
 
 pub(super) fn walk(tree: &Kd, prims: &impl Primitives, ray: &Ray, watch: &mut impl Observer<Visit>) -> Option<Hit> {
@@ -32,7 +32,7 @@ pub(super) fn walk(tree: &Kd, prims: &impl Primitives, ray: &Ray, watch: &mut im
 
 fn split(
     here: Part,
-    Crossing { axis, plane, o, d }: Crossing,
+    Meeting { axis, plane, o, d }: Meeting,
     [below, above]: [NodeId; 2],
     watch: &mut impl Observer<Visit>,
 ) -> (Part, Option<Part>) {

@@ -3,9 +3,9 @@
 //! This is the clear version: lanes are computed one after the other, by the very routines that walk single
 //! rays. What a packet saves is visits: a node is opened once for all the lanes that meet it.
 
+mod bsp;
 mod bvh;
 mod fill;
-mod halving;
 mod visit;
 mod walk;
 

@@ -2,7 +2,7 @@
 //! how the tree itself stores its nodes.
 
 use super::{Addresses, Form, NodeField, Word};
-use crate::halving::{Kind, Node};
+use crate::bsp::{Kind, Node};
 use crate::kd::{KdNode, Upright};
 
 impl Form for KdNode {

@@ -1,7 +1,7 @@
 //! What the four forms of a node have in common.
 
 use super::{Addresses, NodeField};
-use crate::halving::Kind;
+use crate::bsp::Kind;
 use crate::kd::Upright;
 
 /// A way to write down what a node says.

@@ -1,7 +1,7 @@
 //! A whole tree as bytes: its nodes one after the other, then what its leaves refer to.
 
 use super::{KdLayout, Machine, NodeField};
-use crate::halving::{Kind, Node};
+use crate::bsp::{Kind, Node};
 use crate::kd::{Kd, Upright};
 use crate::{Axis, NodeId, PrimId};
 

@@ -18,8 +18,8 @@ pub use memory::KdMemory;
 
 use super::{Kd, KdNode, Upright};
 use crate::NodeId;
+use crate::bsp::{Kind, Node};
 use crate::events::words;
-use crate::halving::{Kind, Node};
 use form::Form;
 use memory::Addresses;
 use paired::Paired;

@@ -1,7 +1,7 @@
 //! 21 bytes, slide 61: siblings lie side by side, so one pointer finds both.
 
 use super::{Addresses, Form, NodeField, Word};
-use crate::halving::Kind;
+use crate::bsp::Kind;
 use crate::kd::Upright;
 use crate::{Axis, NodeId};
 

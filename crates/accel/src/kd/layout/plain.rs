@@ -2,7 +2,7 @@
 
 use super::{Addresses, Form, NodeField, Word};
 use crate::Axis;
-use crate::halving::Kind;
+use crate::bsp::Kind;
 use crate::kd::Upright;
 
 /// A node with two children and an array of objects, of which it has one or the other.

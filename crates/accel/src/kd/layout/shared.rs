@@ -2,7 +2,7 @@
 //! share a word.
 
 use super::{Addresses, Form, NodeField, Word};
-use crate::halving::Kind;
+use crate::bsp::Kind;
 use crate::kd::Upright;
 use crate::{Axis, NodeId};
 

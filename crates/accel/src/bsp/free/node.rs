@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec3};
 
-use crate::halving::{Crossing, Kind, Node, Plane, PlaneTest};
+use crate::bsp::{Kind, Meeting, Node, Plane, PlaneTest};
 use crate::{Direction, NodeId, Ray};
 
 /// All points `p` with `normal · p = at`.
@@ -33,10 +33,10 @@ impl Plane for FreePlane {
     }
 
     #[inline]
-    fn across(self, ray: &Ray) -> Crossing {
+    fn across(self, ray: &Ray) -> Meeting {
         // Along the normal there is one dimension: that of the kd-tree.
         let (o, d) = (self.normal.dot(ray.o), self.normal.dot(ray.d));
-        Crossing { axis: Direction::Normal, plane: self.at, o, d }
+        Meeting { axis: Direction::Normal, plane: self.at, o, d }
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Walking a tree of planes, slides 33-38: in an inner node split the interval, in a leaf intersect.
 
-use super::{DEEPEST, Halving, Kind, Node, Plane};
+use super::{DEEPEST, Kind, Node, Plane, PlaneTree};
 use crate::common::{Mailbox, Part, Stack, test_each};
 use crate::{
     Accel, Best, Direction, Ending, Hit, Interval, List, NodeId, Observer, Primitives, Ray, Side, Visit, Want,
@@ -8,7 +8,7 @@ use crate::{
 
 /// A plane and the ray along the plane's direction: what is left of three dimensions when they meet.
 #[derive(Clone, Copy, Debug)]
-pub struct Crossing {
+pub struct Meeting {
     /// The direction across which the plane stands.
     pub axis: Direction,
     /// The plane's place along it.
@@ -19,7 +19,7 @@ pub struct Crossing {
     pub d: f32,
 }
 
-impl<N: Node> Accel for Halving<N> {
+impl<N: Node> Accel for PlaneTree<N> {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
         if !self.covers(ray) {
             watch.on(Visit::Distant { reach: self.margin.reach });
@@ -32,7 +32,7 @@ impl<N: Node> Accel for Halving<N> {
     }
 }
 
-impl<N: Node> Halving<N> {
+impl<N: Node> PlaneTree<N> {
     /// The walk itself: fills `best` and says why it ended.
     fn find(&self, prims: &impl Primitives, ray: &Ray, best: &mut Best, watch: &mut impl Observer<Visit>) -> Ending {
         // The part of the ray in the tree's box.
@@ -85,7 +85,7 @@ impl<N: Node> Halving<N> {
 #[inline]
 pub(crate) fn split(
     here: Part,
-    Crossing { axis, plane, o, d }: Crossing,
+    Meeting { axis, plane, o, d }: Meeting,
     [below, above]: [NodeId; 2],
     watch: &mut impl Observer<Visit>,
 ) -> (Part, Option<Part>) {

@@ -2,11 +2,11 @@
 
 use super::walk::{Part, Walk};
 use super::{Found, Packet, PacketVisit, WalkPackets};
+use crate::bsp::{Node, Plane, PlaneTree, split};
 use crate::common::{Mailbox, Part as LanePart};
-use crate::halving::{Halving, Node, Plane, split};
 use crate::{Accel, Lanes, List, NodeId, Observer, Primitives, Visit, Want};
 
-impl<N: Node> WalkPackets for Halving<N> {
+impl<N: Node> WalkPackets for PlaneTree<N> {
     fn walk_packet(
         &self,
         prims: &impl Primitives,
