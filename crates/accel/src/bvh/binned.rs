@@ -1,6 +1,6 @@
 //! A few evenly spaced planes are weighed (Wald, "On fast construction of SAH-based BVHs", 2007).
 
-use super::split::{Choice, Part, Splitter};
+use super::splitter::{Choice, Part, Splitter};
 use crate::events::patiently;
 use crate::{Aabb, Axis, Cancelled, Grow, NodeId, Observer};
 

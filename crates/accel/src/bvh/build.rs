@@ -1,16 +1,12 @@
 //! Building a hierarchy. From the top, slide 53: sets are divided by their boxes, then each gets its volume.
 
 use super::sapling::Sapling;
-use super::split::{Part, Splitter};
-use super::{Bvh, BvhNode, bottom_up, insertion, ploc};
+use super::splitter::{Part, Splitter};
+use super::{Bvh, BvhNode, SAH_DEPTH, bottom_up, insertion, ploc};
 use crate::events::patiently;
 use crate::{
-    Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives, Volume, around,
+    Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume, around,
 };
-
-/// Below this depth nodes are split into halves, whatever the rule: no scene can make the tree so deep
-/// that a walk's stack overflows.
-pub(super) const SAH_DEPTH: usize = 40;
 
 /// A node that is still to be split or to become a leaf.
 struct Task {
@@ -108,22 +104,5 @@ impl<V: Volume> Bvh<V> {
         let volume = V::fit(prims, splitter.prims(part), &part.bounds, splitter.rule.axes, watch)?;
         self.nodes.push(BvhNode { volume, first: 0, count: 0 });
         Ok(NodeId(self.nodes.len() as u32 - 1))
-    }
-
-    /// Makes a node a leaf with these primitives.
-    pub(super) fn settle(
-        &mut self,
-        node: NodeId,
-        prims: impl Iterator<Item = PrimId>,
-        watch: &mut impl Observer<Grow>,
-    ) {
-        let first = self.refs.len();
-        self.refs.extend(prims);
-        self.refs[first..].sort_unstable();
-        for &prim in &self.refs[first..] {
-            watch.on(Grow::Settle { prim, place: Place::Node(node) });
-        }
-        let leaf = &mut self.nodes[node.index()];
-        (leaf.first, leaf.count) = (first as u32, (self.refs.len() - first) as u32);
     }
 }

@@ -8,6 +8,7 @@ mod insertion;
 mod ploc;
 mod sapling;
 mod split;
+mod splitter;
 mod sweep;
 mod walk;
 
@@ -15,7 +16,11 @@ pub use any::AnyBvh;
 pub(crate) use any::each;
 pub(crate) use walk::{BvhWalk, Met};
 
-use crate::{Aabb, BvhOrder, BvhRule, Cancelled, Grow, NodeId, Observer, PrimId, Primitives, Volume};
+use crate::{Aabb, BvhOrder, BvhRule, Cancelled, Grow, NodeId, Observer, Place, PrimId, Primitives, Volume};
+
+/// Below this depth nodes are split into halves, whatever the rule: no scene can make the tree so deep
+/// that a walk's stack overflows.
+const SAH_DEPTH: usize = 40;
 
 /// A binary tree of volumes, boxes unless another is named. Siblings are neighbours in the array of nodes, so that a parent needs the
 /// place of the first only.
@@ -43,7 +48,7 @@ pub(crate) struct BvhNode<V> {
 
 impl Bvh {
     /// The deepest a tree can be; the root has depth 0.
-    pub const DEEPEST: usize = build::SAH_DEPTH + u32::BITS as usize;
+    pub const DEEPEST: usize = SAH_DEPTH + u32::BITS as usize;
 
     /// Builds a hierarchy of boxes over `prims`.
     ///
@@ -96,5 +101,17 @@ impl<V: Volume> Bvh<V> {
     pub fn bytes(&self) -> usize {
         let volumes: usize = self.nodes.iter().map(|node| node.volume.bytes() - size_of::<V>()).sum();
         size_of_val(self) + size_of_val(&*self.nodes) + volumes + size_of_val(&*self.refs)
+    }
+
+    /// Makes a node a leaf with these primitives.
+    fn settle(&mut self, node: NodeId, prims: impl Iterator<Item = PrimId>, watch: &mut impl Observer<Grow>) {
+        let first = self.refs.len();
+        self.refs.extend(prims);
+        self.refs[first..].sort_unstable();
+        for &prim in &self.refs[first..] {
+            watch.on(Grow::Settle { prim, place: Place::Node(node) });
+        }
+        let leaf = &mut self.nodes[node.index()];
+        (leaf.first, leaf.count) = (first as u32, (self.refs.len() - first) as u32);
     }
 }

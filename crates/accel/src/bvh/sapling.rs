@@ -1,7 +1,6 @@
 //! A tree in the making: sets that are joined and moved until one is left, then laid out.
 
-use super::build::SAH_DEPTH;
-use super::{Bvh, BvhNode};
+use super::{Bvh, BvhNode, SAH_DEPTH};
 use crate::events::BETWEEN_LOOKS;
 use crate::{Aabb, BvhRule, Cancelled, Draft, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume};
 

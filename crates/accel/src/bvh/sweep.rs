@@ -1,6 +1,6 @@
 //! The cheapest place of all: every division along every axis is weighed.
 
-use super::split::{Choice, Part, Splitter};
+use super::splitter::{Choice, Part, Splitter};
 use crate::events::{BETWEEN_LOOKS, patiently};
 use crate::{Aabb, Cancelled, Grow, NodeId, Observer};
 

@@ -3,7 +3,6 @@
 use glam::{DVec3, Vec3};
 
 use super::FreePlane;
-use super::fragment::extent;
 use crate::objects::clipped;
 use crate::{Aabb, Measure};
 
@@ -133,6 +132,18 @@ impl ConvexCell {
     fn floor(&self) -> Option<&[DVec3]> {
         self.faces.first().map(|face| face.corners.as_slice())
     }
+}
+
+/// Where along a direction the corners of some faces begin and end.
+pub(super) fn extent(faces: impl IntoIterator<Item: AsRef<[DVec3]>>, along: DVec3) -> [f64; 2] {
+    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
+    for face in faces {
+        for &p in face.as_ref() {
+            let at = along.dot(p);
+            (low, high) = (low.min(at), high.max(at));
+        }
+    }
+    [low, high]
 }
 
 /// The part of a polygon where `inside` is not negative.

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use glam::{DVec3, Vec3};
 
-use super::cell::kept;
+use super::cell::{extent, kept};
 use super::{ConvexCell, FreePlane};
 use crate::{Aabb, PrimId, Shape, Wall};
 
@@ -68,18 +68,6 @@ impl Fragment {
             Body::Round { .. } | Body::Between(_) => self.clone(),
         })
     }
-}
-
-/// Where along a direction the corners of some faces begin and end.
-pub(super) fn extent(faces: impl IntoIterator<Item: AsRef<[DVec3]>>, along: DVec3) -> [f64; 2] {
-    let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
-    for face in faces {
-        for &p in face.as_ref() {
-            let at = along.dot(p);
-            (low, high) = (low.min(at), high.max(at));
-        }
-    }
-    [low, high]
 }
 
 /// The eight corners of a box.
