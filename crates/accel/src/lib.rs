@@ -6,7 +6,31 @@
 //! observed by a [`Trace`] it is the picture a student steps through.
 //!
 //! Arithmetic is `+ − × ÷ √` and comparisons alone, so that the same ray gives the same bits on every
-//! machine: single precision in the structures, double precision rounded once where a primitive is met. This crate knows no screen, no file, no thread and no lesson.
+//! machine: single precision in the structures, double precision rounded once where a primitive is met.
+//! This crate knows no screen, no file, no thread and no lesson.
+//!
+//! Its rooms, in the order of the lecture; each knows only those that it stands on:
+//!
+//! | room | slides | what it holds |
+//! |---|---|---|
+//! | `geometry` | 12 | boxes, rays, intervals, axes: what everything else is said in |
+//! | `events` | | what is told, about which place, and who listens: nobody, a counter, a tape |
+//! | `common` | 7, 20, 29 | what structures have in common: [`Accel`], mailbox, stack, margin, the box around everything |
+//! | `prims` | 7 | the primitives that structures are built over, and the best hit among them |
+//! | `list` | 7, 21 | brute force, the judge of everything else |
+//! | `slab`, `one_box` | 12-15 | the slab test, and the box around everything alone |
+//! | `objects` | 19 | shapes, and whether two objects meet, one file a pair |
+//! | `grid` | 16-25, 63 | uniform, nested and hashed grids |
+//! | `instancing` | 27 | a mesh stored once and placed many times; the primitives of any scene |
+//! | `kd` | 28-42, 60-62 | the kd-tree: planes across an axis; its first lines lead to the builder and the walk |
+//! | `octree` | 43-44 | the octree, and how it changes |
+//! | `bsp` | 28-46 | any tree of planes, built and walked; with planes that stand free, the BSP tree |
+//! | `volume` | 49-52 | spheres, boxes, k-DOPs and hulls around sets of primitives |
+//! | `bvh` | 48-57 | hierarchies of them, built top-down, bottom-up and by insertion |
+//! | `packet` | 59 | several rays that walk a tree together |
+//! | `rule` | | how a structure is to be built: its kind and its parameters, as text too |
+//! | `structure` | 65 | any of the structures, with what views ask of them |
+//! | `mistakes` | | what the lecture prints loosely and what students get wrong, as walks |
 
 mod bsp;
 mod bvh;
