@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, VecDeque};
 
 use raystep_accel::{Direction, NodeId, PrimId};
 
-use crate::Role;
+use crate::theme::Role;
 use crate::tidy::{Tidy, Twig, tidy};
 
 /// What the user has zoomed to, opened and closed in a tree.

@@ -7,8 +7,9 @@ use raystep_accel::{Direction, FreePlane, Grow, Place};
 
 use crate::build::{GrowMoment, Weighed};
 use crate::look::{line, write};
+use crate::theme::{Face, Role, text_width};
 use crate::ticks::Ticks;
-use crate::{Anchor, Face, Figure, Ink, Look, Role, number, text_width};
+use crate::{Anchor, Figure, Ink, Look, number};
 
 /// Most dots of one curve; of more, evenly spaced ones.
 const MOST: usize = 80;

@@ -3,7 +3,8 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::{Image, Role};
+use crate::Image;
+use crate::theme::{Face, Role};
 
 /// A drawing of some size. Marks are drawn in order, later ones on top.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -93,31 +94,9 @@ pub enum Ink {
         face: Face,
         /// Which end of the text lies at `at`.
         anchor: Anchor,
-        /// Whether it stands on a rounded box (a label in a picture), drawn as [`Theme::label`](crate::Theme::label) says.
+        /// Whether it stands on a rounded box (a label in a picture), drawn as [`Theme::label`](crate::theme::Theme::label) says.
         boxed: bool,
     },
-}
-
-/// The shipped faces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Face {
-    /// Text.
-    Regular,
-    /// Labels.
-    Medium,
-    /// Titles.
-    Bold,
-    /// Variables in formulas set as text.
-    Italic,
-    /// Numbers and listings.
-    Mono,
-    /// The current line of a listing.
-    MonoMedium,
-}
-
-impl Face {
-    /// Every face.
-    pub const ALL: [Face; 6] = [Face::Regular, Face::Medium, Face::Bold, Face::Italic, Face::Mono, Face::MonoMedium];
 }
 
 /// Which part of a text lies at its place.

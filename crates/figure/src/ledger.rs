@@ -5,8 +5,9 @@ use raystep_accel::{Place, Primitives};
 
 use crate::build::{Build, Fate, GrowMoment};
 use crate::look::{block, write};
+use crate::theme::{Face, Role, text_width};
 use crate::work::{counted, wrapped};
-use crate::{Anchor, Face, Figure, Look, Role, text_width};
+use crate::{Anchor, Figure, Look};
 
 /// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
 pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {

@@ -3,7 +3,8 @@
 use glam::Vec2;
 
 use crate::look::{block, line, write};
-use crate::{Anchor, Face, Figure, Form, Ink, Look, Role, Space, text_width};
+use crate::theme::{Face, Role, text_width};
+use crate::{Anchor, Figure, Form, Ink, Look, Space};
 
 /// What the marks of a walk mean, in the order of the story they tell.
 pub(crate) const OF_WALK: &[(Role, &str)] = &[

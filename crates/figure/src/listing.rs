@@ -2,9 +2,10 @@
 
 use glam::Vec2;
 
-use crate::fonts::elided;
 use crate::look::{block, line, write};
-use crate::{Anchor, Face, Fact, Figure, Look, Role, fill, text_width};
+use crate::theme::fonts::elided;
+use crate::theme::{Face, Role, text_width};
+use crate::{Anchor, Fact, Figure, Look, fill};
 
 /// One line of an algorithm.
 #[derive(Clone, Copy, Debug)]

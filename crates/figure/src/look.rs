@@ -3,7 +3,8 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::{Anchor, Face, Figure, Ink, Role};
+use crate::theme::{Face, Role};
+use crate::{Anchor, Figure, Ink};
 
 /// What the window, the presenter's page and a printed plate set differently.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +43,7 @@ impl Look {
         let left = self.margin();
         write(figure, Role::Quiet, None, Vec2::new(left, y), title, self.text * 0.95, Face::Bold, Anchor::Start);
         if !remark.is_empty() {
-            let x = left + crate::text_width(title, Face::Bold, self.text * 0.95) + self.text;
+            let x = left + crate::theme::text_width(title, Face::Bold, self.text * 0.95) + self.text;
             write(figure, Role::Quiet, None, Vec2::new(x, y), remark, self.small(), Face::Regular, Anchor::Start);
         }
         y + self.text * 1.0

@@ -5,8 +5,9 @@ use raystep_accel::{Structure, Visit};
 
 use crate::look::{line, write};
 use crate::spans::{Span, current_t, extent, spans};
+use crate::theme::{Face, Role, text_width};
 use crate::ticks::Ticks;
-use crate::{Anchor, Face, Figure, Ink, Look, Moment, Role, Walk, number, text_width};
+use crate::{Anchor, Figure, Ink, Look, Moment, Walk, number};
 
 /// A row for each known interval over one axis.
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {

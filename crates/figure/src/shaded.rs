@@ -5,8 +5,9 @@ use std::sync::Arc;
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, BvhRule, Grow, Hit, Obb, Observer, Primitives, Prims, Ray, Rule, Shape, Structure};
 
+use crate::Camera;
 use crate::lens::Lens;
-use crate::{Camera, Color, Theme};
+use crate::theme::{Color, Theme};
 
 /// Pixels, rows from above, each red, green, blue and (straight) alpha.
 #[derive(Clone, Debug, PartialEq)]

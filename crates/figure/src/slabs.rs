@@ -8,7 +8,8 @@ use raystep_accel::{AnyBvh, Axis, Direction, Place, Structure, Visit};
 
 use crate::look::write;
 use crate::table::{Entry, Table};
-use crate::{Anchor, Face, Figure, Look, Moment, Role, VolumeName, Walk, number};
+use crate::theme::{Face, Role};
+use crate::{Anchor, Figure, Look, Moment, VolumeName, Walk, number};
 
 /// The events of one direction of a slab test, as far as they have happened.
 #[derive(Clone, Copy, Debug)]

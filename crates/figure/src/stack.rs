@@ -5,7 +5,8 @@ use raystep_accel::Place;
 
 use crate::build::GrowMoment;
 use crate::look::{block, write};
-use crate::{Anchor, Face, Figure, Look, Moment, Role, Walk, number};
+use crate::theme::{Face, Role};
+use crate::{Anchor, Figure, Look, Moment, Walk, number};
 
 /// One row of a stack.
 struct Row {

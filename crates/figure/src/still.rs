@@ -3,10 +3,11 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Event, Place, Primitives};
 
+use crate::theme::Role;
 use crate::work::{counted, tested};
 use crate::{
-    Build, Figure, GrowMoment, ListingLine, Look, Moment, Role, Space, TreeView, Walk, bytes, cells, cells_of_build,
-    costs, legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack,
+    Build, Figure, GrowMoment, ListingLine, Look, Moment, Space, TreeView, Walk, bytes, cells, cells_of_build, costs,
+    legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack,
     stack_of_build, timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
 

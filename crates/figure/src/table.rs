@@ -4,7 +4,8 @@ use glam::Vec2;
 use raystep_accel::Place;
 
 use crate::look::{block, write};
-use crate::{Anchor, Face, Figure, Look, Role, text_width};
+use crate::theme::{Face, Role, text_width};
+use crate::{Anchor, Figure, Look};
 
 /// A number or word in a table.
 #[derive(Clone, Debug, PartialEq)]

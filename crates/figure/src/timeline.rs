@@ -6,7 +6,8 @@ use raystep_accel::Place;
 use crate::build::Build;
 use crate::fact::{grow, visit};
 use crate::look::{line, write};
-use crate::{Anchor, Face, Fact, Figure, Ink, Look, Role, Symbol, VolumeName, Walk, text_width};
+use crate::theme::{Face, Role, text_width};
+use crate::{Anchor, Fact, Figure, Ink, Look, Symbol, VolumeName, Walk};
 
 /// Most symbols on one track.
 const MOST: usize = 240;

@@ -7,7 +7,8 @@ use raystep_accel::{Direction, NodeId, Place, PrimId};
 
 use crate::branches::{Branch, Branches, MOST, Room, Tree, TreeView, branches, count_below};
 use crate::look::{block, line, write};
-use crate::{Anchor, Face, Figure, Ink, Look, Moment, Role, Walk, text_width};
+use crate::theme::{Face, Role, text_width};
+use crate::{Anchor, Figure, Ink, Look, Moment, Walk};
 
 /// More nodes than this below a closed one are not counted.
 const COUNTED: usize = 9999;

@@ -4,7 +4,8 @@ use glam::Vec2;
 use raystep_accel::{Cost, Primitives, Structure};
 
 use crate::look::{block, write};
-use crate::{Anchor, Face, Figure, Look, Moment, Role, VolumeName, Walk, text_width};
+use crate::theme::{Face, Role, text_width};
+use crate::{Anchor, Figure, Look, Moment, VolumeName, Walk};
 
 /// Where only the box is tested, its test is the work.
 fn tests_box_only(structure: &Structure) -> bool {

@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use raystep_accel::{Grow, Place, Value};
 
 use super::{Fact, Symbol};
-use crate::{Role, VolumeName};
+use crate::VolumeName;
+use crate::theme::Role;
 
 const GROWS: Symbol = Symbol { sign: "▷", name: "box grows", role: Role::Here, rank: 0 };
 const WEIGHED: Symbol = Symbol { sign: "|", name: "weighed", role: Role::Candidate, rank: 1 };

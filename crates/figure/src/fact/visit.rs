@@ -5,7 +5,8 @@ use std::borrow::Cow;
 use raystep_accel::{Ending, Place, Probed, Value, Verdict, Visit};
 
 use super::{Fact, Symbol};
-use crate::{Role, VolumeName};
+use crate::VolumeName;
+use crate::theme::Role;
 
 const SLAB: Symbol = Symbol { sign: "▽", name: "slab", role: Role::Plane, rank: 0 };
 /// Each structure has a name of its own for it.

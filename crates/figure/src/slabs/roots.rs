@@ -5,7 +5,8 @@ use raystep_accel::Visit;
 
 use super::{left, verdict};
 use crate::table::{Entry, Table};
-use crate::{Figure, Look, Role, number};
+use crate::theme::Role;
+use crate::{Figure, Look, number};
 
 /// The equation put to the last sphere tested, its solutions, and what is left of the ray.
 pub(super) fn table(done: &[Visit], size: Vec2, look: &Look) -> Figure {

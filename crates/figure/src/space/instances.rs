@@ -6,8 +6,9 @@ use raystep_accel::{Aabb, Hit, Instances, NodeId, Place, PrimId, Prims, Structur
 
 use super::{Drawing, Form};
 use crate::moment::Inside;
+use crate::number;
 use crate::stage::corners;
-use crate::{Role, number};
+use crate::theme::Role;
 
 /// Of what waits in the instance, so many nodes.
 const NEXT: usize = 4;

@@ -12,7 +12,8 @@ mod slabs;
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, PrimId, Sphere, Structure};
 
-use crate::{Moment, Role, Walk};
+use crate::theme::Role;
+use crate::{Moment, Walk};
 
 /// What space shows at one step: lines, boxes, points and labels, in world coordinates. The primitives
 /// themselves are drawn from the scene; those to which something happened have a [`Form::Prim`] mark.

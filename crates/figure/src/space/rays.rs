@@ -3,7 +3,8 @@
 use raystep_accel::{Place, Visit};
 
 use super::{Drawing, Form, shown};
-use crate::{Role, number};
+use crate::number;
+use crate::theme::Role;
 
 impl Drawing<'_> {
     pub(super) fn ray(&mut self) {

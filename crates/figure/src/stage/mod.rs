@@ -7,7 +7,8 @@ use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
 
 use crate::lens::Lens;
-use crate::{Camera, Figure, Form, Ink, Role, Shaded, Space};
+use crate::theme::Role;
+use crate::{Camera, Figure, Form, Ink, Shaded, Space};
 
 /// What a picture shows of the primitives to which nothing has happened.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,10 @@
 //! The one table from a mark's meaning to its colours and lines. Nothing else makes a colour.
 
-use crate::Role;
+pub mod fonts;
+mod role;
+
+pub use fonts::{Face, text_width};
+pub use role::Role;
 
 /// A colour, sRGB with straight (not premultiplied) alpha.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -2,17 +2,37 @@
 
 use std::sync::OnceLock;
 
-use crate::Face;
+/// The shipped faces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Face {
+    /// Text.
+    Regular,
+    /// Labels.
+    Medium,
+    /// Titles.
+    Bold,
+    /// Variables in formulas set as text.
+    Italic,
+    /// Numbers and listings.
+    Mono,
+    /// The current line of a listing.
+    MonoMedium,
+}
+
+impl Face {
+    /// Every face.
+    pub const ALL: [Face; 6] = [Face::Regular, Face::Medium, Face::Bold, Face::Italic, Face::Mono, Face::MonoMedium];
+}
 
 /// The bytes of a face: OpenType, embedded.
 pub fn bytes(face: Face) -> &'static [u8] {
     match face {
-        Face::Regular => include_bytes!("../../../assets/fonts/Inter-Regular.otf"),
-        Face::Medium => include_bytes!("../../../assets/fonts/Inter-Medium.otf"),
-        Face::Bold => include_bytes!("../../../assets/fonts/Inter-Bold.otf"),
-        Face::Italic => include_bytes!("../../../assets/fonts/Inter-Italic.otf"),
-        Face::Mono => include_bytes!("../../../assets/fonts/JetBrainsMono-Regular.ttf"),
-        Face::MonoMedium => include_bytes!("../../../assets/fonts/JetBrainsMono-Medium.ttf"),
+        Face::Regular => include_bytes!("../../../../assets/fonts/Inter-Regular.otf"),
+        Face::Medium => include_bytes!("../../../../assets/fonts/Inter-Medium.otf"),
+        Face::Bold => include_bytes!("../../../../assets/fonts/Inter-Bold.otf"),
+        Face::Italic => include_bytes!("../../../../assets/fonts/Inter-Italic.otf"),
+        Face::Mono => include_bytes!("../../../../assets/fonts/JetBrainsMono-Regular.ttf"),
+        Face::MonoMedium => include_bytes!("../../../../assets/fonts/JetBrainsMono-Medium.ttf"),
     }
 }
 
