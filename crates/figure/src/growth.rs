@@ -5,11 +5,12 @@ use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Plac
 
 use crate::branches::{Tree, TreeView};
 use crate::build::{Build, Fate, GrowMoment, GrowNode};
+use crate::page::{Figure, Look};
 use crate::space::convex;
 use crate::theme::Role;
 use crate::tree::draw_tree;
 use crate::work::counted;
-use crate::{Figure, Form, Look, Space, SpaceMark, number};
+use crate::{Form, Space, SpaceMark, number};
 
 /// Most boxes of nodes in one picture.
 const BOXES: usize = 300;

@@ -4,10 +4,9 @@ use glam::Vec2;
 use raystep_accel::{Place, Primitives};
 
 use crate::build::{Build, Fate, GrowMoment};
-use crate::look::{block, write};
+use crate::page::{Anchor, Figure, Look, block, wrapped, write};
 use crate::theme::{Face, Role, text_width};
-use crate::work::{counted, wrapped};
-use crate::{Anchor, Figure, Look};
+use crate::work::counted;
 
 /// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
 pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
@@ -50,7 +49,7 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
     }
     if count > all {
         let at = Vec2::new(left + part(all), y - u * 0.2);
-        figure.add(Role::Text, None, crate::look::line(at, at + Vec2::new(0.0, u * 1.15)));
+        figure.add(Role::Text, None, crate::page::line(at, at + Vec2::new(0.0, u * 1.15)));
     }
     y += u * 1.55;
 

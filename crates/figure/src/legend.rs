@@ -2,9 +2,9 @@
 
 use glam::Vec2;
 
-use crate::look::{block, line, write};
+use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Anchor, Figure, Form, Ink, Look, Space};
+use crate::{Form, Space};
 
 /// What the marks of a walk mean, in the order of the story they tell.
 pub(crate) const OF_WALK: &[(Role, &str)] = &[

@@ -2,10 +2,10 @@
 
 use glam::Vec2;
 
-use crate::look::{block, line, write};
+use crate::page::{Anchor, Figure, Look, block, line, write};
 use crate::theme::fonts::elided;
 use crate::theme::{Face, Role, text_width};
-use crate::{Anchor, Fact, Figure, Look, fill};
+use crate::{Fact, fill};
 
 /// One line of an algorithm.
 #[derive(Clone, Copy, Debug)]

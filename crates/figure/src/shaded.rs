@@ -1,24 +1,12 @@
 //! The scene itself, ray traced by our own structures: the ground of a solid picture without a GPU.
 
-use std::sync::Arc;
-
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, BvhRule, Grow, Hit, Obb, Observer, Primitives, Prims, Ray, Rule, Shape, Structure};
 
 use crate::Camera;
 use crate::lens::Lens;
+use crate::page::Image;
 use crate::theme::{Color, Theme};
-
-/// Pixels, rows from above, each red, green, blue and (straight) alpha.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Image {
-    /// Pixels in a row.
-    pub width: u32,
-    /// Rows.
-    pub height: u32,
-    /// Four bytes for each pixel.
-    pub rgba: Arc<[u8]>,
-}
 
 /// An image of a scene with the depth of every pixel.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,10 +6,9 @@ mod roots;
 use glam::Vec2;
 use raystep_accel::{AnyBvh, Axis, Direction, Place, Structure, Visit};
 
-use crate::look::write;
-use crate::table::{Entry, Table};
+use crate::page::{Anchor, Entry, Figure, Look, Table, write};
 use crate::theme::{Face, Role};
-use crate::{Anchor, Figure, Look, Moment, VolumeName, Walk, number};
+use crate::{Moment, VolumeName, Walk, number};
 
 /// The events of one direction of a slab test, as far as they have happened.
 #[derive(Clone, Copy, Debug)]

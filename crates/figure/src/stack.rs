@@ -4,9 +4,9 @@ use glam::Vec2;
 use raystep_accel::Place;
 
 use crate::build::GrowMoment;
-use crate::look::{block, write};
+use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role};
-use crate::{Anchor, Figure, Look, Moment, Walk, number};
+use crate::{Moment, Walk, number};
 
 /// One row of a stack.
 struct Row {

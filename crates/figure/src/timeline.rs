@@ -5,9 +5,9 @@ use raystep_accel::Place;
 
 use crate::build::Build;
 use crate::fact::{grow, visit};
-use crate::look::{line, write};
+use crate::page::{Anchor, Figure, Ink, Look, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Anchor, Fact, Figure, Ink, Look, Symbol, VolumeName, Walk};
+use crate::{Fact, Symbol, VolumeName, Walk};
 
 /// Most symbols on one track.
 const MOST: usize = 240;

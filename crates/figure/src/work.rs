@@ -3,9 +3,9 @@
 use glam::Vec2;
 use raystep_accel::{Cost, Primitives, Structure};
 
-use crate::look::{block, write};
+use crate::page::{Anchor, Figure, Look, block, wrapped, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Anchor, Figure, Look, Moment, VolumeName, Walk};
+use crate::{Moment, VolumeName, Walk};
 
 /// Where only the box is tested, its test is the work.
 fn tests_box_only(structure: &Structure) -> bool {
@@ -88,21 +88,6 @@ fn sentence(moment: &Moment, volume: VolumeName) -> Vec<String> {
     .filter(|(count, ..)| *count > 0)
     .map(|(count, one, many)| counted(count, one, many))
     .collect()
-}
-
-/// The parts with dots between them, broken into lines.
-pub(crate) fn wrapped(parts: &[String], width: f32, size: f32) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for part in parts {
-        match lines.last_mut() {
-            Some(line) if text_width(&format!("{line} · {part}"), Face::Regular, size) <= width => {
-                line.push_str(" · ");
-                line.push_str(part);
-            }
-            _ => lines.push(part.clone()),
-        }
-    }
-    lines
 }
 
 /// `1 node`, `2 nodes`.

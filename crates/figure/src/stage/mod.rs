@@ -7,8 +7,9 @@ use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
 
 use crate::lens::Lens;
+use crate::page::{Figure, Ink};
 use crate::theme::Role;
-use crate::{Camera, Figure, Form, Ink, Shaded, Space};
+use crate::{Camera, Form, Shaded, Space};
 
 /// What a picture shows of the primitives to which nothing has happened.
 #[derive(Clone, Copy, Debug)]

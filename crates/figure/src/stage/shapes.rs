@@ -6,8 +6,9 @@ use raystep_accel::{Place, PrimId, Primitives, Prims, Shape, Sphere, Wall};
 use super::Stage;
 use crate::faces::{faces, ring};
 use crate::globe::{circles, contour};
+use crate::lines;
+use crate::page::Ink;
 use crate::theme::Role;
-use crate::{Ink, lines};
 
 impl Stage<'_> {
     pub(super) fn prim(&mut self, prims: &Prims, prim: PrimId, role: Role) {

@@ -1,9 +1,10 @@
 //! A drawing on a page: marks in points, y downwards, origin at the upper left.
 
+use std::sync::Arc;
+
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::Image;
 use crate::theme::{Face, Role};
 
 /// A drawing of some size. Marks are drawn in order, later ones on top.
@@ -97,6 +98,17 @@ pub enum Ink {
         /// Whether it stands on a rounded box (a label in a picture), drawn as [`Theme::label`](crate::theme::Theme::label) says.
         boxed: bool,
     },
+}
+
+/// Pixels, rows from above, each red, green, blue and (straight) alpha.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Four bytes for each pixel.
+    pub rgba: Arc<[u8]>,
 }
 
 /// Which part of a text lies at its place.

@@ -3,8 +3,8 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::theme::{Face, Role};
-use crate::{Anchor, Figure, Ink};
+use crate::page::{Anchor, Figure, Ink};
+use crate::theme::{Face, Role, text_width};
 
 /// What the window, the presenter's page and a printed plate set differently.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ impl Look {
         let left = self.margin();
         write(figure, Role::Quiet, None, Vec2::new(left, y), title, self.text * 0.95, Face::Bold, Anchor::Start);
         if !remark.is_empty() {
-            let x = left + crate::theme::text_width(title, Face::Bold, self.text * 0.95) + self.text;
+            let x = left + text_width(title, Face::Bold, self.text * 0.95) + self.text;
             write(figure, Role::Quiet, None, Vec2::new(x, y), remark, self.small(), Face::Regular, Anchor::Start);
         }
         y + self.text * 1.0
@@ -81,4 +81,19 @@ pub(crate) fn line(from: Vec2, to: Vec2) -> Ink {
 /// A rectangle with corners `min` and `min + size`.
 pub(crate) fn block(min: Vec2, size: Vec2, round: f32) -> Ink {
     Ink::Rect { min, max: min + size, round }
+}
+
+/// The parts with dots between them, broken into lines.
+pub(crate) fn wrapped(parts: &[String], width: f32, size: f32) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in parts {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} · {part}"), Face::Regular, size) <= width => {
+                line.push_str(" · ");
+                line.push_str(part);
+            }
+            _ => lines.push(part.clone()),
+        }
+    }
+    lines
 }

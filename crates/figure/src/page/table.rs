@@ -3,9 +3,8 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::look::{block, write};
+use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Anchor, Figure, Look};
 
 /// A number or word in a table.
 #[derive(Clone, Debug, PartialEq)]
