@@ -5,7 +5,8 @@ use raystep_accel::{KdLayout, Machine, NodeField, NodeId, Place, Structure, Word
 
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Moment, Walk, number};
+use crate::words::number;
+use crate::{Moment, Walk};
 
 /// The node where the walk stands, in each layout on one scale: its fields with what stands in them, and beside
 /// them the bits of a word that says several things.

@@ -6,9 +6,9 @@ use glam::Vec2;
 use raystep_accel::{Direction, FreePlane, Grow, Place};
 
 use crate::build::{GrowMoment, Weighed};
-use crate::number;
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::theme::{Face, Role, text_width};
+use crate::words::number;
 
 /// Most dots of one curve; of more, evenly spaced ones.
 const MOST: usize = 80;

@@ -9,8 +9,8 @@ use crate::page::{Figure, Look};
 use crate::space::convex;
 use crate::theme::Role;
 use crate::tree::draw_tree;
-use crate::work::counted;
-use crate::{Form, Space, SpaceMark, number};
+use crate::words::{counted, number};
+use crate::{Form, Space, SpaceMark};
 
 /// Most boxes of nodes in one picture.
 const BOXES: usize = 300;

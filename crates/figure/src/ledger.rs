@@ -6,7 +6,7 @@ use raystep_accel::{Place, Primitives};
 use crate::build::{Build, Fate, GrowMoment};
 use crate::page::{Anchor, Figure, Look, block, wrapped, write};
 use crate::theme::{Face, Role, text_width};
-use crate::work::counted;
+use crate::words::counted;
 
 /// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
 pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {

@@ -5,7 +5,7 @@ use glam::Vec2;
 use crate::page::{Anchor, Figure, Look, block, line, write};
 use crate::theme::fonts::elided;
 use crate::theme::{Face, Role, text_width};
-use crate::{Fact, fill};
+use crate::words::{Fact, fill};
 
 /// One line of an algorithm.
 #[derive(Clone, Copy, Debug)]

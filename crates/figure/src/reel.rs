@@ -2,7 +2,8 @@
 
 use raystep_accel::{Aabb, Event, Grow, Place, PrimId, Primitives, Prims, Structure, Visit};
 
-use crate::{Build, GrowMoment, Moment, Still, VolumeName, Walk};
+use crate::words::VolumeName;
+use crate::{Build, GrowMoment, Moment, Still, Walk};
 
 /// A walk or a build. The views ask this one and need not know which.
 #[derive(Clone, Copy)]

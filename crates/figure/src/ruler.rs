@@ -6,7 +6,8 @@ use raystep_accel::{Structure, Visit};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::spans::{Span, current_t, extent, spans};
 use crate::theme::{Face, Role, text_width};
-use crate::{Moment, Walk, number};
+use crate::words::number;
+use crate::{Moment, Walk};
 
 /// A row for each known interval over one axis.
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {

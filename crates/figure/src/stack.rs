@@ -6,7 +6,8 @@ use raystep_accel::Place;
 use crate::build::GrowMoment;
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role};
-use crate::{Moment, Walk, number};
+use crate::words::number;
+use crate::{Moment, Walk};
 
 /// One row of a stack.
 struct Row {

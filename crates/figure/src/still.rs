@@ -5,7 +5,8 @@ use raystep_accel::{Aabb, Event, Place, Primitives};
 
 use crate::page::{Figure, Look};
 use crate::theme::Role;
-use crate::work::{counted, tested};
+use crate::words::counted;
+use crate::work::tested;
 use crate::{
     Build, GrowMoment, ListingLine, Moment, Space, TreeView, Walk, bytes, cells, cells_of_build, costs, legend,
     listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack, stack_of_build,

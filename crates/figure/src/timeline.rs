@@ -3,11 +3,12 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
+use crate::Walk;
 use crate::build::Build;
-use crate::fact::{grow, visit};
 use crate::page::{Anchor, Figure, Ink, Look, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Fact, Symbol, VolumeName, Walk};
+use crate::words::fact::{grow, visit};
+use crate::words::{Fact, Symbol, VolumeName};
 
 /// Most symbols on one track.
 const MOST: usize = 240;

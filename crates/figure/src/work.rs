@@ -5,7 +5,8 @@ use raystep_accel::{Cost, Primitives, Structure};
 
 use crate::page::{Anchor, Figure, Look, block, wrapped, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Moment, VolumeName, Walk};
+use crate::words::{VolumeName, counted};
+use crate::{Moment, Walk};
 
 /// Where only the box is tested, its test is the work.
 fn tests_box_only(structure: &Structure) -> bool {
@@ -88,9 +89,4 @@ fn sentence(moment: &Moment, volume: VolumeName) -> Vec<String> {
     .filter(|(count, ..)| *count > 0)
     .map(|(count, one, many)| counted(count, one, many))
     .collect()
-}
-
-/// `1 node`, `2 nodes`.
-pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }

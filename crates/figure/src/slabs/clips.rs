@@ -4,9 +4,9 @@ use glam::Vec2;
 use raystep_accel::Visit;
 
 use super::{left, verdict};
-use crate::number;
 use crate::page::{Entry, Figure, Look, Table};
 use crate::theme::Role;
+use crate::words::number;
 
 /// A row for each face of the last hull tested, the latest at the end; of many, the last that there is room for.
 pub(super) fn table(flat: bool, done: &[Visit], size: Vec2, look: &Look) -> Figure {

@@ -4,9 +4,9 @@ use glam::Vec2;
 use raystep_accel::Visit;
 
 use super::{left, verdict};
-use crate::number;
 use crate::page::{Entry, Figure, Look, Table};
 use crate::theme::Role;
+use crate::words::number;
 
 /// The equation put to the last sphere tested, its solutions, and what is left of the ray.
 pub(super) fn table(done: &[Visit], size: Vec2, look: &Look) -> Figure {

@@ -3,8 +3,8 @@
 use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, Visit};
 
 use super::{Drawing, Form};
-use crate::number;
 use crate::theme::Role;
+use crate::words::number;
 
 /// A flat grid with more cells than this shows only those that the walk has entered.
 const FEW: usize = 1024;

@@ -6,9 +6,9 @@ use raystep_accel::{Aabb, Hit, Instances, NodeId, Place, PrimId, Prims, Structur
 
 use super::{Drawing, Form};
 use crate::moment::Inside;
-use crate::number;
 use crate::stage::corners;
 use crate::theme::Role;
+use crate::words::number;
 
 /// Of what waits in the instance, so many nodes.
 const NEXT: usize = 4;

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use raystep_accel::{Place, PrimId, Prims, Visit};
 
 use super::{Drawing, Form};
-use crate::number;
 use crate::theme::Role;
+use crate::words::number;
 
 /// Of a long walk, so many of the primitives last tested are marked.
 const TRAIL: usize = 256;

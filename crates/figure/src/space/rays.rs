@@ -3,8 +3,8 @@
 use raystep_accel::{Place, Visit};
 
 use super::{Drawing, Form, shown};
-use crate::number;
 use crate::theme::Role;
+use crate::words::number;
 
 impl Drawing<'_> {
     pub(super) fn ray(&mut self) {

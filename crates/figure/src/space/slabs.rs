@@ -5,8 +5,8 @@ use raystep_accel::{Aabb, AnyBvh, Direction, Interval, NodeId, Place, Ray, Struc
 
 use super::{Drawing, Form};
 use crate::moment::{SlabCut, SlabTest};
-use crate::number;
 use crate::theme::Role;
+use crate::words::number;
 
 /// A plane whose normal is so much more upright than level is no line of a flat scene.
 const LEVEL: f32 = 0.05;

@@ -3,7 +3,7 @@
 use raystep_accel::{Ending, Place, Probed, Side, Verdict, Visit};
 
 use super::{cells, count};
-use crate::{VolumeName, number};
+use crate::words::{VolumeName, number};
 
 /// One sentence about what just happened, with its numbers.
 pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {

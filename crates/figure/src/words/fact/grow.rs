@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use raystep_accel::{Grow, Place, Value};
 
 use super::{Fact, Symbol};
-use crate::VolumeName;
 use crate::theme::Role;
+use crate::words::VolumeName;
 
 const GROWS: Symbol = Symbol { sign: "▷", name: "box grows", role: Role::Here, rank: 0 };
 const WEIGHED: Symbol = Symbol { sign: "|", name: "weighed", role: Role::Candidate, rank: 1 };
@@ -73,6 +73,6 @@ impl Fact for Grow {
     }
 
     fn sentence(&self, _: VolumeName) -> String {
-        crate::sentence::of_grow(self)
+        crate::words::sentence::of_grow(self)
     }
 }

@@ -3,7 +3,7 @@
 use raystep_accel::{Grow, LeafReason, Place};
 
 use super::{cells, count};
-use crate::number;
+use crate::words::number;
 
 /// One sentence about what just happened, with its numbers.
 pub(crate) fn of_grow(event: &Grow) -> String {

@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use raystep_accel::{Ending, Place, Probed, Value, Verdict, Visit};
 
 use super::{Fact, Symbol};
-use crate::VolumeName;
 use crate::theme::Role;
+use crate::words::VolumeName;
 
 const SLAB: Symbol = Symbol { sign: "▽", name: "slab", role: Role::Plane, rank: 0 };
 /// Each structure has a name of its own for it.
@@ -113,6 +113,6 @@ impl Fact for Visit {
     }
 
     fn sentence(&self, volume: VolumeName) -> String {
-        crate::sentence::of_visit(self, volume)
+        crate::words::sentence::of_visit(self, volume)
     }
 }

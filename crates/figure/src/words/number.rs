@@ -2,8 +2,7 @@
 
 use raystep_accel::Value;
 
-use crate::Fact;
-use crate::work::counted;
+use crate::words::Fact;
 
 /// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros.
 pub fn number(x: f32) -> String {
@@ -39,6 +38,11 @@ pub fn value(value: &Value) -> String {
         Value::Lanes(lanes) => lanes.to_string(),
         Value::Box(bounds) => bounds.extent().to_array().map(number).join(" × "),
     }
+}
+
+/// `1 node`, `2 nodes`.
+pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.

@@ -7,8 +7,8 @@ use std::borrow::Cow;
 
 use raystep_accel::{Event, Place, Value};
 
-use crate::VolumeName;
 use crate::theme::Role;
+use crate::words::VolumeName;
 
 /// An event of a walk or of a build, as listings, templates and timelines see it.
 pub trait Fact {
