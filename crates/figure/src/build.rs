@@ -9,7 +9,7 @@ use raystep_accel::{
     Aabb, Axis, CellId, Direction, FreePlane, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure,
 };
 
-use crate::Nodes;
+use crate::world::Nodes;
 
 /// A build that was recorded, with what it ended in.
 #[derive(Clone, Copy)]

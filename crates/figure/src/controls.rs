@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 use raystep_accel::Aabb;
 
 use crate::Camera;
-use crate::stage::corners;
+use crate::world::corners;
 
 /// So much more than a box has room in a picture that holds it.
 const AIR: f32 = 1.04;

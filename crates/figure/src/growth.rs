@@ -6,11 +6,10 @@ use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Plac
 use crate::branches::{Tree, TreeView};
 use crate::build::{Build, Fate, GrowMoment, GrowNode};
 use crate::page::{Figure, Look};
-use crate::space::convex;
 use crate::theme::Role;
 use crate::tree::draw_tree;
 use crate::words::{counted, number};
-use crate::{Form, Space, SpaceMark};
+use crate::world::{Form, Space, SpaceMark, convex};
 
 /// Most boxes of nodes in one picture.
 const BOXES: usize = 300;

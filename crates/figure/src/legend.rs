@@ -4,7 +4,7 @@ use glam::Vec2;
 
 use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Form, Space};
+use crate::world::{Form, Space};
 
 /// What the marks of a walk mean, in the order of the story they tell.
 pub(crate) const OF_WALK: &[(Role, &str)] = &[

@@ -7,10 +7,11 @@ use crate::page::{Figure, Look};
 use crate::theme::Role;
 use crate::words::counted;
 use crate::work::tested;
+use crate::world::Space;
 use crate::{
-    Build, GrowMoment, ListingLine, Moment, Space, TreeView, Walk, bytes, cells, cells_of_build, costs, legend,
-    listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack, stack_of_build,
-    timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
+    Build, GrowMoment, ListingLine, Moment, TreeView, Walk, bytes, cells, cells_of_build, costs, legend, listing,
+    ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack, stack_of_build, timeline,
+    timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
 
 /// One step, with what it belongs to. Window and page draw this and need not know which of the two it is.

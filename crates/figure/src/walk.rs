@@ -2,8 +2,8 @@
 
 use raystep_accel::{Aabb, Direction, Place, Primitives, Prims, Ray, Structure, Visit};
 
-use crate::Nodes;
 use crate::reel::around;
+use crate::world::Nodes;
 
 /// Everything that the views of one walk need.
 #[derive(Clone, Copy)]

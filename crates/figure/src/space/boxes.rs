@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use raystep_accel::{NodeId, Place, Structure, Verdict, Visit};
 
-use super::{Drawing, Form, convex};
+use super::Drawing;
 use crate::theme::Role;
 use crate::words::number;
+use crate::world::{Form, convex};
 
 /// A tree with more nodes than this shows only the way to the current node and what waits.
 const FEW_FLAT: usize = 256;

@@ -2,9 +2,10 @@
 
 use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, Visit};
 
-use super::{Drawing, Form};
+use super::Drawing;
 use crate::theme::Role;
 use crate::words::number;
+use crate::world::Form;
 
 /// A flat grid with more cells than this shows only those that the walk has entered.
 const FEW: usize = 1024;

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use raystep_accel::{Aabb, Hit, Instances, NodeId, Place, PrimId, Prims, Structure, Visit};
 
-use super::{Drawing, Form};
+use super::Drawing;
 use crate::moment::Inside;
-use crate::stage::corners;
 use crate::theme::Role;
 use crate::words::number;
+use crate::world::{Form, corners};
 
 /// Of what waits in the instance, so many nodes.
 const NEXT: usize = 4;

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use raystep_accel::{Place, PrimId, Prims, Visit};
 
-use super::{Drawing, Form};
+use super::Drawing;
 use crate::theme::Role;
 use crate::words::number;
+use crate::world::Form;
 
 /// Of a long walk, so many of the primitives last tested are marked.
 const TRAIL: usize = 256;

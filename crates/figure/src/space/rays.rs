@@ -2,9 +2,10 @@
 
 use raystep_accel::{Place, Visit};
 
-use super::{Drawing, Form, shown};
+use super::{Drawing, shown};
 use crate::theme::Role;
 use crate::words::number;
+use crate::world::Form;
 
 impl Drawing<'_> {
     pub(super) fn ray(&mut self) {

@@ -3,10 +3,11 @@
 use glam::Vec3;
 use raystep_accel::{Aabb, AnyBvh, Direction, Interval, NodeId, Place, Ray, Structure, Visit};
 
-use super::{Drawing, Form};
+use super::Drawing;
 use crate::moment::{SlabCut, SlabTest};
 use crate::theme::Role;
 use crate::words::number;
+use crate::world::Form;
 
 /// A plane whose normal is so much more upright than level is no line of a flat scene.
 const LEVEL: f32 = 0.05;

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use raystep_accel::Sphere;
 
-use crate::faces::ring;
+use crate::world::ring;
 
 /// Where the eye's lines of sight touch a sphere, as a closed line; nothing if the eye is inside.
 pub fn contour(sphere: &Sphere, eye: Vec3) -> Option<Vec<Vec3>> {

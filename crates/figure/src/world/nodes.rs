@@ -4,8 +4,7 @@ use std::sync::OnceLock;
 
 use raystep_accel::{Aabb, AnyBvh, NodeId, Structure};
 
-use crate::Form;
-use crate::space::outlines;
+use crate::world::{Form, outlines};
 
 /// The boxes of a structure's nodes, and what they look like: a hull or a cell cut by planes takes longer to work
 /// out than a picture may, so each is worked out when a picture first shows it.
