@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place};
 
-use crate::lens::Lens;
+use super::lens::Lens;
 use crate::page::{Anchor, Figure, Ink};
 use crate::theme::{Face, Role, text_width};
 use crate::world::{Form, Space, contour, corners};

@@ -1,16 +1,23 @@
 //! A space as a camera sees it: a figure.
 
+mod camera;
+mod controls;
 mod labels;
+mod lens;
+mod shaded;
 mod shapes;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
 
-use crate::lens::Lens;
+use lens::Lens;
+
 use crate::page::{Figure, Ink};
 use crate::theme::Role;
 use crate::world::{Form, Space, corners};
-use crate::{Camera, Shaded};
+
+pub use camera::Camera;
+pub use shaded::{Shaded, shaded};
 
 /// What a picture shows of the primitives to which nothing has happened.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use glam::{Mat4, Vec2, Vec3};
 use raystep_accel::{Ray, RayError};
 
-use crate::lens::Lens;
+use super::lens::Lens;
 
 /// A camera; the one type that projects the world onto a page.
 #[derive(Clone, Copy, Debug, PartialEq)]

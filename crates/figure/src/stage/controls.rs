@@ -3,7 +3,7 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::Aabb;
 
-use crate::Camera;
+use super::Camera;
 use crate::world::corners;
 
 /// So much more than a box has room in a picture that holds it.

@@ -3,8 +3,8 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, BvhRule, Grow, Hit, Obb, Observer, Primitives, Prims, Ray, Rule, Shape, Structure};
 
-use crate::Camera;
-use crate::lens::Lens;
+use super::Camera;
+use super::lens::Lens;
 use crate::page::Image;
 use crate::theme::{Color, Theme};
 

@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 
-use crate::Camera;
+use super::Camera;
 
 /// Projects points, lines and polygons onto a page of some size.
 #[derive(Clone, Copy, Debug)]
