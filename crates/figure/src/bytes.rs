@@ -3,10 +3,10 @@
 use glam::Vec2;
 use raystep_accel::{KdLayout, Machine, NodeField, NodeId, Place, Structure, Word};
 
+use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
-use crate::{Moment, Walk};
 
 /// The node where the walk stands, in each layout on one scale: its fields with what stands in them, and beside
 /// them the bits of a word that says several things.

@@ -3,10 +3,10 @@
 use glam::Vec2;
 use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, PrimId, Visit};
 
+use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Entry, Figure, Look, Table, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
-use crate::{Moment, Walk};
 
 /// The next t of each axis, how far its planes lie apart, and the primitives of the cell. Which axis
 /// steps is marked once the walk has stepped, and not while `hide_next`: a question may ask for it.

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use glam::Vec2;
 use raystep_accel::{Direction, FreePlane, Grow, Place};
 
-use crate::build::{GrowMoment, Weighed};
+use crate::moments::{GrowMoment, Weighed};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
 use crate::branches::{Tree, TreeView};
-use crate::build::{Build, Fate, GrowMoment, GrowNode};
+use crate::moments::{Build, Fate, GrowMoment, GrowNode};
 use crate::page::{Figure, Look};
 use crate::theme::Role;
 use crate::tree::draw_tree;

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Place, Primitives};
 
-use crate::build::{Build, Fate, GrowMoment};
+use crate::moments::{Build, Fate, GrowMoment};
 use crate::page::{Anchor, Figure, Look, block, wrapped, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::counted;

@@ -6,7 +6,6 @@
 //! [`Camera`] projects into a figure and `paint` draws on the GPU.
 
 mod branches;
-mod build;
 mod bytes;
 mod cells;
 mod costs;
@@ -15,7 +14,7 @@ mod growth;
 mod ledger;
 mod legend;
 mod listing;
-mod moment;
+mod moments;
 mod page;
 mod reel;
 mod ruler;
@@ -29,13 +28,11 @@ mod theme;
 mod tidy;
 mod timeline;
 mod tree;
-mod walk;
 mod words;
 mod work;
 mod world;
 
 pub use branches::TreeView;
-pub use build::{Build, Fate, GrowMoment, GrowNode, Taken, Tally, Weighed};
 pub use bytes::bytes;
 pub use cells::cells;
 pub use costs::costs;
@@ -43,7 +40,10 @@ pub use film::Film;
 pub use growth::{space_of_build, tree_of_build};
 pub use ledger::{cells_of_build, work_of_build};
 pub use listing::{ListingLine, listing};
-pub use moment::{Cut, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
+pub use moments::{
+    Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
+    Tested, Waiting, Walk, Weighed,
+};
 pub use page::{Anchor, Figure, Image, Ink, Look, Mark};
 pub use reel::{Instant, Reel};
 pub use ruler::{ruler, ruler_height, ruler_line, ruler_line_height};
@@ -55,7 +55,6 @@ pub use still::Still;
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use timeline::{Track, timeline, timeline_of_build};
 pub use tree::tree;
-pub use walk::Walk;
 pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value};
 pub use work::{tested, work};
 pub use world::{Form, Nodes, Space, SpaceMark, circles, contour, faces, lines};

@@ -1,9 +1,10 @@
 //! What was recorded, a walk or a build, and its state at one step.
 
-use raystep_accel::{Aabb, Event, Grow, Place, PrimId, Primitives, Prims, Structure, Visit};
+use raystep_accel::{Event, Grow, Place, Prims, Structure, Visit};
 
+use crate::Still;
+use crate::moments::{Build, GrowMoment, Moment, Walk};
 use crate::words::VolumeName;
-use crate::{Build, GrowMoment, Moment, Still, Walk};
 
 /// A walk or a build. The views ask this one and need not know which.
 #[derive(Clone, Copy)]
@@ -127,9 +128,4 @@ impl Instant {
             Instant::Build(moment) => moment.event.map(Event::Build),
         }
     }
-}
-
-/// The box around some primitives.
-pub(crate) fn around(prims: &Prims) -> Aabb {
-    (0..prims.len() as u32).fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(PrimId(prim))))
 }

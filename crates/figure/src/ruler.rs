@@ -3,11 +3,11 @@
 use glam::Vec2;
 use raystep_accel::{Structure, Visit};
 
+use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::spans::{Span, current_t, extent, spans};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
-use crate::{Moment, Walk};
 
 /// A row for each known interval over one axis.
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {

@@ -6,10 +6,10 @@ mod roots;
 use glam::Vec2;
 use raystep_accel::{AnyBvh, Axis, Direction, Place, Structure, Visit};
 
+use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Entry, Figure, Look, Table, write};
 use crate::theme::{Face, Role};
 use crate::words::{VolumeName, number};
-use crate::{Moment, Walk};
 
 /// The events of one direction of a slab test, as far as they have happened.
 #[derive(Clone, Copy, Debug)]

@@ -2,8 +2,8 @@
 
 use raystep_accel::{Axis, Interval, Place, Verdict, Visit};
 
+use crate::moments::{Moment, Walk};
 use crate::theme::Role;
-use crate::{Moment, Walk};
 
 /// An interval of t with a name.
 #[derive(Clone, Debug, PartialEq)]

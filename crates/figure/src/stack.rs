@@ -3,11 +3,10 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::build::GrowMoment;
+use crate::moments::{GrowMoment, Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role};
 use crate::words::number;
-use crate::{Moment, Walk};
 
 /// One row of a stack.
 struct Row {

@@ -3,15 +3,16 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Event, Place, Primitives};
 
+use crate::moments::{Build, GrowMoment, Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::theme::Role;
 use crate::words::counted;
 use crate::work::tested;
 use crate::world::Space;
 use crate::{
-    Build, GrowMoment, ListingLine, Moment, TreeView, Walk, bytes, cells, cells_of_build, costs, legend, listing,
-    ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack, stack_of_build, timeline,
-    timeline_of_build, tree, tree_of_build, work, work_of_build,
+    ListingLine, TreeView, bytes, cells, cells_of_build, costs, legend, listing, ruler, ruler_height, ruler_line,
+    ruler_line_height, slabs, space, space_of_build, stack, stack_of_build, timeline, timeline_of_build, tree,
+    tree_of_build, work, work_of_build,
 };
 
 /// One step, with what it belongs to. Window and page draw this and need not know which of the two it is.

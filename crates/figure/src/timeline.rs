@@ -3,8 +3,7 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::Walk;
-use crate::build::Build;
+use crate::moments::{Build, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::fact::{grow, visit};

@@ -6,9 +6,9 @@ use glam::Vec2;
 use raystep_accel::{Direction, NodeId, Place, PrimId};
 
 use crate::branches::{Branch, Branches, MOST, Room, Tree, TreeView, branches, count_below};
+use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::{Moment, Walk};
 
 /// More nodes than this below a closed one are not counted.
 const COUNTED: usize = 9999;

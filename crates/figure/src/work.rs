@@ -3,10 +3,10 @@
 use glam::Vec2;
 use raystep_accel::{Cost, Primitives, Structure};
 
+use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, wrapped, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::{VolumeName, counted};
-use crate::{Moment, Walk};
 
 /// Where only the box is tested, its test is the work.
 fn tests_box_only(structure: &Structure) -> bool {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use raystep_accel::{Aabb, Hit, Instances, NodeId, Place, PrimId, Prims, Structure, Visit};
 
 use super::Drawing;
-use crate::moment::Inside;
+use crate::moments::Inside;
 use crate::theme::Role;
 use crate::words::number;
 use crate::world::{Form, corners};

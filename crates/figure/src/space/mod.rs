@@ -10,9 +10,9 @@ mod slabs;
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, Structure};
 
+use crate::moments::{Moment, Walk};
 use crate::theme::Role;
 use crate::world::{Form, Space, SpaceMark};
-use crate::{Moment, Walk};
 
 /// What space shows at a moment of a walk.
 pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {

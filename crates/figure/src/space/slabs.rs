@@ -4,7 +4,7 @@ use glam::Vec3;
 use raystep_accel::{Aabb, AnyBvh, Direction, Interval, NodeId, Place, Ray, Structure, Visit};
 
 use super::Drawing;
-use crate::moment::{SlabCut, SlabTest};
+use crate::moments::{SlabCut, SlabTest};
 use crate::theme::Role;
 use crate::words::number;
 use crate::world::Form;

@@ -4,7 +4,7 @@ use raystep_accel::{
     Axis, CellId, Cost, Direction, Ending, Hit, Interval, NodeId, Observer, Place, PrimId, Side, Verdict, Visit,
 };
 
-use crate::Walk;
+use crate::moments::Walk;
 
 /// The state of a walk after its first `step` events: nothing in it comes from later ones.
 #[derive(Clone, Debug, PartialEq)]

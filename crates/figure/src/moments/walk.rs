@@ -1,8 +1,7 @@
 //! A walk that was recorded, with what it went through.
 
-use raystep_accel::{Aabb, Direction, Place, Primitives, Prims, Ray, Structure, Visit};
+use raystep_accel::{Aabb, Direction, Place, PrimId, Primitives, Prims, Ray, Structure, Visit};
 
-use crate::reel::around;
 use crate::world::Nodes;
 
 /// Everything that the views of one walk need.
@@ -50,4 +49,9 @@ impl Walk<'_> {
         }
         around(self.prims)
     }
+}
+
+/// The box around some primitives.
+fn around(prims: &Prims) -> Aabb {
+    (0..prims.len() as u32).fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(PrimId(prim))))
 }
