@@ -5,15 +5,15 @@ use raystep_accel::{Aabb, Event, Place, Primitives};
 
 use crate::moments::{Build, GrowMoment, Moment, Walk};
 use crate::page::{Figure, Look};
-use crate::theme::Role;
-use crate::words::counted;
-use crate::work::tested;
-use crate::world::Space;
-use crate::{
+use crate::panes::{
     ListingLine, TreeView, bytes, cells, cells_of_build, costs, legend, listing, ruler, ruler_height, ruler_line,
-    ruler_line_height, slabs, space, space_of_build, stack, stack_of_build, timeline, timeline_of_build, tree,
+    ruler_line_height, slabs, space, space_of_build, stack, stack_of_build, tested, timeline, timeline_of_build, tree,
     tree_of_build, work, work_of_build,
 };
+
+use crate::theme::Role;
+use crate::words::counted;
+use crate::world::Space;
 
 /// One step, with what it belongs to. Window and page draw this and need not know which of the two it is.
 #[derive(Clone, Copy)]

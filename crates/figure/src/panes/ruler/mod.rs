@@ -1,11 +1,14 @@
 //! The ray as a ruler: every known interval of t, the current t and the hits.
 
+mod spans;
+
 use glam::Vec2;
 use raystep_accel::{Structure, Visit};
 
+use spans::{Span, current_t, extent, spans};
+
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
-use crate::spans::{Span, current_t, extent, spans};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
 

@@ -1,11 +1,17 @@
 //! A tree as nodes and edges: where the walk stands, what waits, what was seen and what never will be.
 
+mod branches;
+mod tidy;
+
 use std::collections::BTreeMap;
 
 use glam::Vec2;
 use raystep_accel::{Direction, NodeId, Place, PrimId};
 
-use crate::branches::{Branch, Branches, MOST, Room, Tree, TreeView, branches, count_below};
+pub(crate) use branches::Tree;
+pub use branches::TreeView;
+use branches::{Branch, Branches, MOST, Room, branches, count_below};
+
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};

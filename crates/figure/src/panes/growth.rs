@@ -3,11 +3,10 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
-use crate::branches::{Tree, TreeView};
 use crate::moments::{Build, Fate, GrowMoment, GrowNode};
 use crate::page::{Figure, Look};
+use crate::panes::tree::{Tree, TreeView, draw_tree};
 use crate::theme::Role;
-use crate::tree::draw_tree;
 use crate::words::{counted, number};
 use crate::world::{Form, Space, SpaceMark, convex};
 

@@ -5,8 +5,8 @@ use std::collections::{BTreeSet, VecDeque};
 
 use raystep_accel::{Direction, NodeId, PrimId};
 
+use super::tidy::{Tidy, Twig, tidy};
 use crate::theme::Role;
-use crate::tidy::{Tidy, Twig, tidy};
 
 /// What the user has zoomed to, opened and closed in a tree.
 #[derive(Clone, Debug, Default, PartialEq)]
