@@ -1,6 +1,7 @@
-//! A drawing in world space, for any camera.
+//! What a walk shows in space: the ray, the boxes and cells it meets, and what became of them.
 
 mod boxes;
+mod build;
 mod cells;
 mod instances;
 mod prims;
@@ -9,6 +10,8 @@ mod slabs;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, Structure};
+
+pub use build::space_of_build;
 
 use crate::moments::{Moment, Walk};
 use crate::theme::Role;

@@ -1,6 +1,7 @@
 //! A tree as nodes and edges: where the walk stands, what waits, what was seen and what never will be.
 
 mod branches;
+mod build;
 mod tidy;
 
 use std::collections::BTreeMap;
@@ -8,9 +9,10 @@ use std::collections::BTreeMap;
 use glam::Vec2;
 use raystep_accel::{Direction, NodeId, Place, PrimId};
 
-pub(crate) use branches::Tree;
 pub use branches::TreeView;
-use branches::{Branch, Branches, MOST, Room, branches, count_below};
+use branches::{Branch, Branches, MOST, Room, Tree, branches, count_below};
+pub(crate) use build::node_role;
+pub use build::tree_of_build;
 
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
@@ -86,7 +88,7 @@ impl Tree for Walked<'_> {
 }
 
 /// Draws any tree into a pane.
-pub(crate) fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Look) -> Figure {
+fn draw_tree(tree: &impl Tree, view: &TreeView, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let u = look.text;
     let top = look.heading(&mut figure, "Tree", "dots: primitives of a leaf");

@@ -1,7 +1,11 @@
 //! The cell of a grid in which the walk stands: which plane comes next along each axis, and what it holds.
 
+mod build;
+
 use glam::Vec2;
 use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, PrimId, Visit};
+
+pub use build::cells_of_build;
 
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Entry, Figure, Look, Table, write};

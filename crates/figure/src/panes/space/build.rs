@@ -1,11 +1,10 @@
-//! What a builder has done so far, in space and as a tree.
+//! What a builder has done so far, in space.
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
 use crate::moments::{Build, Fate, GrowMoment, GrowNode};
-use crate::page::{Figure, Look};
-use crate::panes::tree::{Tree, TreeView, draw_tree};
+use crate::panes::tree::node_role;
 use crate::theme::Role;
 use crate::words::{counted, number};
 use crate::world::{Form, Space, SpaceMark, convex};
@@ -32,16 +31,6 @@ pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
     drawing.guesses();
     let margin = 0.03 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
     Space { marks: drawing.marks, bounds: bounds.padded(margin), flat: build.flat }
-}
-
-/// The tree at a moment of a build.
-pub fn tree_of_build(moment: &GrowMoment, view: &TreeView, size: Vec2, look: &Look) -> Figure {
-    if moment.nodes.is_empty() {
-        let mut figure = Figure::new(size);
-        look.nothing(&mut figure, "Tree", "No node has come to be yet.");
-        return figure;
-    }
-    draw_tree(&Growing { moment, path: moment.path() }, view, size, look)
 }
 
 struct Drawing<'a> {
@@ -234,46 +223,4 @@ fn ticks(bounds: &Aabb, axis: Axis, plane: f32) -> [(Vec3, Vec3); 2] {
     };
     let (low, high) = (bounds.min[along], bounds.max[along]);
     [(at(low), at(low + length)), (at(high - length), at(high))]
-}
-
-/// The state of a node that grows.
-fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
-    match moment.nodes.get(&id) {
-        _ if moment.node == Some(id) => Role::Here,
-        Some(node) if !node.children.is_empty() || node.leaf.is_some() => Role::Seen,
-        // Named by its parent's split, still to be built.
-        _ => Role::Waiting,
-    }
-}
-
-/// A tree that grows.
-struct Growing<'a> {
-    moment: &'a GrowMoment,
-    path: Vec<NodeId>,
-}
-
-impl Tree for Growing<'_> {
-    fn children(&self, node: NodeId) -> Vec<NodeId> {
-        self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default()
-    }
-
-    fn axis(&self, node: NodeId) -> Option<Direction> {
-        self.moment.nodes.get(&node)?.split.map(|split| split.axis)
-    }
-
-    fn prims(&self, node: NodeId) -> Vec<PrimId> {
-        self.moment.nodes.get(&node).map(|node| node.settled.clone()).unwrap_or_default()
-    }
-
-    fn role(&self, node: NodeId) -> Role {
-        node_role(self.moment, node)
-    }
-
-    fn prim_role(&self, prim: PrimId) -> Role {
-        if self.moment.prim == Some(prim) { Role::Here } else { Role::Scene }
-    }
-
-    fn path(&self) -> Vec<NodeId> {
-        if self.path.is_empty() { vec![NodeId::ROOT] } else { self.path.clone() }
-    }
 }

@@ -1,7 +1,11 @@
 //! How much the walk has done so far, against testing everything.
 
+mod build;
+
 use glam::Vec2;
 use raystep_accel::{Cost, Primitives, Structure};
+
+pub use build::work_of_build;
 
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, wrapped, write};
