@@ -4,19 +4,28 @@
 //! The window paints figures with egui, `print` writes them as SVG; both ask the one [`Theme`] which
 //! colour and which line a role has. A solid scene is a [`Space`]: the same marks in world space, which a
 //! [`Camera`] projects into a figure and `paint` draws on the GPU.
+//!
+//! The rooms, from the ground up; each knows those above it in this list, and none below:
+//!
+//! - `theme`: roles, the one table from a role to its look, and the shipped faces
+//! - `page`: figures, their marks, and the few shapes that all panes share
+//! - `words`: what an event says, and the one formatter of numbers
+//! - `world`: drawings in world space, and what bodies and nodes look like there
+//! - `stage`: a drawing in world space as a camera sees it
+//! - `moments`: walks and builds as they were recorded, and the state of each after some events
+//! - `panes`: one side of a moment each: space, tree, cells, ruler, costs, stack, slabs, bytes, listing, work …
+//! - `kinds`: what can be shown step by step, each kind with the panes that it can draw
 
-mod film;
+mod kinds;
 mod moments;
 mod page;
 mod panes;
-mod reel;
 mod stage;
-mod still;
 mod theme;
 mod words;
 mod world;
 
-pub use film::Film;
+pub use kinds::{Film, Instant, Reel, Still};
 pub use moments::{
     Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
     Tested, Waiting, Walk, Weighed,
@@ -27,9 +36,7 @@ pub use panes::{
     ruler_line_height, slabs, space, space_of_build, stack, stack_height, stack_of_build, tested, timeline,
     timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
-pub use reel::{Instant, Reel};
 pub use stage::{Camera, Scenery, Shaded, labels, shaded, stage};
-pub use still::Still;
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value};
 pub use world::{Form, Nodes, Space, SpaceMark, circles, contour, faces, lines};

@@ -1,6 +1,6 @@
 //! A long reel, ready to be shown at any step.
 
-use crate::{Instant, Reel};
+use super::{Instant, Reel};
 
 /// Instants along a reel from which any other is reached in few events.
 #[derive(Clone, Debug)]

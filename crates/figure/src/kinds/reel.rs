@@ -2,7 +2,7 @@
 
 use raystep_accel::{Event, Grow, Place, Prims, Structure, Visit};
 
-use crate::Still;
+use super::Still;
 use crate::moments::{Build, GrowMoment, Moment, Walk};
 use crate::words::VolumeName;
 
