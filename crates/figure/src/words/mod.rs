@@ -3,9 +3,11 @@
 pub(crate) mod fact;
 mod number;
 mod sentence;
+mod template;
 mod volume;
 
 pub use fact::{Answer, Fact, Symbol, sentence, short};
 pub(crate) use number::counted;
-pub use number::{fill, number, told, value};
+pub use number::{number, value};
+pub use template::{fill, told};
 pub use volume::VolumeName;
