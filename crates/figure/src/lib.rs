@@ -4,83 +4,39 @@
 //! The window paints figures with egui, `print` writes them as SVG; both ask the one [`Theme`] which
 //! colour and which line a role has. A solid scene is a [`Space`]: the same marks in world space, which a
 //! [`Camera`] projects into a figure and `paint` draws on the GPU.
+//!
+//! The rooms, from the ground up; each knows those above it in this list, and none below:
+//!
+//! - `theme`: roles, the one table from a role to its look, and the shipped faces
+//! - `page`: figures, their marks, and the few shapes that all panes share
+//! - `words`: what an event says, and the one formatter of numbers
+//! - `world`: drawings in world space, and what bodies and nodes look like there
+//! - `stage`: a drawing in world space as a camera sees it
+//! - `moments`: walks and builds as they were recorded, and the state of each after some events
+//! - `panes`: one side of a moment each: space, tree, cells, ruler, costs, stack, slabs, bytes, listing, work …
+//! - `kinds`: what can be shown step by step, each kind with the panes that it can draw
 
-mod body;
-mod branches;
-mod build;
-mod bytes;
-mod camera;
-mod cells;
-mod controls;
-mod costs;
-mod faces;
-mod fact;
-mod figure;
-mod film;
-pub mod fonts;
-mod globe;
-mod growth;
-mod ledger;
-mod legend;
-mod lens;
-mod listing;
-mod look;
-mod moment;
-mod nodes;
-mod number;
-mod reel;
-mod role;
-mod ruler;
-mod sentence;
-mod shaded;
-mod slabs;
-mod space;
-mod spans;
-mod stack;
+mod kinds;
+mod moments;
+mod page;
+mod panes;
 mod stage;
-mod still;
-mod table;
 mod theme;
-mod ticks;
-mod tidy;
-mod timeline;
-mod tree;
-mod volume;
-mod walk;
-mod work;
+mod words;
+mod world;
 
-pub use body::lines;
-pub use branches::TreeView;
-pub use build::{Build, Fate, GrowMoment, GrowNode, Taken, Tally, Weighed};
-pub use bytes::bytes;
-pub use camera::Camera;
-pub use cells::cells;
-pub use costs::costs;
-pub use faces::faces;
-pub use fact::{Answer, Fact, Symbol, sentence, short};
-pub use figure::{Anchor, Face, Figure, Ink, Mark};
-pub use film::Film;
-pub use fonts::text_width;
-pub use globe::{circles, contour};
-pub use growth::{space_of_build, tree_of_build};
-pub use ledger::{cells_of_build, work_of_build};
-pub use listing::{ListingLine, listing};
-pub use look::Look;
-pub use moment::{Cut, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
-pub use nodes::Nodes;
-pub use number::{fill, number, told, value};
-pub use reel::{Instant, Reel};
-pub use role::Role;
-pub use ruler::{ruler, ruler_height, ruler_line, ruler_line_height};
-pub use shaded::{Image, Shaded, shaded};
-pub use slabs::slabs;
-pub use space::{Form, Space, SpaceMark, space};
-pub use stack::{stack, stack_height, stack_of_build};
-pub use stage::{Scenery, labels, stage};
-pub use still::Still;
-pub use theme::{Color, Dash, Stroke, Style, Theme};
-pub use timeline::{Track, timeline, timeline_of_build};
-pub use tree::tree;
-pub use volume::VolumeName;
-pub use walk::Walk;
-pub use work::{tested, work};
+pub use kinds::{Film, Instant, Reel, Still};
+pub use moments::{
+    Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
+    Tested, Waiting, Walk, Weighed,
+};
+pub use page::{Anchor, Figure, Image, Ink, Look, Mark};
+pub use panes::{
+    ListingLine, Track, TreeView, bytes, cells, cells_of_build, costs, listing, ruler, ruler_height, ruler_line,
+    ruler_line_height, slabs, space, space_of_build, stack, stack_height, stack_of_build, tested, timeline,
+    timeline_of_build, tree, tree_of_build, work, work_of_build,
+};
+pub use stage::{Camera, Scenery, Shaded, labels, shaded, stage};
+pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
+pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value};
+pub use world::{Form, Nodes, Space, SpaceMark, circles, contour, faces, lines};

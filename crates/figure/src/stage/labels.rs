@@ -3,10 +3,10 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place};
 
-use super::corners;
-use crate::globe::contour;
-use crate::lens::Lens;
-use crate::{Anchor, Face, Figure, Form, Ink, Role, Space, text_width};
+use super::lens::Lens;
+use crate::page::{Anchor, Figure, Ink};
+use crate::theme::{Face, Role, text_width};
+use crate::world::{Form, Space, contour, corners};
 
 /// Room around a label's text, in sizes of its face, as `print` and the window draw its box.
 const ASIDE: f32 = 0.5;

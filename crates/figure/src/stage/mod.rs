@@ -1,13 +1,23 @@
 //! A space as a camera sees it: a figure.
 
+mod camera;
+mod controls;
 mod labels;
+mod lens;
+mod shaded;
 mod shapes;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
 
-use crate::lens::Lens;
-use crate::{Camera, Figure, Form, Ink, Role, Shaded, Space};
+use lens::Lens;
+
+use crate::page::{Figure, Ink};
+use crate::theme::Role;
+use crate::world::{Form, Space, corners};
+
+pub use camera::Camera;
+pub use shaded::{Shaded, shaded};
 
 /// What a picture shows of the primitives to which nothing has happened.
 #[derive(Clone, Copy, Debug)]
@@ -215,16 +225,4 @@ fn behind(role: Role) -> Role {
 /// Whether two points of the page are the same but for rounding.
 fn joined(a: Vec2, b: Vec2) -> bool {
     (a - b).length_squared() < 1e-4
-}
-
-/// The corners of a box: bit 0 of the index is x, bit 1 y, bit 2 z.
-pub(crate) fn corners(bounds: &Aabb) -> [Vec3; 8] {
-    std::array::from_fn(|index| {
-        let pick = |bit: usize, low: f32, high: f32| if index & bit == 0 { low } else { high };
-        Vec3::new(
-            pick(1, bounds.min.x, bounds.max.x),
-            pick(2, bounds.min.y, bounds.max.y),
-            pick(4, bounds.min.z, bounds.max.z),
-        )
-    })
 }

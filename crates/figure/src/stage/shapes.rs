@@ -4,9 +4,9 @@ use glam::Vec3;
 use raystep_accel::{Place, PrimId, Primitives, Prims, Shape, Sphere, Wall};
 
 use super::Stage;
-use crate::faces::{faces, ring};
-use crate::globe::{circles, contour};
-use crate::{Ink, Role, lines};
+use crate::page::Ink;
+use crate::theme::Role;
+use crate::world::{circles, contour, faces, lines, ring};
 
 impl Stage<'_> {
     pub(super) fn prim(&mut self, prims: &Prims, prim: PrimId, role: Role) {

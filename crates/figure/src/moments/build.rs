@@ -1,0 +1,366 @@
+//! The state of a builder after some of its events.
+
+mod joins;
+
+use std::collections::BTreeMap;
+
+use glam::Vec3;
+use raystep_accel::{
+    Aabb, Axis, CellId, Direction, FreePlane, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure,
+};
+
+use crate::world::Nodes;
+
+/// A build that was recorded, with what it ended in.
+#[derive(Clone, Copy)]
+pub struct Build<'a> {
+    /// The finished structure: it knows where a grid's cells lie.
+    pub structure: &'a Structure,
+    /// Its nodes, as pictures need them.
+    pub nodes: &'a Nodes,
+    /// What it was built over.
+    pub prims: &'a Prims,
+    /// What happened, in order.
+    pub events: &'a [Grow],
+    /// How many more events there were than the recording holds.
+    pub lost: u64,
+    /// Whether the scene is flat.
+    pub flat: bool,
+}
+
+/// A structure that grows: what its builder has done so far. Nothing in it comes from later events.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GrowMoment {
+    /// How many events have happened.
+    pub step: usize,
+    /// The last of them: what this step shows.
+    pub event: Option<Grow>,
+    /// The box around the primitives so far.
+    pub bounds: Aabb,
+    /// The nodes that came to be.
+    pub nodes: BTreeMap<NodeId, GrowNode>,
+    /// The node under consideration.
+    pub node: Option<NodeId>,
+    /// The splits of that node weighed so far.
+    pub weighed: Vec<Weighed>,
+    /// In a BSP tree, the plane that is weighed or taken next.
+    pub free: Option<FreePlane>,
+    /// The grid's resolution, once chosen.
+    pub resolution: Option<[u32; 3]>,
+    /// How many cells there are so far, those of the grids within cells included.
+    pub cell_count: u32,
+    /// What each cell refers to so far.
+    pub cells: BTreeMap<CellId, Vec<PrimId>>,
+    /// The cells that the current primitive's box was rasterised into, and what became of it there.
+    pub rasterised: Vec<(CellId, Fate)>,
+    /// The primitives that set the six sides of the box: the lower ones of x, y and z, then the upper ones.
+    pub sides: [Option<PrimId>; 6],
+    /// The primitives on both sides of the split just taken.
+    pub shared: Vec<PrimId>,
+    /// Nodes that wait to be split or to become leaves, the next one last.
+    pub waiting: Vec<NodeId>,
+    /// What was done so far.
+    pub tally: Tally,
+    /// Planes that an open question offers, with a word for each. The build knows nothing of it: whoever
+    /// asks puts them here.
+    pub guesses: Vec<(Direction, f32, String)>,
+    parents: BTreeMap<NodeId, NodeId>,
+    /// The primitive under consideration.
+    pub prim: Option<PrimId>,
+}
+
+/// What becomes of a primitive in a cell that its box meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// That is still to be decided.
+    Open,
+    /// The cell refers to it.
+    Stored,
+    /// It does not reach into the cell.
+    Pruned,
+}
+
+/// How often a builder did what.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// Primitives put into the box.
+    pub boxed: u64,
+    /// Cells that the box of a primitive met.
+    pub rasterised: u64,
+    /// Those that the primitive itself did not reach.
+    pub pruned: u64,
+    /// References stored.
+    pub stored: u64,
+    /// Splits weighed.
+    pub weighed: u64,
+    /// Splits taken.
+    pub taken: u64,
+    /// Leaves made.
+    pub leaves: u64,
+}
+
+/// A node that grows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GrowNode {
+    /// Its box.
+    pub bounds: Aabb,
+    /// How many references it holds.
+    pub prims: u32,
+    /// How deep it lies: the root at 0.
+    pub depth: u32,
+    /// How it was split in two, if it was.
+    pub split: Option<Taken>,
+    /// The nodes that it was split or divided into.
+    pub children: Vec<NodeId>,
+    /// Why it stayed a leaf, if it did.
+    pub leaf: Option<LeafReason>,
+    /// What it refers to, as a leaf.
+    pub settled: Vec<PrimId>,
+}
+
+/// A split that was taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Taken {
+    /// Across this axis.
+    pub axis: Direction,
+    /// At this coordinate.
+    pub plane: f32,
+    /// The lower child.
+    pub below: NodeId,
+    /// The upper child.
+    pub above: NodeId,
+    /// What it costs.
+    pub cost: f32,
+    /// In a BSP tree, how the plane stands.
+    pub free: Option<FreePlane>,
+}
+
+/// A split that was weighed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Weighed {
+    /// Across this axis.
+    pub axis: Direction,
+    /// At this coordinate.
+    pub plane: f32,
+    /// References below it.
+    pub below: u32,
+    /// References above it.
+    pub above: u32,
+    /// What it would cost.
+    pub cost: f32,
+    /// In a BSP tree, how the plane stands.
+    pub free: Option<FreePlane>,
+}
+
+impl Default for GrowMoment {
+    fn default() -> GrowMoment {
+        GrowMoment {
+            step: 0,
+            event: None,
+            bounds: Aabb::EMPTY,
+            nodes: BTreeMap::new(),
+            node: None,
+            weighed: Vec::new(),
+            free: None,
+            resolution: None,
+            cell_count: 0,
+            cells: BTreeMap::new(),
+            rasterised: Vec::new(),
+            sides: [None; 6],
+            shared: Vec::new(),
+            waiting: Vec::new(),
+            tally: Tally::default(),
+            guesses: Vec::new(),
+            parents: BTreeMap::new(),
+            prim: None,
+        }
+    }
+}
+
+impl GrowMoment {
+    /// The state after the first `step` events.
+    pub fn at(events: &[Grow], step: usize) -> GrowMoment {
+        let mut moment = GrowMoment::default();
+        moment.advance(events, step);
+        moment
+    }
+
+    /// Lets events happen until `step` have. Steps already taken are not taken back.
+    pub fn advance(&mut self, events: &[Grow], step: usize) {
+        for event in events.get(self.step..step.min(events.len())).unwrap_or_default() {
+            self.happen(*event);
+        }
+    }
+
+    /// Lets one more event happen.
+    pub fn happen(&mut self, event: Grow) {
+        self.step += 1;
+        self.event = Some(event);
+        match event {
+            Grow::Widen { prim, bounds, .. } => {
+                self.set_sides(prim, &bounds);
+                self.bounds = bounds;
+                self.prim = Some(prim);
+                self.tally.boxed += 1;
+            }
+            Grow::Resolve { bounds, nx, ny, nz, .. } => {
+                self.bounds = bounds;
+                self.resolution = Some([nx, ny, nz]);
+                self.cell_count = nx * ny * nz;
+                self.prim = None;
+            }
+            Grow::Refine { cell, first, nx, ny, nz, .. } => {
+                // What the cell referred to goes into its own grid.
+                self.cells.remove(&cell);
+                self.cell_count = first.0 + nx * ny * nz;
+                self.prim = None;
+                self.rasterised.clear();
+            }
+            Grow::Rasterise { prim, cell } => {
+                self.take_up(prim);
+                self.rasterised.push((cell, Fate::Open));
+                self.tally.rasterised += 1;
+            }
+            Grow::Prune { prim, cell } => {
+                self.take_up(prim);
+                self.decide(cell, Fate::Pruned);
+                self.tally.pruned += 1;
+            }
+            Grow::Open { node, bounds, prims, depth } => {
+                self.prim = None;
+                self.bounds = self.bounds.union(bounds);
+                let fresh = GrowNode {
+                    bounds,
+                    prims,
+                    depth,
+                    split: None,
+                    children: Vec::new(),
+                    leaf: None,
+                    settled: Vec::new(),
+                };
+                self.nodes.insert(node, fresh);
+                self.consider(node);
+                self.waiting.retain(|waiting| *waiting != node);
+            }
+            Grow::Normal { node, normal_x, normal_y, normal_z, plane, .. } => {
+                self.consider(node);
+                self.free = Some(FreePlane { normal: Vec3::new(normal_x, normal_y, normal_z), at: plane });
+            }
+            Grow::Weigh { node, axis, plane, below, above, cost } => {
+                self.consider(node);
+                self.tally.weighed += 1;
+                self.weighed.push(Weighed { axis, plane, below, above, cost, free: self.free });
+            }
+            Grow::Split { node, axis, plane, below, above, cost } => {
+                self.consider(node);
+                self.tally.taken += 1;
+                self.give_birth(node, vec![below, above]);
+                if let Some(node) = self.nodes.get_mut(&node) {
+                    node.split = Some(Taken { axis, plane, below, above, cost, free: self.free });
+                }
+            }
+            Grow::Share { node, prim } => {
+                self.consider(node);
+                self.shared.push(prim);
+            }
+            Grow::Divide { node, first, ways, .. } => {
+                self.consider(node);
+                self.tally.taken += 1;
+                self.give_birth(node, (first.0..first.0 + ways).map(NodeId).collect());
+            }
+            Grow::Touch { node } => self.consider(node),
+            Grow::Leaf { node, why, .. } => {
+                self.consider(node);
+                self.forget_below(node);
+                self.tally.leaves += 1;
+                if let Some(node) = self.nodes.get_mut(&node) {
+                    node.leaf = Some(why);
+                }
+            }
+            Grow::Settle { prim, place } => {
+                self.take_up(prim);
+                self.tally.stored += 1;
+                match place {
+                    Place::Node(node) => {
+                        if let Some(node) = self.nodes.get_mut(&node) {
+                            node.settled.push(prim);
+                        }
+                    }
+                    Place::Cell(cell) => {
+                        self.cells.entry(cell).or_default().push(prim);
+                        self.decide(cell, Fate::Stored);
+                    }
+                    Place::World | Place::Prim(_) => {}
+                }
+            }
+            Grow::Merge { node, left, right, bounds } => self.join(node, [left, right], bounds),
+            Grow::Move { node, parent, .. } => self.hang(node, parent),
+            Grow::Refit { node, bounds } => self.refit(node, bounds),
+            Grow::Renumber { from, to } => self.renumber(from, to),
+            Grow::End { .. } => {
+                self.prim = None;
+                self.node = None;
+                self.weighed.clear();
+                self.shared.clear();
+                self.rasterised.clear();
+            }
+        }
+    }
+
+    /// The cheapest split weighed so far; the first of equals.
+    pub fn cheapest(&self) -> Option<Weighed> {
+        self.weighed.iter().copied().reduce(|best, next| if next.cost < best.cost { next } else { best })
+    }
+
+    /// The path from the root to the node under consideration.
+    pub fn path(&self) -> Vec<NodeId> {
+        let parent = |child: &NodeId| self.parents.get(child).copied();
+        let mut path: Vec<NodeId> = std::iter::successors(self.node, parent).collect();
+        path.reverse();
+        path
+    }
+
+    fn take_up(&mut self, prim: PrimId) {
+        if self.prim != Some(prim) {
+            self.prim = Some(prim);
+            self.rasterised.clear();
+        }
+    }
+
+    fn consider(&mut self, node: NodeId) {
+        if self.node != Some(node) {
+            self.node = Some(node);
+            self.weighed.clear();
+            self.shared.clear();
+        }
+    }
+
+    /// The children of a node, which are to be built one after the other.
+    fn give_birth(&mut self, node: NodeId, children: Vec<NodeId>) {
+        self.waiting.extend(children.iter().rev());
+        self.parents.extend(children.iter().map(|child| (*child, node)));
+        if let Some(node) = self.nodes.get_mut(&node) {
+            node.children = children;
+        }
+    }
+
+    /// What becomes of the current primitive in a cell.
+    fn decide(&mut self, cell: CellId, fate: Fate) {
+        match self.rasterised.iter_mut().find(|(other, _)| *other == cell) {
+            Some((_, known)) => *known = fate,
+            None => self.rasterised.push((cell, fate)),
+        }
+    }
+
+    /// The sides of the box that a primitive moves are its own from now on.
+    fn set_sides(&mut self, prim: PrimId, bounds: &Aabb) {
+        for axis in Axis::ALL {
+            if bounds.min[axis] != self.bounds.min[axis] {
+                self.sides[axis.index()] = Some(prim);
+            }
+            if bounds.max[axis] != self.bounds.max[axis] {
+                self.sides[3 + axis.index()] = Some(prim);
+            }
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! A page and what stands on it: marks, and the few shapes that all panes share.
+
+mod figure;
+mod look;
+mod table;
+mod ticks;
+
+pub use figure::{Anchor, Figure, Image, Ink, Mark};
+pub use look::Look;
+pub(crate) use look::{block, line, wrapped, write};
+pub(crate) use table::{Entry, Table};
+pub(crate) use ticks::Ticks;

@@ -1,0 +1,159 @@
+//! A node of a kd-tree as it lies in memory: in four layouts, slides 60-62.
+
+use glam::Vec2;
+use raystep_accel::{KdLayout, Machine, NodeField, NodeId, Place, Structure, Word};
+
+use crate::moments::{Moment, Walk};
+use crate::page::{Anchor, Figure, Look, block, write};
+use crate::theme::{Face, Role, text_width};
+use crate::words::number;
+
+/// The node where the walk stands, in each layout on one scale: its fields with what stands in them, and beside
+/// them the bits of a word that says several things.
+pub fn bytes(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let Structure::Kd(tree) = walk.structure else {
+        look.nothing(&mut figure, "Bytes", "Only the nodes of a kd-tree are shown as bytes.");
+        return figure;
+    };
+    let node = match moment.here.or(moment.event.map(|event| event.place())) {
+        Some(Place::Node(node)) => node,
+        _ => NodeId::ROOT,
+    };
+    let leaf = walk.structure.split(node).is_none();
+    let kind = if leaf { "a leaf" } else { "an inner node" };
+    let remark = format!("{kind} · pointers of 32 bits, addresses in bytes from the root");
+    let top = look.heading(&mut figure, &format!("Bytes of node {node}"), &remark);
+
+    let rows: Vec<_> = KdLayout::ALL.iter().filter_map(|&layout| Some((layout, layout.node(tree, node)?))).collect();
+    if rows.is_empty() {
+        look.nothing(&mut figure, "", "This tree is too large for addresses of 32 bits.");
+        return figure;
+    }
+    let height = ((size.y - top - look.margin() * 0.5) / rows.len() as f32).min(look.text * 4.2);
+    // All rows on one scale: the largest layout fills the width.
+    let u = look.text.min(height / 3.1);
+    let left = look.margin() + text_width("25 bytes  ", Face::Bold, u);
+    let widest = rows.iter().map(|(layout, _)| layout.bytes(Machine::Printed)).max().unwrap_or(1);
+    let byte = (size.x - look.margin() - left) / widest as f32;
+    for (index, (layout, fields)) in rows.iter().enumerate() {
+        let row = Row { node, leaf, u, byte, left, y: top + height * index as f32 };
+        row.draw(&mut figure, *layout, fields, size.x - look.margin());
+    }
+    figure
+}
+
+/// One layout of a node.
+struct Row {
+    node: NodeId,
+    leaf: bool,
+    u: f32,
+    /// The width of a byte.
+    byte: f32,
+    left: f32,
+    y: f32,
+}
+
+impl Row {
+    fn draw(&self, figure: &mut Figure, layout: KdLayout, fields: &[(&NodeField, u32)], right: f32) {
+        let (u, place) = (self.u, Some(Place::Node(self.node)));
+        let [printed, compiled] = [Machine::Printed, Machine::Bits64].map(|machine| layout.bytes(machine));
+        let edge = self.left - text_width("  ", Face::Bold, u);
+        let mut label = |down: f32, says: &str, role, face, size| {
+            let at = Vec2::new(edge, self.y + u * down);
+            write(figure, role, None, at, says, size, face, Anchor::End);
+        };
+        label(0.85, &format!("{printed} bytes"), Role::Text, Face::Bold, u);
+        // What a compiler makes of it where pointers have 64 bits.
+        label(2.15, &format!("64 bit: {compiled}"), Role::Quiet, Face::Regular, u * 0.75);
+
+        let mut x = self.left;
+        for (field, word) in fields {
+            let width = self.byte * Machine::Printed.bytes(field.word) as f32;
+            let name = self.named(field.name);
+            let shown = self.says(field, name, *word);
+            let role = if shown.is_some() { Role::Seen } else { Role::Edge };
+            // The boxes alone belong to the node: a hovered one lights them, not every word.
+            figure.add(role, place, block(Vec2::new(x, self.y), Vec2::new(width, u * 1.7), 0.0));
+            let middle = x + width / 2.0;
+            self.fitted(figure, Role::Value, Vec2::new(middle, self.y + u * 0.85), &shown.unwrap_or_default(), width);
+            self.fitted(figure, Role::Quiet, Vec2::new(middle, self.y + u * 2.2), name, width);
+            x += width;
+        }
+        if let Some((field, word)) = fields.iter().find(|(field, _)| !field.bits.is_empty()) {
+            self.bits(figure, field, *word, x + u * 1.6, right);
+        }
+    }
+
+    /// Of a name like "child or count", the part that holds for this node.
+    fn named(&self, name: &'static str) -> &'static str {
+        match name.split_once(" or ") {
+            Some((_, of_leaf)) if self.leaf => of_leaf,
+            Some((of_inner, _)) => of_inner,
+            None => name,
+        }
+    }
+
+    /// What stands in a field; nothing where this kind of node does not need it.
+    fn says(&self, field: &NodeField, name: &str, word: u32) -> Option<String> {
+        let of_inner = name.contains("axis") || name.contains("position") || name.contains("child");
+        let of_leaf = name.contains("object") || name.contains("count");
+        if self.leaf && of_inner || !self.leaf && of_leaf {
+            return None;
+        }
+        Some(match field.word {
+            Word::Flag if word == 1 => "1".to_owned(),
+            Word::Flag => "0".to_owned(),
+            Word::Pointer => format!("@{word}"),
+            // A place that is a position for inner nodes holds its bits.
+            _ if name == "position" => number(f32::from_bits(word)),
+            _ if field.bits.is_empty() => word.to_string(),
+            _ => format!("{word:#x}"),
+        })
+    }
+
+    /// The bits of a word, the highest one first, and what each part of them says.
+    fn bits(&self, figure: &mut Figure, field: &NodeField, word: u32, left: f32, right: f32) {
+        let u = self.u;
+        let side = ((right - left) / 32.0).min(u * 1.2);
+        if side < 3.0 {
+            return;
+        }
+        let left = right - side * 32.0;
+        let height = u * 1.7;
+        for bit in 0..32 {
+            let set = word >> bit & 1 == 1;
+            let corner = Vec2::new(right - side * (bit + 1) as f32, self.y);
+            figure.add(Role::Edge, None, block(corner, Vec2::new(side, height), 0.0));
+            let role = if set { Role::Value } else { Role::Quiet };
+            let digit = if set { "1" } else { "0" };
+            let size = (side / text_width("0", Face::Mono, 1.0)).min(u * 0.9);
+            write(figure, role, None, corner + Vec2::new(side, height) / 2.0, digit, size, Face::Mono, Anchor::Middle);
+        }
+        // The lowest bits stand at the right; names longer than their place push the next ones to the left.
+        let (mut end, mut low, mut free) = (right, 0, right);
+        for (name, count) in field.bits {
+            let width = side * *count as f32;
+            let value = word >> low & (1_u64 << count).wrapping_sub(1) as u32;
+            figure.add(Role::Seen, None, block(Vec2::new(end - width, self.y), Vec2::new(width, height), 0.0));
+            let says = format!("{}: {value}", self.named(name));
+            let long = text_width(&says, Face::Regular, u * 0.75);
+            let x = (end - (width + long) / 2.0).min(free - long).max(left);
+            let at = Vec2::new(x, self.y + u * 2.2);
+            write(figure, Role::Quiet, None, at, &says, u * 0.75, Face::Regular, Anchor::Start);
+            free = x - u * 0.7;
+            end -= width;
+            low += count;
+        }
+    }
+
+    /// Text around a middle, in smaller letters if it is too wide.
+    fn fitted(&self, figure: &mut Figure, role: Role, middle: Vec2, text: &str, width: f32) {
+        let (face, largest) = match role {
+            Role::Value => (Face::Mono, self.u * 0.95),
+            _ => (Face::Regular, self.u * 0.75),
+        };
+        let size = largest.min((width - self.u * 0.2) / text_width(text, face, 1.0).max(0.01));
+        write(figure, role, None, middle, text, size, face, Anchor::Middle);
+    }
+}

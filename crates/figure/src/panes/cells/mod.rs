@@ -1,0 +1,147 @@
+//! The cell of a grid in which the walk stands: which plane comes next along each axis, and what it holds.
+
+mod build;
+
+use glam::Vec2;
+use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, PrimId, Visit};
+
+pub use build::cells_of_build;
+
+use crate::moments::{Moment, Walk};
+use crate::page::{Anchor, Entry, Figure, Look, Table, write};
+use crate::theme::{Face, Role, text_width};
+use crate::words::number;
+
+/// The next t of each axis, how far its planes lie apart, and the primitives of the cell. Which axis
+/// steps is marked once the walk has stepped, and not while `hide_next`: a question may ask for it.
+pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let Some(grid) = walk.structure.grid() else {
+        look.nothing(&mut figure, "Cell", "This structure has no cells.");
+        return figure;
+    };
+    let Some(Place::Cell(cell)) = moment.here else {
+        let says = if moment.ending.is_some() { "The walk is over." } else { "No cell has been entered yet." };
+        look.nothing(&mut figure, "Cell", says);
+        return figure;
+    };
+    let place = Some(Place::Cell(cell));
+    let top = look.heading(&mut figure, &format!("Cell {cell}"), &coordinates(grid, cell, walk.flat));
+
+    let stepped = match moment.event {
+        Some(Visit::Step { axis, .. }) if !hide_next => Some(axis),
+        _ => None,
+    };
+    let axes = Axis::ALL.iter().copied().filter(|axis| !(walk.flat && *axis == Axis::Z));
+    let numbers = next_planes(walk, grid, moment, cell);
+    let rows = axes.clone().map(|axis| {
+        let steps = stepped == Some(axis);
+        let role = if steps { Role::Value } else { Role::Text };
+        let [next, delta] = numbers.map_or([Entry::none(), Entry::none()], |(next, delta)| {
+            [Entry::new(number(next[axis.index()]), role), Entry::new(number(delta[axis.index()]), Role::Text)]
+        });
+        let says = if steps { "smallest: steps" } else { "" };
+        vec![Entry::new(axis.name(), Role::Text), next, delta, Entry::new(says, Role::Value)]
+    });
+    let table = Table {
+        heads: vec!["", "next t", "delta t", ""],
+        rows: rows.collect(),
+        current: stepped.and_then(|stepped| axes.clone().position(|axis| axis == stepped)),
+        place,
+    };
+    let mut y = table.draw(&mut figure, top, size.y - 2.2 * look.line(), look) + look.text * 0.9;
+
+    let interval = format!("t in [{}, {}]", number(moment.entered.near), number(moment.entered.far));
+    write(
+        &mut figure,
+        Role::Here,
+        place,
+        Vec2::new(look.margin(), y),
+        &interval,
+        look.text,
+        Face::Medium,
+        Anchor::Start,
+    );
+    y += look.line();
+    match grid.finer().iter().find(|(holder, _)| *holder == cell) {
+        Some((_, finer)) => {
+            let says = format!("holds a grid of {} cells", size_of_grid(finer, walk.flat));
+            write(
+                &mut figure,
+                Role::Text,
+                place,
+                Vec2::new(look.margin(), y),
+                &says,
+                look.text,
+                Face::Regular,
+                Anchor::Start,
+            );
+        }
+        None => prims(&mut figure, grid.cell_prims(cell), moment, y, look),
+    }
+    figure
+}
+
+/// Where a cell lies in its grid, counted from 0, and in which cell that grid lies.
+fn coordinates(grid: &dyn AnyGrid, cell: CellId, flat: bool) -> String {
+    let [x, y, z] = grid.cell_place(cell);
+    let at = if flat { format!("column {x}, row {y}") } else { format!("({x}, {y}, {z})") };
+    match grid.around(cell).1 {
+        Some(holder) => format!("{at} inside cell {holder}, level {}", grid.path(cell).len()),
+        None => at,
+    }
+}
+
+/// How many cells along each axis.
+fn size_of_grid(lattice: &Lattice, flat: bool) -> String {
+    let [nx, ny, nz] = lattice.resolution;
+    if flat { format!("{nx} × {ny}") } else { format!("{nx} × {ny} × {nz}") }
+}
+
+/// The next t and the delta of each axis, as the walk compares them when it leaves the cell.
+fn next_planes(walk: &Walk<'_>, grid: &dyn AnyGrid, moment: &Moment, cell: CellId) -> Option<([f32; 3], [f32; 3])> {
+    // The cell that is left tells them; they are settled as soon as it is entered.
+    let ahead = walk.events[moment.step.saturating_sub(1)..].iter().find_map(|event| match *event {
+        Visit::Step { cell: left, next_x, next_y, next_z, delta_x, delta_y, delta_z, .. } => {
+            (left == cell).then_some(([next_x, next_y, next_z], [delta_x, delta_y, delta_z]))
+        }
+        _ => None,
+    });
+    // The last cell is never left: what the step before it left over, if that was in the same grid.
+    let before = || moment.stepping.filter(|step| grid.around(step.cell).1 == grid.around(cell).1);
+    ahead.or_else(|| {
+        before().map(|step| {
+            let mut next = step.next;
+            next[step.axis.index()] += step.delta[step.axis.index()];
+            (next, step.delta)
+        })
+    })
+}
+
+/// What the cell refers to, each with what became of it.
+fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, mut y: f32, look: &Look) {
+    let u = look.text;
+    let mut x = look.margin();
+    let says = if prims.is_empty() { "holds no primitive" } else { "holds" };
+    write(figure, Role::Quiet, None, Vec2::new(x, y), says, u, Face::Regular, Anchor::Start);
+    x += text_width(says, Face::Regular, u) + u * 0.7;
+    for &prim in prims {
+        let (role, word) = match moment.test_of(prim) {
+            _ if moment.skipped.contains(&prim) => (Role::Dropped, " skipped"),
+            _ if moment.best.is_some_and(|best| best.prim == prim) => (Role::Best, " hit"),
+            Some(test) if test.t.is_some() => (Role::Hit, " hit"),
+            Some(_) => (Role::Missed, " missed"),
+            None => (Role::Text, ""),
+        };
+        let text = format!("{prim}{word}");
+        let width = text_width(&text, Face::Medium, u);
+        if x + width > figure.size.x - look.margin() {
+            (x, y) = (look.margin(), y + look.line());
+        }
+        if y > figure.size.y - u * 0.5 {
+            return;
+        }
+        write(figure, role, Some(Place::Prim(prim)), Vec2::new(x, y), &text, u, Face::Medium, Anchor::Start);
+        x += width + u;
+    }
+}

@@ -1,0 +1,90 @@
+//! What the marks of a picture mean, in words.
+
+use glam::Vec2;
+
+use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
+use crate::theme::{Face, Role, text_width};
+use crate::world::{Form, Space};
+
+/// What the marks of a walk mean, in the order of the story they tell.
+pub(crate) const OF_WALK: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Ray, "ray"),
+    (Role::Live, "part under consideration"),
+    (Role::Here, "where the walk is"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "waits on the stack"),
+    (Role::Seen, "visited"),
+    (Role::Dropped, "never opened"),
+    (Role::Plane, "plane"),
+    (Role::Candidate, "weighed"),
+    (Role::Tick, "t on the ray"),
+    (Role::Missed, "tested, missed"),
+    (Role::Hit, "hit"),
+    (Role::Best, "nearest hit so far"),
+    (Role::Wrong, "goes wrong here"),
+];
+
+/// What the marks of a build mean.
+pub(crate) const OF_BUILD: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Here, "under consideration"),
+    (Role::Best, "sets a side of the box"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "still to be decided"),
+    (Role::Candidate, "weighed"),
+    (Role::Plane, "taken"),
+    (Role::Hit, "on both sides"),
+    (Role::Seen, "done"),
+    (Role::Dropped, "not reached"),
+];
+
+/// A sample and a few words for each kind of mark in `space`, in as many rows as needed.
+pub(crate) fn legend(space: &Space, words: &[(Role, &'static str)], size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let (u, small) = (look.text, look.small());
+    let (sample, gap) = (u * 1.5, u * 0.5);
+    let (mut x, mut y) = (look.margin(), look.margin() + u * 0.5);
+    for (role, words) in meanings(space, words) {
+        let width = sample + gap + text_width(words, Face::Regular, small);
+        if x > look.margin() && x + width > size.x - look.margin() {
+            (x, y) = (look.margin(), y + look.line());
+        }
+        figure.add(role, None, shape(role, Vec2::new(x, y), sample, u));
+        let at = Vec2::new(x + sample + gap, y);
+        write(&mut figure, Role::Text, None, at, words, small, Face::Regular, Anchor::Start);
+        x += width + u * 1.6;
+    }
+    figure
+}
+
+/// How high a legend of this width becomes.
+pub(crate) fn legend_height(space: &Space, words: &[(Role, &'static str)], width: f32, look: &Look) -> f32 {
+    let figure = legend(space, words, Vec2::new(width, 0.0), look);
+    let lowest = figure.marks.iter().filter_map(|mark| match mark.ink {
+        Ink::Text { at, .. } => Some(at.y),
+        _ => None,
+    });
+    lowest.fold(0.0, f32::max) + look.margin() + look.text * 0.5
+}
+
+/// The kinds of marks that occur.
+fn meanings(space: &Space, words: &[(Role, &'static str)]) -> Vec<(Role, &'static str)> {
+    let occurs = |role| {
+        role == Role::Scene
+            || space.marks.iter().any(|mark| mark.role == role && !matches!(mark.form, Form::Label { .. }))
+    };
+    words.iter().copied().filter(|(role, _)| occurs(*role)).collect()
+}
+
+/// A small sample of what the role draws.
+fn shape(role: Role, at: Vec2, width: f32, u: f32) -> Ink {
+    match role {
+        Role::Ray | Role::Live | Role::Plane | Role::Candidate => line(at, at + Vec2::new(width, 0.0)),
+        Role::Tick => Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.35 },
+        Role::Scene | Role::Missed | Role::Hit | Role::Best => {
+            Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.5 }
+        }
+        _ => block(at - Vec2::new(0.0, u * 0.42), Vec2::new(width, u * 0.84), 0.0),
+    }
+}

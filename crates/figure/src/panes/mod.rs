@@ -1,0 +1,26 @@
+//! The panes: each shows one side of a moment as a figure, or in space.
+
+mod bytes;
+mod cells;
+mod costs;
+pub(crate) mod legend;
+mod listing;
+mod ruler;
+mod slabs;
+mod space;
+mod stack;
+mod timeline;
+mod tree;
+mod work;
+
+pub use bytes::bytes;
+pub use cells::{cells, cells_of_build};
+pub use costs::costs;
+pub use listing::{ListingLine, listing};
+pub use ruler::{ruler, ruler_height, ruler_line, ruler_line_height};
+pub use slabs::slabs;
+pub use space::{space, space_of_build};
+pub use stack::{stack, stack_height, stack_of_build};
+pub use timeline::{Track, timeline, timeline_of_build};
+pub use tree::{TreeView, tree, tree_of_build};
+pub use work::{tested, work, work_of_build};

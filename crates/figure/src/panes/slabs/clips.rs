@@ -1,0 +1,58 @@
+//! A ray clipped against the faces of a hull, in numbers.
+
+use glam::Vec2;
+use raystep_accel::Visit;
+
+use super::{left, verdict};
+use crate::page::{Entry, Figure, Look, Table};
+use crate::theme::Role;
+use crate::words::number;
+
+/// A row for each face of the last hull tested, the latest at the end; of many, the last that there is room for.
+pub(super) fn table(flat: bool, done: &[Visit], size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let Some(last) = done.iter().rposition(|event| matches!(event, Visit::Clip { .. })) else { return figure };
+    let place = done[last].place();
+    let of_test = |event: &&Visit| matches!(event, Visit::Clip { .. }) && event.place() == place;
+    let mut clips: Vec<Visit> = done[..=last].iter().rev().take_while(of_test).copied().collect();
+    clips.reverse();
+    // The same hull may have been tested just before.
+    let first = clips.iter().rposition(|event| matches!(event, Visit::Clip { face: 0, .. })).unwrap_or(0);
+    clips.drain(..first);
+    clips.retain(|event| !(flat && event.concerns_z()));
+
+    let top = look.heading(&mut figure, &format!("Faces of {place}"), "");
+    let now = (last + 1 == done.len()).then(|| done[last]);
+    let missed = matches!(done[last], Visit::Clip { empty: true, .. });
+    let room = if missed { look.line() } else { 0.0 };
+    let fit = ((size.y - room - top) / (look.text * 1.9)).max(3.0) as usize - 1;
+    let shown = &clips[clips.len().saturating_sub(fit)..];
+    let rows: Vec<_> = shown.iter().map(|event| row(event, now == Some(*event))).collect();
+    let current = shown.iter().position(|event| now == Some(*event));
+    let heads = vec!["face", "plane", "o", "d", "t", "ray comes", "left"];
+    let end = Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, size.y - room, look);
+    if let Visit::Clip { t_near, t_far, empty: true, .. } = done[last] {
+        let says = format!("Empty: {} > {}. The hull is missed.", number(t_near), number(t_far));
+        verdict(&mut figure, Some(place), end, &says, look);
+    }
+    figure
+}
+
+fn row(event: &Visit, now: bool) -> Vec<Entry> {
+    let Visit::Clip { face, o, d, plane, t, entering, t_near, t_far, empty, .. } = *event else { return Vec::new() };
+    let role = if now { Role::Value } else { Role::Text };
+    let mut row = vec![Entry::new(face.to_string(), Role::Text)];
+    row.extend([plane, o, d, t].map(|x| Entry::new(number(x), role)));
+    row.push(Entry::new(
+        if d == 0.0 {
+            "along"
+        } else if entering {
+            "in"
+        } else {
+            "out"
+        },
+        role,
+    ));
+    row.push(left(t_near, t_far, empty, role));
+    row
+}

@@ -1,0 +1,226 @@
+//! What a builder has done so far, in space.
+
+use glam::Vec3;
+use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
+
+use crate::moments::{Build, Fate, GrowMoment, GrowNode};
+use crate::panes::tree::node_role;
+use crate::theme::Role;
+use crate::words::{counted, number};
+use crate::world::{Form, Space, SpaceMark, convex};
+
+/// Most boxes of nodes in one picture.
+const BOXES: usize = 300;
+
+/// Most cells of a grid in one picture.
+const CELLS: usize = 1024;
+
+/// Most weighed splits in one picture.
+const TICKS: usize = 120;
+
+/// Space at a moment of a build.
+pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
+    let bounds = build.nodes.reach();
+    let mut drawing = Drawing { build, moment, marks: Vec::new() };
+    drawing.the_box();
+    drawing.cells();
+    drawing.nodes();
+    drawing.shared();
+    drawing.splits();
+    drawing.current();
+    drawing.guesses();
+    let margin = 0.03 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
+    Space { marks: drawing.marks, bounds: bounds.padded(margin), flat: build.flat }
+}
+
+struct Drawing<'a> {
+    build: &'a Build<'a>,
+    moment: &'a GrowMoment,
+    marks: Vec<SpaceMark>,
+}
+
+impl Drawing<'_> {
+    fn add(&mut self, role: Role, place: Option<Place>, form: Form) {
+        self.marks.push(SpaceMark { form, role, place });
+    }
+
+    /// A label in a corner of a node's box.
+    fn title(&mut self, role: Role, node: NodeId, bounds: Aabb, text: String) {
+        let form = Form::Label { at: bounds.center(), within: Some(bounds), text };
+        self.add(role, Some(Place::Node(node)), form);
+    }
+
+    /// The box around the primitives, and while it grows, which of them set its sides.
+    fn the_box(&mut self) {
+        let moment = self.moment;
+        if moment.bounds.is_empty() {
+            return;
+        }
+        // Until the first cell is filled or the first plane weighed.
+        let grows = moment.tally.rasterised == 0 && moment.tally.weighed == 0 && moment.tally.taken == 0;
+        self.add(if grows { Role::Here } else { Role::Edge }, Some(Place::World), Form::Box(moment.bounds));
+        if !grows {
+            return;
+        }
+        let axes = if self.build.flat { 2 } else { 3 };
+        let mut setters: Vec<PrimId> =
+            (0..6).filter(|side| side % 3 < axes).filter_map(|side| moment.sides[side]).collect();
+        setters.sort();
+        setters.dedup();
+        for prim in setters {
+            self.add(Role::Best, Some(Place::Prim(prim)), Form::Prim(prim));
+        }
+        if !moment.nodes.is_empty() {
+            return;
+        }
+        let sides = moment.bounds.extent().to_array();
+        let text = sides[..axes].iter().map(|side| number(*side)).collect::<Vec<_>>().join(" × ");
+        let form = Form::Label { at: moment.bounds.center(), within: Some(moment.bounds), text };
+        self.add(Role::Here, Some(Place::World), form);
+    }
+
+    /// The primitive under consideration; in a drawing, with its number.
+    fn current(&mut self) {
+        let Some(prim) = self.moment.prim else { return };
+        self.add(Role::Here, Some(Place::Prim(prim)), Form::Prim(prim));
+        let bounds = self.build.prims.bounds(prim);
+        let form = Form::Label { at: bounds.center(), within: Some(bounds), text: format!("primitive {prim}") };
+        self.add(Role::Value, Some(Place::Prim(prim)), form);
+    }
+
+    /// The primitives on both sides of the split just taken.
+    fn shared(&mut self) {
+        for prim in self.moment.shared.iter().rev().take(BOXES) {
+            self.add(Role::Hit, Some(Place::Prim(*prim)), Form::Prim(*prim));
+        }
+    }
+
+    /// The planes that an open question offers.
+    fn guesses(&mut self) {
+        let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
+        for (axis, plane, text) in &self.moment.guesses {
+            let Some(axis) = axis.axis() else { continue };
+            let sheet = sheet(&node.bounds, axis, *plane);
+            self.add(Role::Guess, Some(Place::Node(*id)), Form::Sheet(sheet));
+            let form = Form::Label { at: sheet.center(), within: None, text: text.clone() };
+            self.add(Role::Guess, Some(Place::Node(*id)), form);
+        }
+    }
+
+    /// All cells while they are few; those that hold something; those of the current primitive.
+    fn cells(&mut self) {
+        let (Some(grid), count @ 1..) = (self.build.structure.grid(), self.moment.cell_count) else { return };
+        let outline = |role, cell: CellId| SpaceMark {
+            form: Form::Box(grid.cell_bounds(cell)),
+            role,
+            place: Some(Place::Cell(cell)),
+        };
+        if self.build.flat && count as usize <= CELLS {
+            self.marks.extend((0..count).map(|cell| outline(Role::Edge, CellId(cell))));
+        }
+        if let Some(Grow::Refine { cell, .. }) = self.moment.event {
+            self.marks.push(outline(Role::Here, cell));
+        }
+        let filled = self.moment.cells.keys().rev().take(CELLS);
+        self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));
+        for &(cell, fate) in &self.moment.rasterised {
+            let role = match fate {
+                Fate::Open => Role::Waiting,
+                Fate::Stored => Role::Here,
+                Fate::Pruned => Role::Dropped,
+            };
+            self.marks.push(outline(role, cell));
+        }
+    }
+
+    /// The boxes of the nodes, those being split or waiting for it above all others.
+    fn nodes(&mut self) {
+        // Of very many, the uppermost.
+        let mut depths = vec![0; 1 + self.moment.nodes.values().map(|node| node.depth as usize).max().unwrap_or(0)];
+        for node in self.moment.nodes.values() {
+            depths[node.depth as usize] += 1;
+        }
+        let mut room = BOXES;
+        let deepest = depths.iter().position(|&count| {
+            let full = count > room;
+            room = room.saturating_sub(count);
+            full
+        });
+        let high = |node: &GrowNode| deepest.is_none_or(|deepest| (node.depth as usize) < deepest);
+        let shown = self.moment.nodes.iter().filter(|(_, node)| high(node));
+        let rest = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id));
+        for (&id, node) in shown.chain(rest) {
+            let role = node_role(self.moment, id);
+            // Boxes of split nodes only repeat what their children show; the current one stands out.
+            let role = if role == Role::Seen && !node.children.is_empty() { Role::Edge } else { role };
+            // Nodes that are not yet in the tree have numbers beyond its own, and only a box.
+            for form in self.build.nodes.look(self.build.structure, id, node.bounds, self.build.flat) {
+                self.add(role, Some(Place::Node(id)), form);
+            }
+        }
+    }
+
+    /// The splits weighed for the current node as ticks at its edges, the one at hand as a whole plane.
+    fn splits(&mut self) {
+        let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
+        let place = Some(Place::Node(*id));
+        let every = self.moment.weighed.len().div_ceil(TICKS).max(1);
+        for weighed in self.moment.weighed.iter().step_by(every) {
+            let Some(axis) = weighed.axis.axis() else { continue };
+            for (from, to) in ticks(&node.bounds, axis, weighed.plane) {
+                self.add(Role::Candidate, place, Form::Segment(from, to));
+            }
+        }
+        let flat = self.build.flat;
+        let cell = if let Structure::Bsp(tree) = self.build.structure { Some(tree.cell(*id)) } else { None };
+        let sheet = |across: Direction, plane: f32, free: Option<FreePlane>| match &cell {
+            Some(cell) => convex::sheet(cell, free?, flat),
+            None => Some(Form::Sheet(sheet(&node.bounds, across.axis()?, plane))),
+        };
+        if let Some(sheet) = node.split.and_then(|taken| sheet(taken.axis, taken.plane, taken.free)) {
+            self.add(Role::Plane, place, sheet);
+        }
+        match self.moment.event {
+            Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
+                if let Some(sheet) = sheet(axis, plane, self.moment.free) {
+                    self.add(Role::Candidate, place, sheet);
+                }
+                self.title(
+                    Role::Candidate,
+                    *id,
+                    node.bounds,
+                    format!("{below} below, {above} above: {}", number(cost)),
+                );
+            }
+            Some(Grow::Split { axis, plane, .. }) => {
+                self.title(Role::Here, *id, node.bounds, format!("{id} split at {axis} = {}", number(plane)));
+            }
+            _ => {
+                let count = counted(u64::from(node.prims), "primitive", "primitives");
+                self.title(Role::Here, *id, node.bounds, format!("{id}: {count}"));
+            }
+        }
+    }
+}
+
+/// The part of a plane across `axis` that lies in a box.
+fn sheet(bounds: &Aabb, axis: Axis, plane: f32) -> Aabb {
+    let mut sheet = *bounds;
+    sheet.min[axis] = plane;
+    sheet.max[axis] = plane;
+    sheet
+}
+
+/// Short lines at the two sides of a box that a plane across `axis` would cut.
+fn ticks(bounds: &Aabb, axis: Axis, plane: f32) -> [(Vec3, Vec3); 2] {
+    let along = if axis == Axis::Y { Axis::X } else { Axis::Y };
+    let length = 0.05 * bounds.extent()[along];
+    let at = |value: f32| {
+        let mut at = bounds.center();
+        at[axis] = plane;
+        at[along] = value;
+        at
+    };
+    let (low, high) = (bounds.min[along], bounds.max[along]);
+    [(at(low), at(low + length)), (at(high - length), at(high))]
+}

@@ -1,0 +1,72 @@
+//! The primitives to which something has happened.
+
+use std::collections::BTreeMap;
+
+use raystep_accel::{Place, PrimId, Prims, Visit};
+
+use super::Drawing;
+use crate::theme::Role;
+use crate::words::number;
+use crate::world::Form;
+
+/// Of a long walk, so many of the primitives last tested are marked.
+const TRAIL: usize = 256;
+
+impl Drawing<'_> {
+    pub(super) fn prims(&mut self) {
+        let moment = self.moment;
+        if let Prims::Instances(all) = self.walk.prims {
+            return self.instances(all);
+        }
+        let mut roles = BTreeMap::new();
+        // What the current leaf or cell holds stands out from a mesh.
+        if !self.walk.flat {
+            let held = self.held();
+            roles.extend(held.iter().take(TRAIL).map(|&prim| (prim, Role::Seen)));
+        }
+        let first = moment.tested.len().saturating_sub(TRAIL);
+        for (index, test) in moment.tested.iter().enumerate() {
+            match test.t {
+                Some(_) => roles.insert(test.prim, Role::Hit),
+                None if index >= first => roles.insert(test.prim, Role::Missed),
+                None => None,
+            };
+        }
+        if let Some(hit) = moment.best {
+            roles.insert(hit.prim, Role::Best);
+        }
+        for (prim, role) in roles {
+            self.add(role, Some(Place::Prim(prim)), Form::Prim(prim));
+        }
+    }
+
+    /// The references of the current leaf or cell.
+    fn held(&self) -> &[PrimId] {
+        match self.moment.here {
+            Some(Place::Node(node)) => self.walk.structure.leaf_prims(node),
+            Some(Place::Cell(cell)) => self.walk.structure.grid().map_or(&[], |grid| grid.cell_prims(cell)),
+            _ => &[],
+        }
+    }
+
+    /// Where the ray meets what it hit, and what the last test found.
+    pub(super) fn hits(&mut self) {
+        let moment = self.moment;
+        if let Some(hit) = moment.best {
+            let text = format!("t = {}", number(hit.t));
+            self.ring(Role::Best, Some(Place::Prim(hit.prim)), hit.t, Some(text));
+        }
+        match moment.event {
+            Some(Visit::Test { prim, t, hit: true }) if moment.best.is_none_or(|best| best.prim != prim) => {
+                self.ring(Role::Hit, Some(Place::Prim(prim)), t, Some(format!("t = {}", number(t))));
+            }
+            Some(Visit::Test { prim, hit: false, .. }) => {
+                self.title(Role::Missed, Place::Prim(prim), format!("{prim} missed"));
+            }
+            Some(Visit::Skip { prim }) => {
+                self.title(Role::Missed, Place::Prim(prim), format!("{prim} known"));
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! The stack in words: which nodes wait, and for which part of the ray.
+
+use glam::Vec2;
+use raystep_accel::Place;
+
+use crate::moments::{GrowMoment, Moment, Walk};
+use crate::page::{Anchor, Figure, Look, block, write};
+use crate::theme::{Face, Role};
+use crate::words::number;
+
+/// One row of a stack.
+struct Row {
+    place: Place,
+    role: Role,
+    /// Its part of the ray.
+    interval: String,
+    /// When it is opened.
+    word: &'static str,
+}
+
+/// What waits, the next one on top; when something waits behind it, with the words "next" and "later".
+/// `here` puts the current place above them, as "now".
+pub fn stack(walk: &Walk<'_>, moment: &Moment, here: bool, size: Vec2, look: &Look) -> Figure {
+    let interval = |near: f32, far: f32| format!("[{}, {}]", number(near), number(far));
+    let now = moment.here.filter(|place| here && matches!(place, Place::Node(_)));
+    let entered = moment.entered;
+    let now =
+        now.map(|place| Row { place, role: Role::Here, interval: interval(entered.near, entered.far), word: "now" });
+    let waiting = moment.stack.iter().rev().enumerate().map(|(index, waiting)| Row {
+        place: Place::Node(waiting.node),
+        role: Role::Waiting,
+        interval: interval(waiting.near, waiting.far),
+        word: word(index, moment.stack.len(), here),
+    });
+    let rows: Vec<Row> = now.into_iter().chain(waiting).collect();
+    let nothing = if walk.structure.node_count() > 0 { "Nothing waits." } else { "This walk needs no stack." };
+    let remark = if moment.stack.len() > 1 { "opened from the top" } else { "" };
+    draw("Stack", remark, &rows, nothing, size, look)
+}
+
+/// The nodes that a builder has yet to build, the next one on top.
+pub fn stack_of_build(moment: &GrowMoment, here: bool, size: Vec2, look: &Look) -> Figure {
+    let row = |place, role, word| Row { place, role, interval: String::new(), word };
+    let now = moment.node.filter(|_| here).map(|node| row(Place::Node(node), Role::Here, "now"));
+    let many = moment.waiting.len();
+    let waiting = moment.waiting.iter().rev().enumerate();
+    let waiting = waiting.map(|(index, node)| row(Place::Node(*node), Role::Waiting, word(index, many, here)));
+    let rows: Vec<Row> = now.into_iter().chain(waiting).collect();
+    let remark = if many > 1 { "built from the top" } else { "" };
+    draw("Still to be built", remark, &rows, "Nothing waits.", size, look)
+}
+
+/// How high a row is, and the gap under it.
+fn row(look: &Look) -> (f32, f32) {
+    (look.text * 2.3, look.text * 0.45)
+}
+
+/// How high a stack with so many rows is.
+pub fn stack_height(rows: usize, look: &Look) -> f32 {
+    let (height, gap) = row(look);
+    look.heading(&mut Figure::default(), "", "") + (height + gap) * rows as f32 + gap
+}
+
+/// When the row with this place from the top is opened.
+fn word(index: usize, many: usize, here: bool) -> &'static str {
+    match index {
+        _ if many < 2 && !here => "",
+        0 => "next",
+        _ => "later",
+    }
+}
+
+fn draw(title: &str, remark: &str, rows: &[Row], nothing: &str, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let top = look.heading(&mut figure, title, remark);
+    if rows.is_empty() {
+        let at = Vec2::new(look.margin(), top + look.line() * 0.5);
+        write(&mut figure, Role::Quiet, None, at, nothing, look.text, Face::Regular, Anchor::Start);
+        return figure;
+    }
+
+    // All rows that fit; of more, the last line says how many.
+    let (height, gap) = row(look);
+    let fit = (((size.y - top) / (height + gap)) as usize).max(1);
+    let shown = if rows.len() > fit { fit.saturating_sub(1).max(1) } else { rows.len() };
+    for (index, Row { place, role, interval, word }) in rows.iter().take(shown).enumerate() {
+        let corner = Vec2::new(look.margin(), top + index as f32 * (height + gap));
+        let extent = Vec2::new(size.x - 2.0 * look.margin(), height);
+        figure.add(*role, Some(*place), block(corner, extent, look.text * 0.4));
+        let middle = corner.y + height / 2.0;
+        let (left, right) = (corner.x + look.text * 0.9, corner.x + extent.x - look.text * 0.9);
+        let mut put = |role, x, text: &str, face, anchor| {
+            write(&mut figure, role, Some(*place), Vec2::new(x, middle), text, look.text, face, anchor);
+        };
+        put(*role, left, &place.to_string(), Face::Bold, Anchor::Start);
+        let word_room = if word.is_empty() { 0.0 } else { look.text * 3.6 };
+        put(Role::Text, right - word_room, interval, Face::Mono, Anchor::End);
+        put(Role::Text, right, word, Face::Regular, Anchor::End);
+    }
+    if shown < rows.len() {
+        let at = Vec2::new(look.margin(), top + shown as f32 * (height + gap) + look.line() * 0.5);
+        let says = format!("and {} more below", rows.len() - shown);
+        write(&mut figure, Role::Quiet, None, at, &says, look.text, Face::Regular, Anchor::Start);
+    }
+    figure
+}

@@ -1,0 +1,61 @@
+//! The tree that a builder has made so far.
+
+use glam::Vec2;
+use raystep_accel::{Direction, NodeId, PrimId};
+
+use super::{Tree, TreeView, draw_tree};
+use crate::moments::GrowMoment;
+use crate::page::{Figure, Look};
+use crate::theme::Role;
+
+/// The tree at a moment of a build.
+pub fn tree_of_build(moment: &GrowMoment, view: &TreeView, size: Vec2, look: &Look) -> Figure {
+    if moment.nodes.is_empty() {
+        let mut figure = Figure::new(size);
+        look.nothing(&mut figure, "Tree", "No node has come to be yet.");
+        return figure;
+    }
+    draw_tree(&Growing { moment, path: moment.path() }, view, size, look)
+}
+
+/// The state of a node that grows.
+pub(crate) fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
+    match moment.nodes.get(&id) {
+        _ if moment.node == Some(id) => Role::Here,
+        Some(node) if !node.children.is_empty() || node.leaf.is_some() => Role::Seen,
+        // Named by its parent's split, still to be built.
+        _ => Role::Waiting,
+    }
+}
+
+/// A tree that grows.
+struct Growing<'a> {
+    moment: &'a GrowMoment,
+    path: Vec<NodeId>,
+}
+
+impl Tree for Growing<'_> {
+    fn children(&self, node: NodeId) -> Vec<NodeId> {
+        self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default()
+    }
+
+    fn axis(&self, node: NodeId) -> Option<Direction> {
+        self.moment.nodes.get(&node)?.split.map(|split| split.axis)
+    }
+
+    fn prims(&self, node: NodeId) -> Vec<PrimId> {
+        self.moment.nodes.get(&node).map(|node| node.settled.clone()).unwrap_or_default()
+    }
+
+    fn role(&self, node: NodeId) -> Role {
+        node_role(self.moment, node)
+    }
+
+    fn prim_role(&self, prim: PrimId) -> Role {
+        if self.moment.prim == Some(prim) { Role::Here } else { Role::Scene }
+    }
+
+    fn path(&self) -> Vec<NodeId> {
+        if self.path.is_empty() { vec![NodeId::ROOT] } else { self.path.clone() }
+    }
+}

@@ -1,0 +1,79 @@
+//! What a builder has done so far in numbers.
+
+use glam::Vec2;
+use raystep_accel::Primitives;
+
+use crate::moments::{Build, GrowMoment};
+use crate::page::{Anchor, Figure, Look, block, line, wrapped, write};
+use crate::theme::{Face, Role, text_width};
+use crate::words::counted;
+
+/// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
+pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let top = look.heading(&mut figure, "Work so far", "");
+    let (left, u) = (look.margin(), look.text);
+    let all = build.prims.len() as u64;
+    let tally = &moment.tally;
+
+    // Before anything is stored: how many primitives the box holds.
+    let boxing = moment.resolution.is_none() && moment.nodes.is_empty();
+    let (count, says) = if boxing {
+        (tally.boxed, format!("of {} in the box", counted(all, "primitive", "primitives")))
+    } else {
+        (
+            tally.stored,
+            format!(
+                "{} to {}",
+                if tally.stored == 1 { "reference" } else { "references" },
+                counted(all, "primitive", "primitives")
+            ),
+        )
+    };
+    let loud = u * 2.6;
+    let mut y = top + loud * 0.5;
+    let digits = count.to_string();
+    let base = Vec2::new(left, y);
+    write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
+    let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
+    write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
+    y += loud * 0.5 + u * 0.6;
+
+    // Primitives as the upper bar, what refers to them as the lower.
+    let width = size.x - 2.0 * left;
+    let longest = count.max(all).max(1);
+    let part = |count: u64| width * count as f32 / longest as f32;
+    figure.add(Role::Panel, None, block(Vec2::new(left, y), Vec2::new(width, u * 0.75), u * 0.2));
+    if count > 0 {
+        figure.add(Role::Missed, None, block(Vec2::new(left, y), Vec2::new(part(count).max(3.0), u * 0.75), u * 0.2));
+    }
+    if count > all {
+        let at = Vec2::new(left + part(all), y - u * 0.2);
+        figure.add(Role::Text, None, line(at, at + Vec2::new(0.0, u * 1.15)));
+    }
+    y += u * 1.55;
+
+    for says in wrapped(&words(moment), width, u) {
+        y += u * 0.4;
+        write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
+        y += u * 1.2;
+    }
+    figure
+}
+
+/// What else was done. Only what happened.
+fn words(moment: &GrowMoment) -> Vec<String> {
+    let tally = &moment.tally;
+    [
+        (tally.weighed, "split weighed", "splits weighed"),
+        (tally.taken, "split taken", "splits taken"),
+        (tally.leaves, "leaf", "leaves"),
+        (moment.waiting.len() as u64, "node waits", "nodes wait"),
+        (tally.rasterised, "cell met by a box", "cells met by boxes"),
+        (tally.pruned, "cell not reached", "cells not reached"),
+    ]
+    .into_iter()
+    .filter(|(count, ..)| *count > 0)
+    .map(|(count, one, many)| counted(count, one, many))
+    .collect()
+}

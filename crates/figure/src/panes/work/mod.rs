@@ -1,0 +1,96 @@
+//! How much the walk has done so far, against testing everything.
+
+mod build;
+
+use glam::Vec2;
+use raystep_accel::{Cost, Primitives, Structure};
+
+pub use build::work_of_build;
+
+use crate::moments::{Moment, Walk};
+use crate::page::{Anchor, Figure, Look, block, wrapped, write};
+use crate::theme::{Face, Role, text_width};
+use crate::words::{VolumeName, counted};
+
+/// Where only the box is tested, its test is the work.
+fn tests_box_only(structure: &Structure) -> bool {
+    matches!(structure, Structure::Slab(_))
+}
+
+/// How many tests a walk has cost, and of how many things: "12 primitives", "1 box".
+pub fn tested(structure: &Structure, prims: usize, cost: &Cost) -> (u64, String) {
+    let volume = VolumeName::of(structure);
+    if tests_box_only(structure) {
+        return (cost.box_tests, counted(1, volume.one, volume.many));
+    }
+    (cost.prim_tests, counted(prims as u64, "primitive", "primitives"))
+}
+
+/// The primitives tested so far as a number and a bar, the rest of the work in words. `beside` names
+/// another walk and how many it has tested, for a second bar.
+pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    let top = look.heading(&mut figure, "Work so far", "");
+    let (left, u) = (look.margin(), look.text);
+    let only_box = tests_box_only(walk.structure);
+    let volume = VolumeName::of(walk.structure);
+    let (tests, tested) = tested(walk.structure, walk.prims.len(), &moment.cost);
+    let all = if only_box { 1 } else { walk.prims.len() as u64 };
+
+    // The one loud number.
+    let loud = u * 2.6;
+    let mut y = top + loud * 0.5;
+    let digits = tests.to_string();
+    let base = Vec2::new(left, y);
+    write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
+    let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
+    let says = format!("of {tested} tested");
+    write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
+    y += loud * 0.5 + u * 0.6;
+
+    // The same as a bar; with another walk beside it, a bar each.
+    let bars = std::iter::once(("", tests)).chain(beside);
+    let longest = beside.map_or(all, |(_, tests)| all.max(tests)).max(tests).max(1);
+    for (name, tests) in bars {
+        let height = u * 0.75;
+        let width = size.x - 2.0 * left;
+        if !name.is_empty() {
+            let says = format!("{name}: {}", counted(tests, "test", "tests"));
+            write(&mut figure, Role::Quiet, None, Vec2::new(left, y + u * 0.5), &says, u, Face::Regular, Anchor::Start);
+            y += u * 1.4;
+        }
+        figure.add(Role::Panel, None, block(Vec2::new(left, y), Vec2::new(width, height), u * 0.2));
+        if tests > 0 {
+            let part = (width * tests as f32 / longest as f32).max(3.0);
+            figure.add(Role::Missed, None, block(Vec2::new(left, y), Vec2::new(part, height), u * 0.2));
+        }
+        y += height + u * 0.8;
+    }
+
+    let rest = if only_box { Vec::new() } else { sentence(moment, volume) };
+    for says in wrapped(&rest, size.x - 2.0 * left, u) {
+        y += u * 0.4;
+        write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
+        y += u * 1.2;
+    }
+    figure
+}
+
+/// What else was done: nodes, cells, planes, boxes. Only what happened.
+fn sentence(moment: &Moment, volume: VolumeName) -> Vec<String> {
+    let cost = &moment.cost;
+    let (one_tested, many_tested) = (format!("{} tested", volume.one), format!("{} tested", volume.many));
+    [
+        (cost.node_visits, "node entered", "nodes entered"),
+        (cost.cell_steps, "cell entered", "cells entered"),
+        (cost.plane_tests, "plane crossed", "planes crossed"),
+        (cost.box_tests, &*one_tested, &*many_tested),
+        (cost.pushes, "pushed", "pushed"),
+        (cost.drops, "never opened", "never opened"),
+        (cost.skips, "test saved", "tests saved"),
+    ]
+    .into_iter()
+    .filter(|(count, ..)| *count > 0)
+    .map(|(count, one, many)| counted(count, one, many))
+    .collect()
+}

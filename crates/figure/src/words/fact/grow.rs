@@ -1,0 +1,78 @@
+//! Builds: a symbol for each kind of event, and a few words for each event.
+
+use std::borrow::Cow;
+
+use raystep_accel::{Grow, Place, Value};
+
+use super::{Fact, Symbol};
+use crate::theme::Role;
+use crate::words::VolumeName;
+
+const GROWS: Symbol = Symbol { sign: "▷", name: "box grows", role: Role::Here, rank: 0 };
+const WEIGHED: Symbol = Symbol { sign: "|", name: "weighed", role: Role::Candidate, rank: 1 };
+const RASTERISED: Symbol = Symbol { sign: "◇", name: "cell met", role: Role::Here, rank: 2 };
+const PRUNED: Symbol = Symbol { sign: "×", name: "pruned", role: Role::Dropped, rank: 3 };
+const STORED: Symbol = Symbol { sign: "●", name: "stored", role: Role::Seen, rank: 4 };
+const SHARED: Symbol = Symbol { sign: "■", name: "on both sides", role: Role::Hit, rank: 4 };
+const LEAF: Symbol = Symbol { sign: "□", name: "leaf", role: Role::Seen, rank: 5 };
+const SPLIT: Symbol = Symbol { sign: "△", name: "split", role: Role::Plane, rank: 6 };
+
+/// Every symbol of a build, in the order of a legend.
+pub(crate) const SYMBOLS: &[Symbol] = &[GROWS, RASTERISED, PRUNED, WEIGHED, SPLIT, SHARED, LEAF, STORED];
+
+impl Fact for Grow {
+    fn name(&self) -> &'static str {
+        self.name()
+    }
+
+    fn place(&self) -> Place {
+        self.place()
+    }
+
+    fn field(&self, name: &str) -> Option<Value> {
+        self.field(name)
+    }
+
+    fn symbol(&self) -> Option<Symbol> {
+        Some(match self {
+            Grow::Widen { grown: true, .. } => GROWS,
+            Grow::Weigh { .. } => WEIGHED,
+            Grow::Rasterise { .. } => RASTERISED,
+            Grow::Prune { .. } => PRUNED,
+            Grow::Settle { .. } => STORED,
+            Grow::Share { .. } => SHARED,
+            Grow::Leaf { .. } => LEAF,
+            Grow::Split { .. } | Grow::Divide { .. } | Grow::Refine { .. } => SPLIT,
+            _ => return None,
+        })
+    }
+
+    fn short(&self, _: VolumeName) -> Cow<'static, str> {
+        Cow::Borrowed(match self {
+            Grow::Widen { grown: true, .. } => "the box grows",
+            Grow::Widen { .. } => "it fits into the box",
+            Grow::Resolve { .. } => "the resolution is chosen",
+            Grow::Refine { .. } => "a crowded cell gets its own grid",
+            Grow::Rasterise { .. } => "a primitive's box meets a cell",
+            Grow::Prune { .. } => "the primitive itself does not",
+            Grow::Open { .. } => "a node comes to be",
+            Grow::Normal { .. } => "a plane is proposed",
+            Grow::Weigh { .. } => "a split is weighed",
+            Grow::Split { .. } => "the split is taken",
+            Grow::Share { .. } => "it goes to both children",
+            Grow::Divide { .. } => "the cell is divided",
+            Grow::Touch { .. } => "a node is looked at",
+            Grow::Leaf { .. } => "the node stays a leaf",
+            Grow::Settle { .. } => "a reference is stored",
+            Grow::Merge { .. } => "two nodes become one",
+            Grow::Move { .. } => "a node moves",
+            Grow::Refit { .. } => "a volume is fitted anew",
+            Grow::Renumber { .. } => "a node gets its final number",
+            Grow::End { .. } => "the structure is built",
+        })
+    }
+
+    fn sentence(&self, _: VolumeName) -> String {
+        crate::words::sentence::of_grow(self)
+    }
+}

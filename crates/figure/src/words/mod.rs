@@ -1,0 +1,13 @@
+//! Words and numbers: what an event says, and the one formatter of numbers.
+
+pub(crate) mod fact;
+mod number;
+mod sentence;
+mod template;
+mod volume;
+
+pub use fact::{Answer, Fact, Symbol, sentence, short};
+pub(crate) use number::counted;
+pub use number::{number, value};
+pub use template::{fill, told};
+pub use volume::VolumeName;

@@ -1,0 +1,94 @@
+//! The one formatter of numbers: three significant digits, everywhere.
+
+use raystep_accel::Value;
+
+/// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros.
+pub fn number(x: f32) -> String {
+    if x.is_nan() {
+        return "NaN".to_owned();
+    }
+    if x.is_infinite() {
+        return if x > 0.0 { "∞".to_owned() } else { "−∞".to_owned() };
+    }
+    let size = f64::from(x).abs();
+    let digits = if size == 0.0 {
+        "0".to_owned()
+    } else if !(9.995e-5..999_999.5).contains(&size) {
+        scientific(size)
+    } else {
+        // Digits after the point so that three count: 5.14, 0.328, 0.00123.
+        let (_, exponent) = parts(size);
+        trimmed(&format!("{:.*}", (2 - exponent).max(0) as usize, size))
+    };
+    if x < 0.0 { format!("−{digits}") } else { digits }
+}
+
+/// The value of a field of an event, in words where it is not a number.
+pub fn value(value: &Value) -> String {
+    match *value {
+        Value::Number(x) => number(x),
+        Value::Count(n) => n.to_string(),
+        Value::Flag(true) => "yes".to_owned(),
+        Value::Flag(false) => "no".to_owned(),
+        Value::Axis(axis) => axis.name().to_owned(),
+        Value::Word(word, _) => word.to_owned(),
+        Value::Place(place) => place.to_string(),
+        Value::Lanes(lanes) => lanes.to_string(),
+        Value::Box(bounds) => bounds.extent().to_array().map(number).join(" × "),
+    }
+}
+
+/// `1 node`, `2 nodes`.
+pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// Mantissa with three digits and exponent, rounded as they are printed.
+fn parts(size: f64) -> (String, i32) {
+    let printed = format!("{size:.2e}");
+    let (mantissa, exponent) = printed.split_once('e').unwrap_or((&printed, "0"));
+    (trimmed(mantissa), exponent.parse().unwrap_or(0))
+}
+
+fn scientific(size: f64) -> String {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let (mantissa, exponent) = parts(size);
+    let sign = if exponent < 0 { "⁻" } else { "" };
+    let digits = exponent.unsigned_abs().to_string();
+    let raised: String = digits.bytes().map(|digit| RAISED[usize::from(digit - b'0')]).collect();
+    format!("{mantissa}·10{sign}{raised}")
+}
+
+fn trimmed(digits: &str) -> String {
+    if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.').to_owned() } else { digits.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_digits_count() {
+        let table = [
+            (3.6612, "3.66"),
+            (0.3278, "0.328"),
+            (0.53, "0.53"),
+            (5.0, "5"),
+            (-2.0, "−2"),
+            (-0.0, "0"),
+            (9.996, "10"),
+            (99.96, "100"),
+            (999.7, "1000"),
+            (12_345.6, "12346"),
+            (1.5e7, "1.5·10⁷"),
+            (0.000_123_4, "0.000123"),
+            (0.000_012_34, "1.23·10⁻⁵"),
+            (f32::INFINITY, "∞"),
+            (f32::NEG_INFINITY, "−∞"),
+            (f32::NAN, "NaN"),
+        ];
+        for (x, text) in table {
+            assert_eq!(number(x), text);
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! What an event of a build says, in plain words.
+
+use raystep_accel::{Grow, LeafReason, Place};
+
+use super::{cells, count};
+use crate::words::number;
+
+/// One sentence about what just happened, with its numbers.
+pub(crate) fn of_grow(event: &Grow) -> String {
+    match *event {
+        Grow::Widen { prim, grown: true, .. } => format!("The box grows until it holds primitive {prim}."),
+        Grow::Widen { prim, .. } => format!("Primitive {prim} lies in the box already."),
+        Grow::Refine { cell, nx, ny, nz, prims, .. } => {
+            format!(
+                "Cell {cell} is crowded, with {prims} primitives: they go into a grid of its own, of {} cells.",
+                cells(nx, ny, nz)
+            )
+        }
+        Grow::Resolve { nx, ny, nz, prims, .. } => {
+            format!("{} get a grid of {} cells.", count(prims, "primitive"), cells(nx, ny, nz))
+        }
+        Grow::Rasterise { prim, cell } => format!("The box of primitive {prim} meets cell {cell}."),
+        Grow::Prune { prim, cell } => {
+            format!("Primitive {prim} itself does not reach into cell {cell}: no reference is stored.")
+        }
+        Grow::Open { node, prims, depth, .. } => {
+            format!("Node {node} comes to be at depth {depth}, with {}.", count(prims, "primitive"))
+        }
+        Grow::Normal { normal_x, normal_y, normal_z, plane, from, .. } => {
+            let who = match from {
+                Place::Prim(prim) => format!("Primitive {prim} proposes"),
+                _ => "The set of directions offers".to_owned(),
+            };
+            let normal = [normal_x, normal_y, normal_z].map(number).join(", ");
+            format!("{who} the plane n · p = {} with n = ({normal}).", number(plane))
+        }
+        Grow::Weigh { axis, plane, below, above, cost, .. } => format!(
+            "A split at {axis} = {} leaves {below} below and {above} above: cost {}.",
+            number(plane),
+            number(cost)
+        ),
+        Grow::Split { node, axis, plane, below, above, .. } => {
+            format!("Node {node} is split at {axis} = {}: node {below} lies below, node {above} above.", number(plane))
+        }
+        Grow::Share { prim, .. } => format!("Primitive {prim} lies on both sides: both children refer to it."),
+        Grow::Divide { node, first, ways, .. } => {
+            format!("Node {node} is cut into {ways} equal cells, nodes {first} to {}.", first.0 + ways - 1)
+        }
+        Grow::Touch { node } => format!("Node {node} is looked at."),
+        Grow::Leaf { node, prims, why } => {
+            let why = match why {
+                LeafReason::Few => "that is few enough",
+                LeafReason::Deep => "the tree may not become deeper",
+                LeafReason::Cheap => "no split is worth its price",
+                LeafReason::Inseparable => "no split separates them",
+                LeafReason::Crowded => "the tree refers to its primitives often enough",
+            };
+            format!("Node {node} stays a leaf with {}: {why}.", count(prims, "primitive"))
+        }
+        Grow::Settle { prim, place: Place::Cell(cell) } => {
+            format!("Primitive {prim} reaches into cell {cell}: the cell stores a reference.")
+        }
+        Grow::Settle { prim, place } => format!("A reference to primitive {prim} is stored in {place}."),
+        Grow::Merge { node, left, right, .. } => {
+            format!("Nodes {left} and {right} become the children of node {node}.")
+        }
+        Grow::Move { node, parent, .. } => format!("Node {node} moves under node {parent}."),
+        Grow::Refit { node, .. } => format!("The volume of node {node} is fitted to what lies below it now."),
+        Grow::Renumber { from, to } => format!("Node {from} gets its final number, {to}."),
+        Grow::End { nodes: 0, cells, references } => {
+            format!("The grid is built: {} with {}.", count(cells, "cell"), count(references, "reference"))
+        }
+        Grow::End { nodes, references, .. } => {
+            format!("The tree is built: {} and {}.", count(nodes, "node"), count(references, "reference"))
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! Templates: text in which the fields of an event are filled in.
+
+use raystep_accel::Value;
+
+use crate::words::{Fact, counted, number, value};
+
+/// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
+/// `{{prims reference}}` counts: 1 reference, 2 references.
+pub fn fill(template: &str, event: &impl Fact) -> String {
+    let mut filled = String::with_capacity(template.len());
+    let mut rest = template;
+    while let Some(start) = rest.find("{{") {
+        let (before, opened) = rest.split_at(start);
+        filled.push_str(before);
+        let Some(end) = opened.find("}}") else {
+            rest = opened;
+            break;
+        };
+        let inside = opened[2..end].trim();
+        let (field, noun) = inside.split_once(' ').unwrap_or((inside, ""));
+        match event.field(field) {
+            Some(Value::Count(n)) if !noun.is_empty() => {
+                filled.push_str(&counted(u64::from(n), noun, &format!("{noun}s")));
+            }
+            // Nobody reads "3.5 − −1".
+            Some(Value::Number(x)) if x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']) => {
+                filled.push_str(&format!("({})", number(x)));
+            }
+            Some(found) => filled.push_str(&value(&found)),
+            None => filled.push_str(&opened[..end + 2]),
+        }
+        rest = &opened[end + 2..];
+    }
+    filled + rest
+}
+
+/// The template filled as prose: a place that begins a sentence begins with a capital letter.
+pub fn told(template: &str, event: &impl Fact) -> String {
+    let filled = fill(template, event);
+    let mut told = String::with_capacity(filled.len());
+    let mut begins = true;
+    for (at, letter) in filled.char_indices() {
+        let rest = &filled[at..];
+        let place = ["primitive ", "node ", "cell ", "the box"].iter().any(|word| rest.starts_with(word));
+        if begins && place {
+            told.extend(letter.to_uppercase());
+        } else {
+            told.push(letter);
+        }
+        begins = letter == '\n' || letter == ' ' && told.trim_end().ends_with(['.', '?', '!']);
+    }
+    told
+}
+
+#[cfg(test)]
+mod tests {
+    use raystep_accel::{Axis, NodeId, Visit};
+
+    use super::*;
+
+    #[test]
+    fn templates_are_filled_from_the_event() {
+        let event = Visit::Plane {
+            node: NodeId(1),
+            axis: Axis::Y.into(),
+            plane: 2.02,
+            o: 0.53,
+            d: 0.407,
+            t: 3.661,
+            t_near: 0.328,
+            t_far: 5.14,
+        };
+        assert_eq!(
+            fill("{{axis}} = {{plane}} cuts {{ node }} at {{t}}; {{other}} {t}", &event),
+            "y = 2.02 cuts node 1 at 3.66; {{other}} {t}"
+        );
+        assert_eq!(told("{{node}} is cut. {{node}} waits", &event), "Node 1 is cut. Node 1 waits");
+        assert_eq!(fill("{{t", &event), "{{t");
+        let place = raystep_accel::Place::Node(NodeId(3));
+        let leaf = |prims| Visit::Enter { place, t_near: 0.0, t_far: 1.0, prims, leaf: true };
+        assert_eq!(fill("{{prims reference}}, {{prims}}", &leaf(1)), "1 reference, 1");
+        assert_eq!(fill("{{prims reference}}", &leaf(0)), "0 references");
+        let event = Visit::Test { prim: raystep_accel::PrimId(0), t: -1.0, hit: true };
+        assert_eq!(fill("3 − {{t}}, {{t}} − 3", &event), "3 − (−1), −1 − 3");
+    }
+}

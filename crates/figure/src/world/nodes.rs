@@ -1,0 +1,53 @@
+//! The nodes of a finished structure as pictures need them, worked out once.
+
+use std::sync::OnceLock;
+
+use raystep_accel::{Aabb, AnyBvh, NodeId, Structure};
+
+use crate::world::{Form, outlines};
+
+/// The boxes of a structure's nodes, and what they look like: a hull or a cell cut by planes takes longer to work
+/// out than a picture may, so each is worked out when a picture first shows it.
+#[derive(Debug)]
+pub struct Nodes {
+    bounds: Vec<Aabb>,
+    reach: Aabb,
+    looks: Vec<OnceLock<Vec<Form>>>,
+}
+
+impl Nodes {
+    /// Those of this structure.
+    pub fn of(structure: &Structure) -> Nodes {
+        // Boxes need no working out.
+        let plain = !matches!(structure, Structure::Bsp(_) | Structure::Bvh(_))
+            || matches!(structure, Structure::Bvh(AnyBvh::Aabb(_)));
+        let looks = if plain { 0 } else { structure.node_count() };
+        Nodes {
+            bounds: structure.node_bounds(),
+            reach: outlines::reach(structure),
+            looks: (0..looks).map(|_| OnceLock::new()).collect(),
+        }
+    }
+
+    /// The box of a node; empty if there is no such node.
+    pub fn bounds(&self, node: NodeId) -> Aabb {
+        self.bounds.get(node.index()).copied().unwrap_or(Aabb::EMPTY)
+    }
+
+    /// The box around all that is drawn of the structure: some volumes reach out of the box of the primitives.
+    pub(crate) fn reach(&self) -> Aabb {
+        self.reach
+    }
+
+    /// What a node looks like. `bounds` is its box, which may still grow; of a node that is not in the structure,
+    /// that is all there is to see.
+    pub(crate) fn look(&self, structure: &Structure, node: NodeId, bounds: Aabb, flat: bool) -> Vec<Form> {
+        let known = self.looks.get(node.index());
+        let look = known.map(|look| look.get_or_init(|| outlines::node(structure, node, flat)));
+        match look {
+            Some(forms) if !forms.is_empty() => forms.clone(),
+            _ if bounds.is_empty() => Vec::new(),
+            _ => vec![Form::Box(bounds)],
+        }
+    }
+}
