@@ -9,8 +9,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raystep_figure::Theme;
 use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
 
-use super::fault::{Fault, about};
 use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
+use crate::fault::{Fault, about};
 
 /// What to draw, how, and where to.
 #[derive(Args, Debug)]

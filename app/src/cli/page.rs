@@ -11,9 +11,9 @@ use raystep_lesson::{Library, Slide, StageKind};
 use raystep_print::svg;
 
 use super::export::bar;
-use super::fault::Fault;
-use super::files;
 use crate::export::{Ground, Session, View, rays_of_beats};
+use crate::fault::Fault;
+use crate::files;
 
 /// Where the lecture is written when no window can open.
 pub const FOLDER: &str = "raystep-lecture";

@@ -9,7 +9,7 @@ use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
 use super::camera::{self, Seen};
 use super::session::Session;
-use crate::cli::Fault;
+use crate::fault::Fault;
 
 /// A scene, the structure over it, and the slide that speaks of it.
 pub(crate) struct Ground<'a> {

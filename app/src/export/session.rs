@@ -9,7 +9,7 @@ use raystep_lesson::{Play, Show, Tape};
 use raystep_print::{Below, Plate, Record, Told, json, plate};
 
 use super::ground::Ground;
-use crate::cli::Fault;
+use crate::fault::Fault;
 use crate::reel::{beginning, lines, reel};
 
 /// A walk or a build and what it is drawn on.

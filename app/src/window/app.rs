@@ -8,21 +8,30 @@ use raystep_figure::{Camera, Theme, TreeView};
 use raystep_lesson::Library;
 
 use super::beside::Second;
+use super::bottom;
+use super::columns;
 use super::command::Command;
 use super::errand::Errands;
+use super::export_dialog;
 use super::formulas::Formulas;
+use super::help;
 use super::keys;
-use super::palette::{self, Palette};
+use super::lesson_pane;
+use super::open_dialog;
+use super::palette;
+use super::palette::Palette;
 use super::pictures::Pictures;
+use super::present;
 use super::remember::Remembered;
 use super::solid::Solid;
 use super::space_pane::Hold;
 use super::state::{Beside, State};
 use super::toast::Toasts;
+use super::top;
 use super::view::RayChoice;
-use super::visuals::{self, fill};
+use super::visuals;
+use super::visuals::fill;
 use super::workshop::{Failure, Workshop};
-use super::{bottom, columns, export_dialog, help, lesson_pane, open_dialog, present, top};
 
 /// The window.
 pub struct App {

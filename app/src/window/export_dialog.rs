@@ -11,8 +11,8 @@ use super::controls;
 use super::fonts::font;
 use super::state::State;
 use super::visuals::ink;
-use crate::cli::Fault;
 use crate::export::{Format, Order, Size, View};
+use crate::fault::Fault;
 
 /// What is filled in.
 #[derive(Clone)]

@@ -13,9 +13,9 @@ use super::formulas::decoded;
 use super::playback::{Built, Playback};
 use super::task::Task;
 use super::view::RayChoice;
-use crate::cli::Fault;
 use crate::export::camera::Seen;
 use crate::export::{Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats, write};
+use crate::fault::Fault;
 
 /// What the window shows, for another thread.
 struct Window {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-use crate::cli::thousands;
+use crate::counts::thousands;
 
 /// Work under way beside the UI thread.
 #[derive(Debug)]

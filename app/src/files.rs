@@ -3,7 +3,7 @@
 use std::io::{ErrorKind, Write};
 use std::path::Path;
 
-use super::fault::{Fault, about};
+use crate::fault::{Fault, about};
 
 /// Reads a file.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Fault> {
