@@ -5,5 +5,5 @@ mod counts;
 mod export;
 mod fault;
 mod files;
-mod reel;
+pub mod shown;
 pub mod window;

@@ -12,9 +12,10 @@ use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
 use super::rays;
-use crate::export::{Size, camera};
+use crate::export::Size;
 use crate::fault::Fault;
 use crate::files;
+use crate::shown::camera;
 
 /// What to trace, and how.
 #[derive(Args, Debug)]

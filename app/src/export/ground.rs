@@ -7,9 +7,9 @@ use raystep_accel::{Ray, Rule};
 use raystep_figure::{Camera, Nodes, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
-use super::camera::{self, Seen};
 use super::session::Session;
 use crate::fault::Fault;
+use crate::shown::camera::{self, Seen};
 
 /// A scene, the structure over it, and the slide that speaks of it.
 pub(crate) struct Ground<'a> {

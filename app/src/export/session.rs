@@ -10,7 +10,7 @@ use raystep_print::{Below, Plate, Record, Told, json, plate};
 
 use super::ground::Ground;
 use crate::fault::Fault;
-use crate::reel::{beginning, lines, reel};
+use crate::shown::reel::{beginning, lines, reel};
 
 /// A walk or a build and what it is drawn on.
 pub(crate) struct Session<'a> {

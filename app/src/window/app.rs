@@ -10,7 +10,6 @@ use raystep_lesson::Library;
 use super::beside::Second;
 use super::bottom;
 use super::columns;
-use super::command::Command;
 use super::errand::Errands;
 use super::export_dialog;
 use super::formulas::Formulas;
@@ -20,18 +19,19 @@ use super::lesson_pane;
 use super::open_dialog;
 use super::palette;
 use super::palette::Palette;
-use super::pictures::Pictures;
 use super::present;
 use super::remember::Remembered;
 use super::solid::Solid;
 use super::space_pane::Hold;
-use super::state::{Beside, State};
 use super::toast::Toasts;
 use super::top;
-use super::view::RayChoice;
 use super::visuals;
 use super::visuals::fill;
 use super::workshop::{Failure, Workshop};
+use crate::shown::command::Command;
+use crate::shown::pictures::Pictures;
+use crate::shown::state::{Beside, State};
+use crate::shown::view::RayChoice;
 
 /// The window.
 pub struct App {

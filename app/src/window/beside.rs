@@ -9,11 +9,11 @@ use raystep_lesson::Plays;
 
 use super::app::App;
 use super::bench::Bench;
-use super::playback::{Built, Playback, cost};
-use super::state::{Beside, Pace};
 use super::task::Task;
-use super::view::{RayChoice, View};
 use super::workshop::{Failure, build, builds_quickly, walks_quickly};
+use crate::shown::playback::{Built, Playback, cost};
+use crate::shown::state::{Beside, Pace};
+use crate::shown::view::{RayChoice, View};
 
 /// The second walk, and the search for a ray on which a mistake shows.
 pub(super) struct Second {

@@ -4,13 +4,13 @@ use egui::{Align, Button, ComboBox, Layout, RichText, Sense, Ui, vec2};
 use raystep_accel::{Grain, Place};
 use raystep_figure::{Look, Theme, Track, TreeView, short};
 
-use super::command::Command;
 use super::controls;
 use super::icons::{Icon, icon_button};
 use super::painter::{paint_figure, paint_nearest_lit, place_at};
-use super::pictures::{Pane, Pictures};
-use super::state::State;
-use super::steps::grain_name;
+use crate::shown::command::Command;
+use crate::shown::pictures::{Pane, Pictures};
+use crate::shown::state::State;
+use crate::shown::steps::grain_name;
 
 /// What was asked for in the bar.
 pub(super) enum Asked {

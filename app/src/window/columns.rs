@@ -8,11 +8,11 @@ use raystep_lesson::Plays;
 
 use super::app::App;
 use super::painter::{paint_figure, place_at};
-use super::pictures::{Pane, main_pane, shows_bytes};
 use super::space_pane::glam_size;
 use super::stage_pane;
-use super::state::Beside;
 use super::visuals::fill;
+use crate::shown::pictures::{Pane, main_pane, shows_bytes};
+use crate::shown::state::Beside;
 
 /// Below this width of the window tree, walk, stack and work become tabs.
 const NARROW: f32 = 1400.0;

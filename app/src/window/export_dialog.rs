@@ -9,10 +9,10 @@ use raystep_figure::{Face, Role, Theme};
 use super::app::App;
 use super::controls;
 use super::fonts::font;
-use super::state::State;
 use super::visuals::ink;
 use crate::export::{Format, Order, Size, View};
 use crate::fault::Fault;
+use crate::shown::state::State;
 
 /// What is filled in.
 #[derive(Clone)]

@@ -10,12 +10,12 @@ use super::app::App;
 use super::errand::News;
 use super::export_dialog::Form;
 use super::formulas::decoded;
-use super::playback::{Built, Playback};
 use super::task::Task;
-use super::view::RayChoice;
-use crate::export::camera::Seen;
 use crate::export::{Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats, write};
 use crate::fault::Fault;
+use crate::shown::camera::Seen;
+use crate::shown::playback::{Built, Playback};
+use crate::shown::view::RayChoice;
 
 /// What the window shows, for another thread.
 struct Window {

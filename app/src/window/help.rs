@@ -3,10 +3,10 @@
 use egui::{Grid, RichText, ScrollArea, Ui};
 use raystep_figure::{Face, Role, Theme};
 
-use super::command::{Command, Entry};
 use super::controls;
 use super::fonts::font;
 use super::visuals::ink;
+use crate::shown::command::{Command, Entry};
 
 /// Some commands under a heading.
 type Group = (&'static str, &'static [Command]);
@@ -126,7 +126,7 @@ fn group<'a>(ui: &mut Ui, heading: &str, rows: impl Iterator<Item = (&'a str, &'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::window::command::ENTRIES;
+    use crate::shown::command::ENTRIES;
 
     #[test]
     fn every_key_stands_on_the_page_once() {

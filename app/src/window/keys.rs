@@ -2,7 +2,7 @@
 
 use egui::{Event, Key, Modifiers, Ui};
 
-use super::command::{Command, ENTRIES};
+use crate::shown::command::{Command, ENTRIES};
 
 /// The commands given by keys in this frame, in order.
 pub(super) fn pressed(ui: &Ui) -> Vec<Command> {

@@ -3,14 +3,14 @@
 use egui::{Frame, Margin, RichText, ScrollArea, Ui};
 use raystep_figure::{Face, Role, Theme, sentence, told};
 
-use super::command::Command;
 use super::fonts::font;
 use super::formulas::Formulas;
 use super::prose::Prose;
 use super::question;
-use super::state::State;
 use super::visuals::ink;
-use crate::reel::beginning;
+use crate::shown::command::Command;
+use crate::shown::reel::beginning;
+use crate::shown::state::State;
 
 /// Shows the lesson; says which command was asked for.
 pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {

@@ -1,20 +1,18 @@
-//! The window: one [`App`] that shows a [`State`](state::State) and turns keys and clicks into [`Command`](command::Command)s.
+//! The window: one [`App`] that shows a [`State`](crate::shown::state::State) and turns keys and clicks into
+//! [`Command`](crate::shown::command::Command)s.
 
 mod app;
 mod bench;
 mod beside;
 mod bottom;
 mod columns;
-pub mod command;
 mod controls;
 mod errand;
 mod export_dialog;
 mod exporting;
-mod eye;
 mod fonts;
 mod formulas;
 mod help;
-mod history;
 mod icons;
 mod keys;
 mod lesson_pane;
@@ -25,8 +23,6 @@ mod open_dialog;
 mod outline;
 mod painter;
 mod palette;
-mod pictures;
-mod playback;
 mod present;
 mod prose;
 mod question;
@@ -35,20 +31,14 @@ mod rival;
 mod solid;
 mod space_pane;
 mod stage_pane;
-pub mod state;
-mod steps;
 mod task;
 mod tex;
 mod toast;
 mod top;
 mod underway;
-mod view;
 mod visuals;
 mod workshop;
 
 pub use app::App;
 pub use open::{NoWindow, Wishes, open};
-pub use playback::{Playback, Posed};
 pub use remember::Remembered;
-pub use steps::Steps;
-pub use view::{RayChoice, View};

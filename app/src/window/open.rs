@@ -7,7 +7,7 @@ use raystep_lesson::Library;
 use super::app::App;
 use super::remember::Remembered;
 use super::solid::Solid;
-use super::view::RayChoice;
+use crate::shown::view::RayChoice;
 
 /// What the window shall show first.
 #[derive(Debug, Default)]

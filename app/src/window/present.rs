@@ -6,15 +6,15 @@ use raystep_figure::{Face, Look, Role, sentence, stack_height, told};
 
 use super::app::App;
 use super::columns::{bytes, figure};
-use super::command::Command;
 use super::fonts::font;
 use super::painter::caption;
-use super::pictures::Pane;
 use super::prose::Prose;
 use super::question;
 use super::stage_pane;
 use super::visuals::{fill, ink};
-use crate::reel::beginning;
+use crate::shown::command::Command;
+use crate::shown::pictures::Pane;
+use crate::shown::reel::beginning;
 
 /// Shows the page in the whole window.
 pub(super) fn page(app: &mut App, ui: &mut Ui) {
@@ -162,7 +162,7 @@ fn said(app: &mut App, ui: &mut Ui, body: f32) -> Option<Command> {
 fn big_answers(
     app: &App,
     ui: &mut Ui,
-    posed: &super::playback::Posed,
+    posed: &crate::shown::playback::Posed,
     wrong: Option<usize>,
     body: f32,
 ) -> Option<Command> {

@@ -5,14 +5,14 @@ use raystep_accel::{Event, Grow};
 use raystep_figure::{Answer, Face, Role, Theme, told, value};
 use raystep_lesson::Choice;
 
-use super::command::Command;
 use super::fonts::font;
 use super::formulas::Formulas;
 use super::markdown::plain;
-use super::playback::Posed;
 use super::prose::Prose;
-use super::state::State;
 use super::visuals::{fill, ink, tinted};
+use crate::shown::command::Command;
+use crate::shown::playback::Posed;
+use crate::shown::state::State;
 
 /// Shows the open question, or what became of the one just answered. Says which command was asked for.
 pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {

@@ -6,7 +6,7 @@ use egui::Ui;
 use serde::{Deserialize, Serialize};
 
 use super::app::App;
-use super::pictures::Pane;
+use crate::shown::pictures::Pane;
 
 /// What is remembered.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

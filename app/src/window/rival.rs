@@ -7,8 +7,8 @@ use raystep_figure::Face;
 use super::app::App;
 use super::controls;
 use super::fonts::font;
-use super::state::{Beside, Pace};
 use super::top::kind_name;
+use crate::shown::state::{Beside, Pace};
 
 /// Shows the strip and does what is chosen.
 pub(super) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {

@@ -9,16 +9,16 @@ use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 use super::app::App;
 use super::beside::Drawn;
 use super::columns::strip;
-use super::eye;
 use super::outline::scaled;
 use super::painter::{caption, paint_figure};
-use super::pictures::Pane;
-use super::playback::{Playback, cost};
 use super::rival;
 use super::space_pane::{Happened, Hold, Picture, glam_size};
-use super::state::Beside;
-use super::view::RayChoice;
-use crate::export::camera::Seen;
+use crate::shown::camera::Seen;
+use crate::shown::eye;
+use crate::shown::pictures::Pane;
+use crate::shown::playback::{Playback, cost};
+use crate::shown::state::Beside;
+use crate::shown::view::RayChoice;
 
 /// Shows the stage in all the room there is; says which place the pointer is on.
 pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
@@ -107,7 +107,7 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     let Drawn { space: shown, cost, .. } = app.second.at(beside, step);
     let camera = camera(app, &shown, rect);
     let solid = !shown.flat && app.solid_beside.is_there();
-    let figure: Figure = super::pictures::drawn(&shown, beside, &camera, glam_size(rect), solid);
+    let figure: Figure = crate::shown::pictures::drawn(&shown, beside, &camera, glam_size(rect), solid);
     let ray = beside.play.tape.ray();
     let lit = app.lit();
     if solid {

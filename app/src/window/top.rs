@@ -4,13 +4,13 @@ use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
 use raystep_figure::{Face, Role, Theme};
 use raystep_lesson::{Plays, StageKind};
 
-use super::command::Command;
 use super::controls;
 use super::fonts::font;
 use super::icons::{Icon, icon_button};
-use super::state::{Beside, State};
-use super::view::RayChoice;
 use super::visuals::{color32, ink, style};
+use crate::shown::command::Command;
+use crate::shown::state::{Beside, State};
+use crate::shown::view::RayChoice;
 
 /// What was asked for in the bar.
 pub(super) enum Asked {
@@ -246,7 +246,7 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
             (Command::Help, true),
         ];
         for (command, enabled) in commands {
-            let keys = command.entry().map_or_else(String::new, super::command::Entry::keys_text);
+            let keys = command.entry().map_or_else(String::new, crate::shown::command::Entry::keys_text);
             let button = Button::new(command.name()).shortcut_text(keys).min_size(vec2(298.0, 0.0));
             if ui.add_enabled(enabled, button).clicked() {
                 *asked = Some(Asked::Command(command));

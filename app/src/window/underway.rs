@@ -6,9 +6,9 @@ use egui::{Area, Frame, Id, Order, ProgressBar, RichText, Ui, vec2};
 use raystep_figure::{Role, Theme};
 
 use super::app::App;
-use super::state::Beside;
 use super::task::Task;
 use super::visuals::ink;
+use crate::shown::state::Beside;
 
 impl App {
     /// Shows what is under way.

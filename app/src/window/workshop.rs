@@ -11,9 +11,9 @@ use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use super::bench::Bench;
-use super::playback::{Built, Playback};
 use super::task::Task;
-use super::view::{RayChoice, View};
+use crate::shown::playback::{Built, Playback};
+use crate::shown::view::{RayChoice, View};
 
 /// Scenes with at most so many primitives are built at once.
 const SMALL: usize = 512;

@@ -9,21 +9,21 @@ use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, TreeView, st
 use raystep_lesson::{Choice, Listing, Show};
 
 use super::playback::Playback;
+use super::reel::lines;
 use super::state::State;
-use crate::reel::lines;
 
 /// The most primitives that are drawn as outlines.
 const OUTLINED: usize = 2000;
 
 /// The step that is shown, folded and drawn.
-pub(super) struct Pictures {
+pub(crate) struct Pictures {
     key: Key,
     /// The walk or the build.
-    pub(super) playback: Arc<Playback>,
+    pub(crate) playback: Arc<Playback>,
     /// Its state at this step.
-    pub(super) instant: Instant,
+    pub(crate) instant: Instant,
     /// What space shows.
-    pub(super) space: Space,
+    pub(crate) space: Space,
     figures: HashMap<PaneKey, Figure>,
 }
 
@@ -44,7 +44,7 @@ struct PaneKey {
 
 /// A pane that is a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Pane {
+pub(crate) enum Pane {
     Ruler,
     RulerLine,
     Tree,
@@ -61,7 +61,7 @@ pub(super) enum Pane {
 
 impl Pane {
     /// What stands on its tab.
-    pub(super) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Pane::Ruler | Pane::RulerLine => "t along the ray",
             Pane::Tree => "Tree",
@@ -79,7 +79,7 @@ impl Pane {
 
 impl Pictures {
     /// The pictures of the state's step: those kept, if they still are right.
-    pub(super) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
+    pub(crate) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
         let playback = state.playback()?.clone();
         let asking = state.question().is_some();
         let key = Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, asking };
@@ -97,7 +97,7 @@ impl Pictures {
     }
 
     /// The figure of a pane.
-    pub(super) fn pane(
+    pub(crate) fn pane(
         &mut self,
         pane: Pane,
         size: Vec2,
@@ -133,7 +133,7 @@ impl Pictures {
     }
 
     /// Whether there is anything to show in a pane.
-    pub(super) fn has(&self, pane: Pane) -> bool {
+    pub(crate) fn has(&self, pane: Pane) -> bool {
         let reel = self.playback.reel();
         let still = reel.still(&self.instant);
         match pane {
@@ -144,25 +144,25 @@ impl Pictures {
     }
 
     /// How high the presenter's ruler is.
-    pub(super) fn ruler_line_height(&self, look: &Look) -> f32 {
+    pub(crate) fn ruler_line_height(&self, look: &Look) -> f32 {
         let reel = self.playback.reel();
         let still = reel.still(&self.instant);
         if still.has_ruler() { still.ruler_line_height(look) } else { 0.0 }
     }
 
     /// How high the legend of this width is.
-    pub(super) fn legend_height(&self, width: f32, look: &Look) -> f32 {
+    pub(crate) fn legend_height(&self, width: f32, look: &Look) -> f32 {
         self.playback.reel().still(&self.instant).legend_height(&self.space, width, look)
     }
 
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
-    pub(super) fn stage(&self, camera: &Camera, size: Vec2, painted: bool) -> Figure {
+    pub(crate) fn stage(&self, camera: &Camera, size: Vec2, painted: bool) -> Figure {
         drawn(&self.space, &self.playback, camera, size, painted)
     }
 }
 
 /// Space as a camera sees it. So many primitives that their outlines would be a blot are left out.
-pub(super) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: Vec2, painted: bool) -> Figure {
+pub(crate) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: Vec2, painted: bool) -> Figure {
     let prims = &playback.play.scene.prims;
     let scenery = if painted || prims.len() > OUTLINED { Scenery::Left } else { Scenery::Drawn };
     stage(space, prims, camera, size, scenery)
@@ -172,13 +172,13 @@ pub(super) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: V
 fn guess(instant: &mut Instant, choices: &[Choice]) {
     match instant {
         Instant::Walk(moment) => {
-            let guess = |choice: &Choice| Some((choice.place?, super::question::label(choice)));
+            let guess = |choice: &Choice| Some((choice.place?, crate::window::question::label(choice)));
             moment.guesses = choices.iter().filter_map(guess).collect();
         }
         Instant::Build(moment) => {
             let guess = |choice: &Choice| match choice.own {
                 Some(Event::Build(Grow::Weigh { axis, plane, .. })) => {
-                    Some((axis, plane, super::question::label(choice)))
+                    Some((axis, plane, crate::window::question::label(choice)))
                 }
                 _ => None,
             };
@@ -188,12 +188,12 @@ fn guess(instant: &mut Instant, choices: &[Choice]) {
 }
 
 /// Whether a slide wants to see a node's bytes, and there are any.
-pub(super) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
+pub(crate) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
     show.contains(&Show::Bytes) && matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_))
 }
 
 /// The pane that a structure is best seen in beside space.
-pub(super) fn main_pane(playback: &Playback, show: &[Show]) -> Option<Pane> {
+pub(crate) fn main_pane(playback: &Playback, show: &[Show]) -> Option<Pane> {
     use raystep_accel::Structure;
     match &*playback.play.structure {
         Structure::Slab(_) => Some(Pane::Slabs),

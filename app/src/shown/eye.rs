@@ -6,10 +6,10 @@ use raystep_figure::Camera;
 use raystep_lesson::Look;
 use raystep_scene::Scene;
 
-use crate::export::camera::composed;
+use super::camera::composed;
 
 /// Where a stage is first seen from, in a picture of this size. `bounds` is what shall be seen.
-pub(super) fn home(look: Option<&Look>, scene: &Scene, bounds: &Aabb, size: Vec2) -> Camera {
+pub(crate) fn home(look: Option<&Look>, scene: &Scene, bounds: &Aabb, size: Vec2) -> Camera {
     match look {
         Some(Look::Flat { center, half_height }) => Camera::Flat { center: *center, half_height: *half_height },
         Some(Look::Solid { eye, target, up, fov_degrees }) => {
@@ -25,7 +25,7 @@ pub(super) fn home(look: Option<&Look>, scene: &Scene, bounds: &Aabb, size: Vec2
 }
 
 /// A flat camera that shows all of a box with a margin.
-pub(super) fn fitted(bounds: &Aabb, size: Vec2) -> Camera {
+pub(crate) fn fitted(bounds: &Aabb, size: Vec2) -> Camera {
     let (center, half) = (bounds.center().truncate(), bounds.extent().truncate() * 0.5);
     let aspect = size.x / size.y.max(1.0);
     let half_height = half.y.max(half.x / aspect).max(1e-4) * 1.045;
@@ -33,7 +33,7 @@ pub(super) fn fitted(bounds: &Aabb, size: Vec2) -> Camera {
 }
 
 /// The camera moved so that a box fills a good part of the picture.
-pub(super) fn framed(camera: &Camera, bounds: &Aabb, size: Vec2) -> Camera {
+pub(crate) fn framed(camera: &Camera, bounds: &Aabb, size: Vec2) -> Camera {
     match *camera {
         Camera::Flat { .. } => match fitted(bounds, size) {
             Camera::Flat { center, half_height } => Camera::Flat { center, half_height: half_height * 1.3 },
@@ -50,7 +50,7 @@ pub(super) fn framed(camera: &Camera, bounds: &Aabb, size: Vec2) -> Camera {
 }
 
 /// Turned around its target by a drag over so much of the picture; a flat camera is shifted.
-pub(super) fn turned(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
+pub(crate) fn turned(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
     let Camera::Solid { eye, target, up, fov_degrees } = *camera else { return shifted(camera, drag, size) };
     let angle = drag / size.y.max(1.0) * std::f32::consts::PI;
     let away = eye - target;
@@ -63,7 +63,7 @@ pub(super) fn turned(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
 }
 
 /// Shifted so that the picture follows the pointer.
-pub(super) fn shifted(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
+pub(crate) fn shifted(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
     match *camera {
         Camera::Flat { center, half_height } => {
             let scale = 2.0 * half_height / size.y.max(1.0);
@@ -81,7 +81,7 @@ pub(super) fn shifted(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
 }
 
 /// Nearer by a factor, keeping what lies under the pointer in its place.
-pub(super) fn nearer(camera: &Camera, factor: f32, pointer: Vec2, size: Vec2) -> Camera {
+pub(crate) fn nearer(camera: &Camera, factor: f32, pointer: Vec2, size: Vec2) -> Camera {
     match *camera {
         Camera::Flat { center, half_height } => {
             let at = on_plane(camera, pointer, size, Vec3::ZERO).truncate();
@@ -94,7 +94,7 @@ pub(super) fn nearer(camera: &Camera, factor: f32, pointer: Vec2, size: Vec2) ->
 }
 
 /// The point under the pointer on the plane through `through` that faces the camera.
-pub(super) fn on_plane(camera: &Camera, pointer: Vec2, size: Vec2, through: Vec3) -> Vec3 {
+pub(crate) fn on_plane(camera: &Camera, pointer: Vec2, size: Vec2, through: Vec3) -> Vec3 {
     let Ok(sight) = camera.ray(pointer, size) else { return through };
     let normal = match *camera {
         Camera::Flat { .. } => Vec3::Z,

@@ -42,7 +42,7 @@ impl Steps<'_> {
 }
 
 /// The grain that is coarser by one; visits are the coarsest.
-pub(super) fn coarser(grain: Grain) -> Grain {
+pub(crate) fn coarser(grain: Grain) -> Grain {
     match grain {
         Grain::Arithmetic => Grain::Decision,
         Grain::Decision | Grain::Visit => Grain::Visit,
@@ -50,7 +50,7 @@ pub(super) fn coarser(grain: Grain) -> Grain {
 }
 
 /// What a grain is called on its drop-down.
-pub(super) fn grain_name(grain: Grain) -> &'static str {
+pub(crate) fn grain_name(grain: Grain) -> &'static str {
     match grain {
         Grain::Arithmetic => "by arithmetic",
         Grain::Decision => "by decision",

@@ -3,8 +3,8 @@
 use raystep_accel::Grain;
 
 use super::{Landing, State};
-use crate::window::playback::Posed;
-use crate::window::view::View;
+use crate::shown::playback::Posed;
+use crate::shown::view::View;
 
 impl State {
     /// Stands at a step as soon as the walk is there.

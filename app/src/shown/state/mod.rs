@@ -85,7 +85,7 @@ pub struct Answered {
 
 /// Everything that decides what a frame looks like.
 #[derive(PartialEq)]
-pub(super) struct Stamp {
+pub(crate) struct Stamp {
     walk: Option<*const Playback>,
     step: usize,
     camera: Option<Camera>,
@@ -150,7 +150,7 @@ impl State {
     }
 
     /// What a frame that is drawn now shows.
-    pub(super) fn stamp(&self) -> Stamp {
+    pub(crate) fn stamp(&self) -> Stamp {
         Stamp {
             walk: self.playback.as_ref().map(Arc::as_ptr),
             step: self.view.step,

@@ -4,7 +4,7 @@ use raystep_accel::Place;
 use raystep_lesson::Beat;
 
 use super::{Answered, State};
-use crate::window::playback::Posed;
+use crate::shown::playback::Posed;
 
 impl State {
     /// The question that is open now: it is answered by the next step.

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use raystep_lesson::{Library, Slide};
 
 use super::{Landing, State, first_stage};
-use crate::window::history::History;
-use crate::window::playback::Playback;
-use crate::window::view::View;
+use crate::shown::history::History;
+use crate::shown::playback::Playback;
+use crate::shown::view::View;
 
 impl State {
     /// Whether everything that is wanted is shown.

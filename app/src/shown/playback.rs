@@ -8,7 +8,7 @@ use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
-use crate::reel::reel;
+use super::reel::reel;
 
 use super::state::Beside;
 use super::steps::Steps;
@@ -228,7 +228,7 @@ impl Playback {
 }
 
 /// What a walk has cost so far; a build costs no ray anything.
-pub(super) fn cost(instant: &Instant) -> Option<Cost> {
+pub(crate) fn cost(instant: &Instant) -> Option<Cost> {
     match instant {
         Instant::Walk(moment) => Some(moment.cost),
         Instant::Build(_) => None,
