@@ -12,7 +12,6 @@ use super::bottom;
 use super::columns;
 use super::errand::Errands;
 use super::export_dialog;
-use super::formulas::Formulas;
 use super::help;
 use super::keys;
 use super::lesson_pane;
@@ -20,18 +19,19 @@ use super::open_dialog;
 use super::palette;
 use super::palette::Palette;
 use super::present;
-use super::remember::Remembered;
 use super::solid::Solid;
 use super::space_pane::Hold;
 use super::toast::Toasts;
 use super::top;
-use super::visuals;
-use super::visuals::fill;
 use super::workshop::{Failure, Workshop};
 use crate::shown::command::Command;
 use crate::shown::pictures::Pictures;
 use crate::shown::state::{Beside, State};
 use crate::shown::view::RayChoice;
+use crate::window::look::formulas::Formulas;
+use crate::window::look::remembered::Remembered;
+use crate::window::look::visuals;
+use crate::window::look::visuals::fill;
 
 /// The window.
 pub struct App {
@@ -67,7 +67,7 @@ pub struct App {
 impl App {
     /// A window on these lessons, standing on a slide.
     pub fn new(context: &egui::Context, library: Library, slide: usize, remembered: Remembered) -> App {
-        context.set_fonts(super::fonts::definitions());
+        context.set_fonts(crate::window::look::fonts::definitions());
         let mut state = State::new(Arc::new(library), slide);
         state.predict = remembered.predict;
         let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);

@@ -4,13 +4,13 @@ use egui::{Align, Button, ComboBox, Layout, RichText, Sense, Ui, vec2};
 use raystep_accel::{Grain, Place};
 use raystep_figure::{Look, Theme, Track, TreeView, short};
 
-use super::controls;
-use super::icons::{Icon, icon_button};
-use super::painter::{paint_figure, paint_nearest_lit, place_at};
 use crate::shown::command::Command;
 use crate::shown::pictures::{Pane, Pictures};
 use crate::shown::state::State;
 use crate::shown::steps::grain_name;
+use crate::window::look::controls;
+use crate::window::look::icons::{Icon, icon_button};
+use crate::window::look::painter::{paint_figure, paint_nearest_lit, place_at};
 
 /// What was asked for in the bar.
 pub(super) enum Asked {

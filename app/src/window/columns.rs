@@ -7,12 +7,12 @@ use raystep_figure::{Look, Role};
 use raystep_lesson::Plays;
 
 use super::app::App;
-use super::painter::{paint_figure, place_at};
 use super::space_pane::glam_size;
 use super::stage_pane;
-use super::visuals::fill;
 use crate::shown::pictures::{Pane, main_pane, shows_bytes};
 use crate::shown::state::Beside;
+use crate::window::look::painter::{paint_figure, place_at};
+use crate::window::look::visuals::fill;
 
 /// Below this width of the window tree, walk, stack and work become tabs.
 const NARROW: f32 = 1400.0;

@@ -7,12 +7,12 @@ use egui::{ComboBox, DragValue, Grid, RichText, TextEdit, Ui};
 use raystep_figure::{Face, Role, Theme};
 
 use super::app::App;
-use super::controls;
-use super::fonts::font;
-use super::visuals::ink;
 use crate::export::{Format, Order, Size, View};
 use crate::fault::Fault;
 use crate::shown::state::State;
+use crate::window::look::controls;
+use crate::window::look::fonts::font;
+use crate::window::look::visuals::ink;
 
 /// What is filled in.
 #[derive(Clone)]

@@ -9,13 +9,13 @@ use raystep_lesson::Library;
 use super::app::App;
 use super::errand::News;
 use super::export_dialog::Form;
-use super::formulas::decoded;
 use super::task::Task;
 use crate::export::{Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats, write};
 use crate::fault::Fault;
 use crate::shown::camera::Seen;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::view::RayChoice;
+use crate::window::look::formulas::decoded;
 
 /// What the window shows, for another thread.
 struct Window {

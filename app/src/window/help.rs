@@ -3,10 +3,10 @@
 use egui::{Grid, RichText, ScrollArea, Ui};
 use raystep_figure::{Face, Role, Theme};
 
-use super::controls;
-use super::fonts::font;
-use super::visuals::ink;
 use crate::shown::command::{Command, Entry};
+use crate::window::look::controls;
+use crate::window::look::fonts::font;
+use crate::window::look::visuals::ink;
 
 /// Some commands under a heading.
 type Group = (&'static str, &'static [Command]);

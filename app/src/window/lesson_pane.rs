@@ -3,14 +3,14 @@
 use egui::{Frame, Margin, RichText, ScrollArea, Ui};
 use raystep_figure::{Face, Role, Theme, sentence, told};
 
-use super::fonts::font;
-use super::formulas::Formulas;
-use super::prose::Prose;
 use super::question;
-use super::visuals::ink;
 use crate::shown::command::Command;
 use crate::shown::reel::beginning;
 use crate::shown::state::State;
+use crate::window::look::fonts::font;
+use crate::window::look::formulas::Formulas;
+use crate::window::look::prose::Prose;
+use crate::window::look::visuals::ink;
 
 /// Shows the lesson; says which command was asked for.
 pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {

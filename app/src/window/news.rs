@@ -8,8 +8,8 @@ use raystep_lesson::Library;
 
 use super::app::App;
 use super::errand::News;
-use super::painter::caption;
-use super::visuals::{fill, line};
+use crate::window::look::painter::caption;
+use crate::window::look::visuals::{fill, line};
 
 impl App {
     /// While files are held over the window: what dropping them does.

@@ -6,9 +6,9 @@ use egui::{Key, RichText, TextEdit, Ui};
 use raystep_figure::{Face, Role};
 
 use super::app::App;
-use super::controls;
-use super::fonts::font;
-use super::visuals::ink;
+use crate::window::look::controls;
+use crate::window::look::fonts::font;
+use crate::window::look::visuals::ink;
 
 /// What is filled in.
 #[derive(Default)]

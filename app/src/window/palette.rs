@@ -4,8 +4,8 @@ use egui::{Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui};
 use raystep_figure::{Role, Theme};
 use raystep_lesson::Library;
 
-use super::visuals::ink;
 use crate::shown::command::{Command, ENTRIES};
+use crate::window::look::visuals::ink;
 
 /// What is typed and which line is chosen.
 #[derive(Default)]

@@ -6,15 +6,15 @@ use raystep_figure::{Face, Look, Role, sentence, stack_height, told};
 
 use super::app::App;
 use super::columns::{bytes, figure};
-use super::fonts::font;
-use super::painter::caption;
-use super::prose::Prose;
 use super::question;
 use super::stage_pane;
-use super::visuals::{fill, ink};
 use crate::shown::command::Command;
 use crate::shown::pictures::Pane;
 use crate::shown::reel::beginning;
+use crate::window::look::fonts::font;
+use crate::window::look::painter::caption;
+use crate::window::look::prose::Prose;
+use crate::window::look::visuals::{fill, ink};
 
 /// Shows the page in the whole window.
 pub(super) fn page(app: &mut App, ui: &mut Ui) {
@@ -170,7 +170,7 @@ fn big_answers(
     for (index, choice) in posed.choices.iter().enumerate() {
         let letter = char::from(b'A' + index.min(25) as u8);
         let role = if wrong == Some(index) { Role::Wrong } else { Role::Here };
-        let name = super::markdown::plain(&question::label(choice));
+        let name = crate::window::look::markdown::plain(&question::label(choice));
         let text = RichText::new(format!("{letter}   {name}"))
             .font(font(Face::Medium, body))
             .color(ink(app.theme, Role::Text));

@@ -5,14 +5,14 @@ use raystep_accel::{Event, Grow};
 use raystep_figure::{Answer, Face, Role, Theme, told, value};
 use raystep_lesson::Choice;
 
-use super::fonts::font;
-use super::formulas::Formulas;
-use super::markdown::plain;
-use super::prose::Prose;
-use super::visuals::{fill, ink, tinted};
 use crate::shown::command::Command;
 use crate::shown::playback::Posed;
 use crate::shown::state::State;
+use crate::window::look::fonts::font;
+use crate::window::look::formulas::Formulas;
+use crate::window::look::markdown::plain;
+use crate::window::look::prose::Prose;
+use crate::window::look::visuals::{fill, ink, tinted};
 
 /// Shows the open question, or what became of the one just answered. Says which command was asked for.
 pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {

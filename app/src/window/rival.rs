@@ -5,10 +5,10 @@ use raystep_accel::Rule;
 use raystep_figure::Face;
 
 use super::app::App;
-use super::controls;
-use super::fonts::font;
 use super::top::kind_name;
 use crate::shown::state::{Beside, Pace};
+use crate::window::look::controls;
+use crate::window::look::fonts::font;
 
 /// Shows the strip and does what is chosen.
 pub(super) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {

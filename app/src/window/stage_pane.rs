@@ -9,8 +9,6 @@ use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 use super::app::App;
 use super::beside::Drawn;
 use super::columns::strip;
-use super::outline::scaled;
-use super::painter::{caption, paint_figure};
 use super::rival;
 use super::space_pane::{Happened, Hold, Picture, glam_size};
 use crate::shown::camera::Seen;
@@ -19,6 +17,8 @@ use crate::shown::pictures::Pane;
 use crate::shown::playback::{Playback, cost};
 use crate::shown::state::Beside;
 use crate::shown::view::RayChoice;
+use crate::window::look::outline::scaled;
+use crate::window::look::painter::{caption, paint_figure};
 
 /// Shows the stage in all the room there is; says which place the pointer is on.
 pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
@@ -43,7 +43,7 @@ pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
         Some(beside) => under = second(app, ui, picture, &beside).or(under),
         None => waiting(app, ui, picture),
     }
-    ui.painter().vline(right.left(), rect.y_range(), super::visuals::line(app.theme, Role::Panel));
+    ui.painter().vline(right.left(), rect.y_range(), crate::window::look::visuals::line(app.theme, Role::Panel));
     under
 }
 

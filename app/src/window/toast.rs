@@ -3,7 +3,7 @@
 use egui::{Align2, Area, Frame, Id, Order, RichText, Ui, vec2};
 use raystep_figure::{Role, Theme};
 
-use super::visuals::{fill, ink, line};
+use crate::window::look::visuals::{fill, ink, line};
 
 /// For how many seconds a message stays.
 const STAYS: f64 = 6.0;

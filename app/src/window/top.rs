@@ -4,13 +4,13 @@ use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
 use raystep_figure::{Face, Role, Theme};
 use raystep_lesson::{Plays, StageKind};
 
-use super::controls;
-use super::fonts::font;
-use super::icons::{Icon, icon_button};
-use super::visuals::{color32, ink, style};
 use crate::shown::command::Command;
 use crate::shown::state::{Beside, State};
 use crate::shown::view::RayChoice;
+use crate::window::look::controls;
+use crate::window::look::fonts::font;
+use crate::window::look::icons::{Icon, icon_button};
+use crate::window::look::visuals::{color32, ink, style};
 
 /// What was asked for in the bar.
 pub(super) enum Asked {

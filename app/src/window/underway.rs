@@ -7,8 +7,8 @@ use raystep_figure::{Role, Theme};
 
 use super::app::App;
 use super::task::Task;
-use super::visuals::ink;
 use crate::shown::state::Beside;
+use crate::window::look::visuals::ink;
 
 impl App {
     /// Shows what is under way.

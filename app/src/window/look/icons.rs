@@ -4,7 +4,7 @@ use egui::{Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, Vec2, 
 
 /// A face of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Icon {
+pub(crate) enum Icon {
     First,
     Previous,
     Play,
@@ -17,7 +17,7 @@ pub(super) enum Icon {
 }
 
 /// A square button with a drawn face; `name` is what a screen reader says and a tooltip shows.
-pub(super) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, tip: &str, loud: bool, side: f32) -> Response {
+pub(crate) fn icon_button(ui: &mut Ui, icon: Icon, name: &str, tip: &str, loud: bool, side: f32) -> Response {
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, ui.is_enabled(), name));
     if ui.is_rect_visible(rect) {

@@ -15,7 +15,7 @@ fn shift(origin: Pos2, at: Vec2) -> Pos2 {
 }
 
 /// The outline as a polyline, closed for shapes.
-pub(super) fn path(ink: &Ink, origin: Pos2) -> Vec<Pos2> {
+pub(crate) fn path(ink: &Ink, origin: Pos2) -> Vec<Pos2> {
     let mut points = corners(ink);
     if !matches!(ink, Ink::Line { .. })
         && let Some(&first) = points.first()
@@ -26,7 +26,7 @@ pub(super) fn path(ink: &Ink, origin: Pos2) -> Vec<Pos2> {
 }
 
 /// A figure so many times as large.
-pub(super) fn scaled(mut figure: Figure, by: f32) -> Figure {
+pub(crate) fn scaled(mut figure: Figure, by: f32) -> Figure {
     figure.size *= by;
     for mark in &mut figure.marks {
         match &mut mark.ink {
@@ -77,7 +77,7 @@ fn corners(ink: &Ink) -> Vec<Vec2> {
 }
 
 /// The inside.
-pub(super) fn filled(ink: &Ink, origin: Pos2, color: Color32) -> Vec<Shape> {
+pub(crate) fn filled(ink: &Ink, origin: Pos2, color: Color32) -> Vec<Shape> {
     match ink {
         Ink::Circle { center, radius } => vec![Shape::circle_filled(shift(origin, *center), *radius, color)],
         Ink::Rect { min, max, round } => {
@@ -99,7 +99,7 @@ pub(super) fn filled(ink: &Ink, origin: Pos2, color: Color32) -> Vec<Shape> {
 }
 
 /// The outline in one uninterrupted line.
-pub(super) fn stroked(ink: &Ink, origin: Pos2, stroke: Stroke) -> Shape {
+pub(crate) fn stroked(ink: &Ink, origin: Pos2, stroke: Stroke) -> Shape {
     match ink {
         Ink::Circle { center, radius } => Shape::circle_stroke(shift(origin, *center), *radius, stroke),
         Ink::Rect { min, max, round } => {
@@ -118,7 +118,7 @@ pub(super) fn stroked(ink: &Ink, origin: Pos2, stroke: Stroke) -> Shape {
 }
 
 /// Slanting lines clipped to the inside.
-pub(super) fn hatching(ink: &Ink, origin: Pos2) -> Vec<[Pos2; 2]> {
+pub(crate) fn hatching(ink: &Ink, origin: Pos2) -> Vec<[Pos2; 2]> {
     let corners = corners(ink);
     // A hatching line is x + y = c: where does it cross each side?
     let (low, high) = corners
@@ -146,7 +146,7 @@ pub(super) fn hatching(ink: &Ink, origin: Pos2) -> Vec<[Pos2; 2]> {
 }
 
 /// The box around a text that stands in one.
-pub(super) fn text_box(at: Vec2, text: &str, size: f32, face: Face, anchor: Anchor) -> (Vec2, Vec2) {
+pub(crate) fn text_box(at: Vec2, text: &str, size: f32, face: Face, anchor: Anchor) -> (Vec2, Vec2) {
     let width = text_width(text, face, size);
     let left = match anchor {
         Anchor::Start => at.x,
@@ -158,7 +158,7 @@ pub(super) fn text_box(at: Vec2, text: &str, size: f32, face: Face, anchor: Anch
 }
 
 /// The size of the ink if the pointer is on it: smaller ink is meant first. Nothing if it is not.
-pub(super) fn reach(ink: &Ink, pointer: Pos2) -> Option<f32> {
+pub(crate) fn reach(ink: &Ink, pointer: Pos2) -> Option<f32> {
     let at = Vec2::new(pointer.x, pointer.y);
     match ink {
         Ink::Line { points } => {

@@ -12,19 +12,19 @@ use super::visuals::{fill, ink, line};
 
 /// How text is set.
 #[derive(Clone, Copy)]
-pub(super) struct Prose<'a> {
-    pub(super) theme: &'a Theme,
+pub(crate) struct Prose<'a> {
+    pub(crate) theme: &'a Theme,
     /// Size of the letters in points.
-    pub(super) size: f32,
+    pub(crate) size: f32,
     /// What the words mean.
-    pub(super) role: Role,
+    pub(crate) role: Role,
     /// The face of plain words.
-    pub(super) face: Face,
+    pub(crate) face: Face,
 }
 
 impl Prose<'_> {
     /// Shows Markdown, as wide as there is room.
-    pub(super) fn show(&self, ui: &mut Ui, formulas: &mut Formulas, markdown: &str) {
+    pub(crate) fn show(&self, ui: &mut Ui, formulas: &mut Formulas, markdown: &str) {
         ui.spacing_mut().item_spacing.y = self.size * 0.7;
         for block in blocks(markdown) {
             match block {

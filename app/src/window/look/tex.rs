@@ -2,15 +2,15 @@
 
 /// A part of a formula: its letters and how they stand.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Part {
-    pub(super) text: String,
-    pub(super) italic: bool,
-    pub(super) shift: Shift,
+pub(crate) struct Part {
+    pub(crate) text: String,
+    pub(crate) italic: bool,
+    pub(crate) shift: Shift,
 }
 
 /// Where letters stand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Shift {
+pub(crate) enum Shift {
     Line,
     Below,
     Above,
@@ -50,7 +50,7 @@ const SIGNS: &[(&str, &str)] = &[
 ];
 
 /// Cuts a short formula into parts.
-pub(super) fn parts(tex: &str) -> Vec<Part> {
+pub(crate) fn parts(tex: &str) -> Vec<Part> {
     let mut parts = Vec::new();
     set(tex, Shift::Line, &mut parts);
     parts

@@ -4,7 +4,7 @@ use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 
 /// A piece of text that stands by itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Block {
+pub(crate) enum Block {
     /// Words, one after the other.
     Paragraph(Vec<Run>),
     /// The same with a dot before it.
@@ -17,14 +17,14 @@ pub(super) enum Block {
 
 /// Words in one face.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Run {
-    pub(super) text: String,
-    pub(super) look: RunLook,
+pub(crate) struct Run {
+    pub(crate) text: String,
+    pub(crate) look: RunLook,
 }
 
 /// How a run is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum RunLook {
+pub(crate) enum RunLook {
     Plain,
     Strong,
     Emphasis,
@@ -33,7 +33,7 @@ pub(super) enum RunLook {
 }
 
 /// Reads Markdown with formulas between `$` or `$$`.
-pub(super) fn blocks(markdown: &str) -> Vec<Block> {
+pub(crate) fn blocks(markdown: &str) -> Vec<Block> {
     let mut blocks = Vec::new();
     let mut runs: Vec<Run> = Vec::new();
     let (mut strong, mut emphasis, mut item, mut code) = (0, 0, false, None::<String>);
@@ -85,7 +85,7 @@ fn flush(runs: &mut Vec<Run>, item: bool, blocks: &mut Vec<Block>) {
 }
 
 /// The text of some Markdown without any marks: what a button says.
-pub(super) fn plain(markdown: &str) -> String {
+pub(crate) fn plain(markdown: &str) -> String {
     let texts = blocks(markdown).into_iter().map(|block| match block {
         Block::Paragraph(runs) | Block::Item(runs) => runs.into_iter().map(|run| run.text).collect::<String>(),
         Block::Formula(text) | Block::Code(text) => text,

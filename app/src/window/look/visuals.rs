@@ -8,27 +8,27 @@ use super::fonts::font;
 
 /// The theme's colour for egui.
 #[allow(clippy::disallowed_methods, reason = "this is where the theme's colours enter egui")]
-pub(super) fn color32(color: Color) -> Color32 {
+pub(crate) fn color32(color: Color) -> Color32 {
     Color32::from_rgba_unmultiplied(color.r, color.g, color.b, color.a)
 }
 
 /// The colour of text in a role.
-pub(super) fn ink(theme: &Theme, role: Role) -> Color32 {
+pub(crate) fn ink(theme: &Theme, role: Role) -> Color32 {
     color32(theme.style(role).text)
 }
 
 /// The fill of a role, nothing if it has none.
-pub(super) fn fill(theme: &Theme, role: Role) -> Color32 {
+pub(crate) fn fill(theme: &Theme, role: Role) -> Color32 {
     theme.style(role).fill.map(color32).unwrap_or_default()
 }
 
 /// The line of a role, nothing if it has none.
-pub(super) fn line(theme: &Theme, role: Role) -> Stroke {
+pub(crate) fn line(theme: &Theme, role: Role) -> Stroke {
     theme.style(role).stroke.map_or(Stroke::NONE, |stroke| Stroke::new(stroke.width, color32(stroke.color)))
 }
 
 /// Everything egui needs to draw its own widgets in a theme.
-pub(super) fn style(theme: &Theme) -> Style {
+pub(crate) fn style(theme: &Theme) -> Style {
     let mut style = Style { visuals: visuals(theme), ..Style::default() };
     style.text_styles = [
         (TextStyle::Small, font(Face::Regular, 12.0)),
@@ -98,7 +98,7 @@ fn visuals(theme: &Theme) -> Visuals {
 }
 
 /// The ground of what is chosen: the current place's colour laid over a panel.
-pub(super) fn tinted(theme: &Theme) -> Color32 {
+pub(crate) fn tinted(theme: &Theme) -> Color32 {
     let panel = theme.style(Role::Panel).fill;
     match (theme.style(Role::Here).fill, panel) {
         (Some(tint), Some(panel)) => color32(tint.over(panel)),

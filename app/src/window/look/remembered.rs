@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use egui::Ui;
 use serde::{Deserialize, Serialize};
 
-use super::app::App;
 use crate::shown::pictures::Pane;
+use crate::window::app::App;
 
 /// What is remembered.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -26,7 +26,7 @@ pub struct Remembered {
     pub heights: Heights,
     /// The chosen tab.
     #[serde(skip)]
-    pub(super) tab: Pane,
+    pub(crate) tab: Pane,
     #[serde(skip)]
     file: Option<PathBuf>,
     #[serde(skip)]
@@ -120,7 +120,7 @@ fn folder() -> Option<PathBuf> {
 
 impl App {
     /// Remembers what has changed, while nothing is being dragged.
-    pub(super) fn remember(&mut self, ui: &Ui) {
+    pub(crate) fn remember(&mut self, ui: &Ui) {
         if ui.input(|input| input.pointer.any_down()) {
             return;
         }

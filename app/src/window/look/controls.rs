@@ -7,12 +7,12 @@ use raystep_figure::Theme;
 use super::visuals::ink;
 
 /// Gives a drop-down its accessible name.
-pub(super) fn name(response: &Response, name: &str) {
+pub(crate) fn name(response: &Response, name: &str) {
     response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name));
 }
 
 /// Shows something in so much width and no more.
-pub(super) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R) -> R {
+pub(crate) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R) -> R {
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     ui.allocate_ui_with_layout(egui::vec2(width, 30.0), layout, |ui| {
         ui.set_max_width(width);
@@ -22,7 +22,7 @@ pub(super) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R)
 }
 
 /// A control for one parameter; returns its new value as text when it was changed.
-pub(super) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<String> {
+pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<String> {
     let mut changed = None;
     let label = parameter.key.replace('_', " ");
     ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
@@ -76,7 +76,7 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<String> {
 }
 
 /// A dialog over the window.
-pub(super) fn modal(ui: &Ui, name: &'static str) -> egui::Modal {
+pub(crate) fn modal(ui: &Ui, name: &'static str) -> egui::Modal {
     let frame = egui::Frame::popup(ui.style()).inner_margin(22);
     egui::Modal::new(egui::Id::unique(name)).frame(frame)
 }

@@ -15,7 +15,7 @@ const MIDDLE: f32 = 0.273;
 const LARGE: f32 = 2500.0;
 
 /// Draws a figure with its upper left corner at `origin`; marks of the hovered place light up.
-pub(super) fn paint_figure(painter: &Painter, origin: Pos2, figure: &Figure, theme: &Theme, hovered: Option<Place>) {
+pub(crate) fn paint_figure(painter: &Painter, origin: Pos2, figure: &Figure, theme: &Theme, hovered: Option<Place>) {
     for mark in &figure.marks {
         paint_mark(painter, origin, mark, mark.role, theme);
     }
@@ -25,7 +25,7 @@ pub(super) fn paint_figure(painter: &Painter, origin: Pos2, figure: &Figure, the
 }
 
 /// Lights up one sign of a place on a timeline: the one nearest to `x`. All of them would be a bar of light.
-pub(super) fn paint_nearest_lit(
+pub(crate) fn paint_nearest_lit(
     painter: &Painter,
     origin: Pos2,
     figure: &Figure,
@@ -49,7 +49,7 @@ fn is_lit(mark: &Mark, lit: Option<Place>) -> bool {
 }
 
 /// Draws only the labels of a figure: the rest lies in a picture below.
-pub(super) fn paint_labels(painter: &Painter, origin: Pos2, figure: &Figure, theme: &Theme, hovered: Option<Place>) {
+pub(crate) fn paint_labels(painter: &Painter, origin: Pos2, figure: &Figure, theme: &Theme, hovered: Option<Place>) {
     for mark in figure.marks.iter().filter(|mark| matches!(mark.ink, Ink::Text { .. })) {
         paint_mark(painter, origin, mark, mark.role, theme);
         if is_lit(mark, hovered) {
@@ -59,7 +59,7 @@ pub(super) fn paint_labels(painter: &Painter, origin: Pos2, figure: &Figure, the
 }
 
 /// The place under the pointer: of all marks there, the smallest one's.
-pub(super) fn place_at(figure: &Figure, origin: Pos2, pointer: Pos2) -> Option<Place> {
+pub(crate) fn place_at(figure: &Figure, origin: Pos2, pointer: Pos2) -> Option<Place> {
     let local = pointer - origin.to_vec2();
     let under = figure.marks.iter().rev().filter_map(|mark| Some((mark.place?, outline::reach(&mark.ink, local)?)));
     under.reduce(|best, other| if other.1 < best.1 { other } else { best }).map(|(place, _)| place)
@@ -177,7 +177,7 @@ fn write(painter: &Painter, at: Pos2, text: &str, size: f32, face: Face, anchor:
 }
 
 /// A short text of the window itself, outside any figure.
-pub(super) fn caption(
+pub(crate) fn caption(
     painter: &Painter,
     at: Pos2,
     align: Align2,

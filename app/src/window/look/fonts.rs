@@ -6,7 +6,7 @@ use egui::{FontData, FontDefinitions, FontFamily, FontId};
 use raystep_figure::{Face, fonts};
 
 /// The family that sets a face.
-pub(super) fn family(face: Face) -> FontFamily {
+pub(crate) fn family(face: Face) -> FontFamily {
     match face {
         Face::Regular => FontFamily::Proportional,
         Face::Mono => FontFamily::Monospace,
@@ -15,12 +15,12 @@ pub(super) fn family(face: Face) -> FontFamily {
 }
 
 /// A face at a size in points.
-pub(super) fn font(face: Face, size: f32) -> FontId {
+pub(crate) fn font(face: Face, size: f32) -> FontId {
     FontId::new(size, family(face))
 }
 
 /// Every face, each followed by the others in case it lacks a sign.
-pub(super) fn definitions() -> FontDefinitions {
+pub(crate) fn definitions() -> FontDefinitions {
     let mut definitions = FontDefinitions::empty();
     for face in Face::ALL {
         definitions.font_data.insert(name(face).to_owned(), Arc::new(FontData::from_static(fonts::bytes(face))));

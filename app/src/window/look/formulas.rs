@@ -20,13 +20,13 @@ struct Key {
 
 /// All formulas that were shown.
 #[derive(Default)]
-pub(super) struct Formulas {
+pub(crate) struct Formulas {
     pictures: HashMap<Key, Option<TextureHandle>>,
 }
 
 impl Formulas {
     /// Shows a formula with letters of this size, smaller if there is no room for it.
-    pub(super) fn show(&mut self, ui: &mut Ui, tex: &str, size: f32, color: Color) {
+    pub(crate) fn show(&mut self, ui: &mut Ui, tex: &str, size: f32, color: Color) {
         let room = ui.available_width();
         let width = extent(tex, size).width;
         let size = if width > room { size * room / width } else { size };
@@ -41,7 +41,7 @@ impl Formulas {
     }
 
     /// The picture of a formula and its size in points.
-    pub(super) fn picture(&mut self, ui: &Ui, tex: &str, size: f32, color: Color) -> Option<(&TextureHandle, Vec2)> {
+    pub(crate) fn picture(&mut self, ui: &Ui, tex: &str, size: f32, color: Color) -> Option<(&TextureHandle, Vec2)> {
         if self.pictures.len() > MOST {
             self.pictures.clear();
         }
@@ -59,7 +59,7 @@ impl Formulas {
 }
 
 /// The pixels of a PNG file with straight alpha.
-pub(super) fn decoded(bytes: &[u8]) -> Option<ColorImage> {
+pub(crate) fn decoded(bytes: &[u8]) -> Option<ColorImage> {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().ok()?;
     let mut pixels = vec![0; reader.output_buffer_size()?];
     let info = reader.next_frame(&mut pixels).ok()?;
