@@ -7,10 +7,8 @@ use raystep_accel::Place;
 use raystep_figure::{Camera, Theme, TreeView};
 use raystep_lesson::Library;
 
-use super::beside::Second;
 use super::bottom;
 use super::columns;
-use super::errand::Errands;
 use super::export_dialog;
 use super::help;
 use super::keys;
@@ -23,7 +21,6 @@ use super::solid::Solid;
 use super::space_pane::Hold;
 use super::toast::Toasts;
 use super::top;
-use super::workshop::{Failure, Workshop};
 use crate::shown::command::Command;
 use crate::shown::pictures::Pictures;
 use crate::shown::state::{Beside, State};
@@ -32,6 +29,9 @@ use crate::window::look::formulas::Formulas;
 use crate::window::look::remembered::Remembered;
 use crate::window::look::visuals;
 use crate::window::look::visuals::fill;
+use crate::window::work::errands::Errands;
+use crate::window::work::second::Second;
+use crate::window::work::workshop::{Failure, Workshop};
 
 /// The window.
 pub struct App {

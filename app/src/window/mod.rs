@@ -2,13 +2,9 @@
 //! [`Command`](crate::shown::command::Command)s.
 
 mod app;
-mod bench;
-mod beside;
 mod bottom;
 mod columns;
-mod errand;
 mod export_dialog;
-mod exporting;
 mod help;
 mod keys;
 mod lesson_pane;
@@ -23,11 +19,10 @@ mod rival;
 mod solid;
 mod space_pane;
 mod stage_pane;
-mod task;
 mod toast;
 mod top;
 mod underway;
-mod workshop;
+mod work;
 
 pub use app::App;
 pub use look::remembered::Remembered;

@@ -7,9 +7,9 @@ use raystep_figure::{Face, Role};
 use raystep_lesson::Library;
 
 use super::app::App;
-use super::errand::News;
 use crate::window::look::painter::caption;
 use crate::window::look::visuals::{fill, line};
+use crate::window::work::errands::News;
 
 impl App {
     /// While files are held over the window: what dropping them does.

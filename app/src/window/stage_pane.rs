@@ -7,7 +7,6 @@ use raystep_accel::{Cost, Place};
 use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 
 use super::app::App;
-use super::beside::Drawn;
 use super::columns::strip;
 use super::rival;
 use super::space_pane::{Happened, Hold, Picture, glam_size};
@@ -19,6 +18,7 @@ use crate::shown::state::Beside;
 use crate::shown::view::RayChoice;
 use crate::window::look::outline::scaled;
 use crate::window::look::painter::{caption, paint_figure};
+use crate::window::work::second::Drawn;
 
 /// Shows the stage in all the room there is; says which place the pointer is on.
 pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {

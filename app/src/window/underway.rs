@@ -6,9 +6,9 @@ use egui::{Area, Frame, Id, Order, ProgressBar, RichText, Ui, vec2};
 use raystep_figure::{Role, Theme};
 
 use super::app::App;
-use super::task::Task;
 use crate::shown::state::Beside;
 use crate::window::look::visuals::ink;
+use crate::window::work::task::Task;
 
 impl App {
     /// Shows what is under way.

@@ -36,7 +36,7 @@ struct Order {
 
 /// Why there is no walk.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Failure {
+pub(crate) enum Failure {
     /// It was given up.
     Cancelled,
     /// It cannot be made: a sentence.
@@ -44,7 +44,7 @@ pub(super) enum Failure {
 }
 
 /// Makes walks of views.
-pub(super) struct Workshop {
+pub(crate) struct Workshop {
     bench: Bench<Wanted, Result<Playback, Failure>>,
     kept: Vec<Built>,
     device: Option<wgpu::Device>,
@@ -58,17 +58,17 @@ struct Wanted {
 }
 
 impl Workshop {
-    pub(super) fn new(context: egui::Context) -> Workshop {
+    pub(crate) fn new(context: egui::Context) -> Workshop {
         Workshop { bench: Bench::new(context), kept: Vec::new(), device: None }
     }
 
     /// Uploads solid scenes to this device from now on.
-    pub(super) fn upload_to(&mut self, device: &wgpu::Device) {
+    pub(crate) fn upload_to(&mut self, device: &wgpu::Device) {
         self.device = Some(device.clone());
     }
 
     /// Asks for the walk of a view. It may be there at once; else it arrives some frames later.
-    pub(super) fn ask(&mut self, view: &View, library: &Arc<Library>) {
+    pub(crate) fn ask(&mut self, view: &View, library: &Arc<Library>) {
         // A ray that is being dragged waits for the one before it to arrive: so it is seen to move.
         let busy = |wanted: &Wanted| wanted.view.same_walk(view) || wanted.stands && wanted.view.same_but_own_ray(view);
         if self.bench.wanted().is_some_and(busy) {
@@ -87,7 +87,7 @@ impl Workshop {
     }
 
     /// What has arrived since the last call.
-    pub(super) fn collect(&mut self) -> Option<Result<Playback, Failure>> {
+    pub(crate) fn collect(&mut self) -> Option<Result<Playback, Failure>> {
         let (_, made) = self.bench.collect()?;
         if let Ok(playback) = &made {
             let built = playback.built();
@@ -104,23 +104,23 @@ impl Workshop {
     }
 
     /// What is being made.
-    pub(super) fn task(&self) -> Option<&Arc<Task>> {
+    pub(crate) fn task(&self) -> Option<&Arc<Task>> {
         self.bench.task()
     }
 
     /// Whether no thread is at work any more.
-    pub(super) fn is_idle(&self) -> bool {
+    pub(crate) fn is_idle(&self) -> bool {
         self.bench.is_idle()
     }
 
     /// Gives up what is being made. Returns whether there was anything.
-    pub(super) fn cancel(&mut self) -> bool {
+    pub(crate) fn cancel(&mut self) -> bool {
         self.bench.cancel()
     }
 }
 
 /// The ray that a view asks for; a build needs none.
-pub(super) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option<Ray>, String> {
+pub(crate) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option<Ray>, String> {
     match (&view.ray, slide.plays) {
         (_, Plays::Build) => Ok(None),
         (RayChoice::Own(ray), _) => Ok(Some(*ray)),
@@ -132,7 +132,7 @@ pub(super) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option
 }
 
 /// The rule that a view asks for, over a scene that is flat or not.
-pub(super) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, String> {
+pub(crate) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, String> {
     let mut rule = match view.example {
         Some(mistake) => mistake.example().rule,
         None => stage.plan.rule(flat).map_err(|error| error.to_string())?,
@@ -154,13 +154,13 @@ fn is_quick(order: &Order) -> bool {
 }
 
 /// Whether a ray walks through so many primitives in less time than a frame takes.
-pub(super) fn walks_quickly(structure: &Structure, prims: usize) -> bool {
+pub(crate) fn walks_quickly(structure: &Structure, prims: usize) -> bool {
     let all = matches!(structure, Structure::List(_));
     prims <= if all { FEW } else { SHORT }
 }
 
 /// Whether such a structure is built and walked in less time than a frame takes.
-pub(super) fn builds_quickly(prims: usize) -> bool {
+pub(crate) fn builds_quickly(prims: usize) -> bool {
     prims <= SMALL
 }
 
@@ -204,7 +204,7 @@ fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
 }
 
 /// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played.
-pub(super) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) -> Result<Built, Failure> {
+pub(crate) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) -> Result<Built, Failure> {
     let start = Instant::now();
     let built = BuildTape::record(plays, &scene, &rule, &mut Watch(task));
     let (structure, growth) = built.map_err(|Cancelled| Failure::Cancelled)?;

@@ -14,7 +14,7 @@ use raystep_scene::Scene;
 use super::task::Task;
 
 /// What came back.
-pub(super) enum News {
+pub(crate) enum News {
     /// The user has chosen a mesh.
     Chosen(PathBuf),
     /// A mesh was read; a ray through its middle.
@@ -32,7 +32,7 @@ pub(super) enum News {
 }
 
 /// Everything that is under way.
-pub(super) struct Errands {
+pub(crate) struct Errands {
     context: egui::Context,
     sender: Sender<News>,
     news: Receiver<News>,
@@ -42,24 +42,24 @@ pub(super) struct Errands {
 }
 
 impl Errands {
-    pub(super) fn new(context: egui::Context) -> Errands {
+    pub(crate) fn new(context: egui::Context) -> Errands {
         let (sender, news) = channel();
         Errands { context, sender, news, tasks: Vec::new(), reading: None, watcher: None }
     }
 
     /// What has come back since the last call.
-    pub(super) fn next(&mut self) -> Option<News> {
+    pub(crate) fn next(&mut self) -> Option<News> {
         self.news.try_recv().ok()
     }
 
     /// What is under way.
-    pub(super) fn tasks(&mut self) -> &[Arc<Task>] {
+    pub(crate) fn tasks(&mut self) -> &[Arc<Task>] {
         self.tasks.retain(|task| task.is_underway());
         &self.tasks
     }
 
     /// Runs something in a thread of its own; what it returns comes back as news, unless it was stopped.
-    pub(super) fn run(&mut self, task: Arc<Task>, work: impl FnOnce(&Task) -> News + Send + 'static) {
+    pub(crate) fn run(&mut self, task: Arc<Task>, work: impl FnOnce(&Task) -> News + Send + 'static) {
         self.tasks.push(task.clone());
         self.beside(move || {
             let news = work(&task);
@@ -81,7 +81,7 @@ impl Errands {
     }
 
     /// Asks the user for a mesh.
-    pub(super) fn ask_for_mesh(&self) {
+    pub(crate) fn ask_for_mesh(&self) {
         self.beside(|| {
             let dialog = rfd::FileDialog::new().add_filter("Meshes", &["obj", "OBJ"]).set_title("Open a mesh");
             dialog.pick_file().map(News::Chosen)
@@ -89,12 +89,12 @@ impl Errands {
     }
 
     /// Asks the user for a folder to write to.
-    pub(super) fn ask_for_folder(&self) {
+    pub(crate) fn ask_for_folder(&self) {
         self.beside(|| rfd::FileDialog::new().set_title("Export to").pick_folder().map(News::Folder));
     }
 
     /// Reads a mesh, in the place of any other that is being read.
-    pub(super) fn load(&mut self, path: PathBuf) {
+    pub(crate) fn load(&mut self, path: PathBuf) {
         if let Some(other) = self.reading.take() {
             other.stop();
         }
@@ -105,7 +105,7 @@ impl Errands {
     }
 
     /// Reads the lessons in a folder again whenever one is saved.
-    pub(super) fn watch(&mut self, folder: &Path) {
+    pub(crate) fn watch(&mut self, folder: &Path) {
         let (sender, context, lessons) = (self.sender.clone(), self.context.clone(), folder.to_path_buf());
         let saved = move |event: notify::Result<notify::Event>| {
             let changed = event.is_ok_and(|event| !event.kind.is_access());

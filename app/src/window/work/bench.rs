@@ -6,7 +6,7 @@ use std::sync::{Arc, Weak};
 use super::task::Task;
 
 /// Work that is known by `K` and comes to `T`.
-pub(super) struct Bench<K, T> {
+pub(crate) struct Bench<K, T> {
     context: egui::Context,
     sender: Sender<(Arc<Task>, T)>,
     answers: Receiver<(Arc<Task>, T)>,
@@ -16,13 +16,13 @@ pub(super) struct Bench<K, T> {
 }
 
 impl<K, T: Send + 'static> Bench<K, T> {
-    pub(super) fn new(context: egui::Context) -> Bench<K, T> {
+    pub(crate) fn new(context: egui::Context) -> Bench<K, T> {
         let (sender, answers) = channel();
         Bench { context, sender, answers, underway: None, given_up: Vec::new() }
     }
 
     /// Begins this work in the place of any other. Work of less than a frame may be done at once.
-    pub(super) fn begin(
+    pub(crate) fn begin(
         &mut self,
         key: K,
         task: Arc<Task>,
@@ -46,7 +46,7 @@ impl<K, T: Send + 'static> Bench<K, T> {
     }
 
     /// What has come, if it still is what was asked for last.
-    pub(super) fn collect(&mut self) -> Option<(K, T)> {
+    pub(crate) fn collect(&mut self) -> Option<(K, T)> {
         while let Ok((task, made)) = self.answers.try_recv() {
             if let Some((key, _)) = self.underway.take_if(|(_, wanted)| Arc::ptr_eq(wanted, &task)) {
                 return Some((key, made));
@@ -56,17 +56,17 @@ impl<K, T: Send + 'static> Bench<K, T> {
     }
 
     /// What is being made.
-    pub(super) fn wanted(&self) -> Option<&K> {
+    pub(crate) fn wanted(&self) -> Option<&K> {
         self.underway.as_ref().map(|(key, _)| key)
     }
 
     /// How far it is.
-    pub(super) fn task(&self) -> Option<&Arc<Task>> {
+    pub(crate) fn task(&self) -> Option<&Arc<Task>> {
         self.underway.as_ref().map(|(_, task)| task)
     }
 
     /// Gives up what is being made. Returns whether there was anything.
-    pub(super) fn cancel(&mut self) -> bool {
+    pub(crate) fn cancel(&mut self) -> bool {
         let underway = self.underway.take();
         if let Some((_, task)) = &underway {
             task.stop();
@@ -77,7 +77,7 @@ impl<K, T: Send + 'static> Bench<K, T> {
     }
 
     /// Whether no thread is at work any more.
-    pub(super) fn is_idle(&self) -> bool {
+    pub(crate) fn is_idle(&self) -> bool {
         self.underway.is_none() && self.given_up.iter().all(|task| task.strong_count() == 0)
     }
 }

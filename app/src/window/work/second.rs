@@ -7,16 +7,16 @@ use raystep_accel::{Cancelled, Cost, Primitives, Ray, Rule};
 use raystep_figure::Space;
 use raystep_lesson::Plays;
 
-use super::app::App;
 use super::bench::Bench;
 use super::task::Task;
 use super::workshop::{Failure, build, builds_quickly, walks_quickly};
 use crate::shown::playback::{Built, Playback, cost};
 use crate::shown::state::{Beside, Pace};
 use crate::shown::view::{RayChoice, View};
+use crate::window::app::App;
 
 /// The second walk, and the search for a ray on which a mistake shows.
-pub(super) struct Second {
+pub(crate) struct Second {
     shown: Option<Arc<Playback>>,
     /// Its picture at the step of last time.
     drawn: Option<Drawn>,
@@ -26,13 +26,13 @@ pub(super) struct Second {
 
 /// A walk beside at a step.
 #[derive(Clone)]
-pub(super) struct Drawn {
+pub(crate) struct Drawn {
     walk: usize,
     step: usize,
     /// What space shows.
-    pub(super) space: Arc<Space>,
+    pub(crate) space: Arc<Space>,
     /// What it has cost so far.
-    pub(super) cost: Option<Cost>,
+    pub(crate) cost: Option<Cost>,
 }
 
 /// Where a mistake shows.
@@ -46,17 +46,17 @@ enum Shows {
 }
 
 impl Second {
-    pub(super) fn new(context: &egui::Context) -> Second {
+    pub(crate) fn new(context: &egui::Context) -> Second {
         Second { shown: None, drawn: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()) }
     }
 
     /// The second walk, once it is there.
-    pub(super) fn shown(&self) -> Option<&Arc<Playback>> {
+    pub(crate) fn shown(&self) -> Option<&Arc<Playback>> {
         self.shown.as_ref()
     }
 
     /// A walk beside at a step: folded once, and kept while nothing has moved.
-    pub(super) fn at(&mut self, beside: &Arc<Playback>, step: usize) -> Drawn {
+    pub(crate) fn at(&mut self, beside: &Arc<Playback>, step: usize) -> Drawn {
         let walk = Arc::as_ptr(beside) as usize;
         if let Some(drawn) = self.drawn.as_ref().filter(|drawn| (drawn.walk, drawn.step) == (walk, step)) {
             return drawn.clone();
@@ -69,12 +69,12 @@ impl Second {
     }
 
     /// What is being made.
-    pub(super) fn task(&self) -> Option<&Arc<Task>> {
+    pub(crate) fn task(&self) -> Option<&Arc<Task>> {
         self.bench.task().or(self.search.task())
     }
 
     /// Gives up what is being made. Returns whether there was anything.
-    pub(super) fn cancel(&mut self) -> bool {
+    pub(crate) fn cancel(&mut self) -> bool {
         self.bench.cancel() | self.search.cancel()
     }
 }
@@ -86,7 +86,7 @@ impl App {
     }
 
     /// The step of the walk beside that goes with the step of the walk shown.
-    pub(super) fn beside_step(&self, beside: &Playback) -> usize {
+    pub(crate) fn beside_step(&self, beside: &Playback) -> usize {
         let (step, last) = (self.state.view.step, beside.steps().last());
         match (self.state.pace, self.state.playback()) {
             (Pace::T, Some(playback)) if step > 0 => {
@@ -98,7 +98,7 @@ impl App {
     }
 
     /// Makes the walk that is shown beside the other, if one is wanted.
-    pub(super) fn catch_up_beside(&mut self, ui: &Ui) {
+    pub(crate) fn catch_up_beside(&mut self, ui: &Ui) {
         while let Some((index, Ok(shows))) = self.second.search.collect() {
             self.found(index, &shows);
         }
@@ -149,7 +149,7 @@ impl App {
     }
 
     /// Shows a mistake beside the walk, on a ray where it shows; or none.
-    pub(super) fn break_it(&mut self, ui: &Ui, mistake: Option<usize>) {
+    pub(crate) fn break_it(&mut self, ui: &Ui, mistake: Option<usize>) {
         self.state.beside = Beside::Nothing;
         self.second.search.cancel();
         let (Some(index), Some(playback)) = (mistake, self.state.playback().cloned()) else { return };

@@ -7,7 +7,7 @@ use crate::counts::thousands;
 
 /// Work under way beside the UI thread.
 #[derive(Debug)]
-pub(super) struct Task {
+pub(crate) struct Task {
     name: String,
     /// What is counted; `"%"` stands alone.
     unit: &'static str,
@@ -20,54 +20,54 @@ pub(super) struct Task {
 
 impl Task {
     /// Work that counts what it has done in this unit.
-    pub(super) fn new(name: impl Into<String>, unit: &'static str) -> Arc<Task> {
+    pub(crate) fn new(name: impl Into<String>, unit: &'static str) -> Arc<Task> {
         let (of, done, stopped, over) = Default::default();
         Arc::new(Task { name: name.into(), unit, of, done, stopped, over })
     }
 
     /// So many there are in all.
-    pub(super) fn expect(&self, of: usize) {
+    pub(crate) fn expect(&self, of: usize) {
         self.of.store(of as u32, Ordering::Relaxed);
     }
 
     /// One more is done.
-    pub(super) fn count(&self) {
+    pub(crate) fn count(&self) {
         self.done.fetch_add(1, Ordering::Relaxed);
     }
 
     /// So many are done.
-    pub(super) fn reach(&self, done: usize) {
+    pub(crate) fn reach(&self, done: usize) {
         self.done.store(done as u32, Ordering::Relaxed);
     }
 
     /// Asks the work to give up.
-    pub(super) fn stop(&self) {
+    pub(crate) fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
     }
 
     /// Whether it should give up.
-    pub(super) fn is_stopped(&self) -> bool {
+    pub(crate) fn is_stopped(&self) -> bool {
         self.stopped.load(Ordering::Relaxed)
     }
 
     /// There is nothing left to do.
-    pub(super) fn finish(&self) {
+    pub(crate) fn finish(&self) {
         self.over.store(true, Ordering::Relaxed);
     }
 
     /// Whether somebody still waits for it.
-    pub(super) fn is_underway(&self) -> bool {
+    pub(crate) fn is_underway(&self) -> bool {
         !self.is_stopped() && !self.over.load(Ordering::Relaxed)
     }
 
     /// Which part of it is done, if that is known.
-    pub(super) fn part(&self) -> Option<f32> {
+    pub(crate) fn part(&self) -> Option<f32> {
         let of = if self.unit == "%" { 100 } else { self.of.load(Ordering::Relaxed) };
         (of > 0).then(|| self.done.load(Ordering::Relaxed) as f32 / of as f32)
     }
 
     /// What it does and how far it is.
-    pub(super) fn says(&self) -> String {
+    pub(crate) fn says(&self) -> String {
         let (name, unit) = (&self.name, self.unit);
         match (self.done.load(Ordering::Relaxed), self.of.load(Ordering::Relaxed)) {
             (0, 0) => name.clone(),

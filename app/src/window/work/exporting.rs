@@ -6,15 +6,15 @@ use std::sync::Arc;
 use raystep_figure::Theme;
 use raystep_lesson::Library;
 
-use super::app::App;
-use super::errand::News;
-use super::export_dialog::Form;
+use super::errands::News;
 use super::task::Task;
 use crate::export::{Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats, write};
 use crate::fault::Fault;
 use crate::shown::camera::Seen;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::view::RayChoice;
+use crate::window::app::App;
+use crate::window::export_dialog::Form;
 use crate::window::look::formulas::decoded;
 
 /// What the window shows, for another thread.
@@ -82,7 +82,7 @@ impl App {
     }
 
     /// Writes what the form says beside the UI thread.
-    pub(super) fn write(&mut self, form: &Form) -> Result<(), Fault> {
+    pub(crate) fn write(&mut self, form: &Form) -> Result<(), Fault> {
         let (order, window) = (form.order()?, self.window()?);
         let (which, all, folder) = (form.which(self.state.view.step), form.all_rays(), form.folder());
         let task = Task::new(format!("Writing to {}", folder.display()), "pictures");
@@ -94,7 +94,7 @@ impl App {
     }
 
     /// Puts the picture of space on the clipboard, as it would be exported.
-    pub(super) fn copy(&mut self) {
+    pub(crate) fn copy(&mut self) {
         let (theme, step, size) = (self.theme, self.state.view.step, self.space_size * 2.0);
         let window = self.window();
         self.errands.run(Task::new("Drawing the picture", ""), move |task| {
