@@ -172,13 +172,13 @@ pub(crate) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: V
 fn guess(instant: &mut Instant, choices: &[Choice]) {
     match instant {
         Instant::Walk(moment) => {
-            let guess = |choice: &Choice| Some((choice.place?, crate::window::question::label(choice)));
+            let guess = |choice: &Choice| Some((choice.place?, crate::window::panes::question::label(choice)));
             moment.guesses = choices.iter().filter_map(guess).collect();
         }
         Instant::Build(moment) => {
             let guess = |choice: &Choice| match choice.own {
                 Some(Event::Build(Grow::Weigh { axis, plane, .. })) => {
-                    Some((axis, plane, crate::window::question::label(choice)))
+                    Some((axis, plane, crate::window::panes::question::label(choice)))
                 }
                 _ => None,
             };

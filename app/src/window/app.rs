@@ -8,17 +8,12 @@ use raystep_figure::{Camera, Theme, TreeView};
 use raystep_lesson::Library;
 
 use super::bottom;
-use super::columns;
 use super::export_dialog;
 use super::help;
 use super::keys;
-use super::lesson_pane;
 use super::open_dialog;
 use super::palette;
 use super::palette::Palette;
-use super::present;
-use super::solid::Solid;
-use super::space_pane::Hold;
 use super::toast::Toasts;
 use super::top;
 use crate::shown::command::Command;
@@ -29,6 +24,11 @@ use crate::window::look::formulas::Formulas;
 use crate::window::look::remembered::Remembered;
 use crate::window::look::visuals;
 use crate::window::look::visuals::fill;
+use crate::window::panes::columns;
+use crate::window::panes::lesson;
+use crate::window::panes::present;
+use crate::window::panes::solid::Solid;
+use crate::window::panes::space::Hold;
 use crate::window::work::errands::Errands;
 use crate::window::work::second::Second;
 use crate::window::work::workshop::{Failure, Workshop};
@@ -287,7 +287,7 @@ impl App {
         let kept = self.remembered.lesson;
         let left = Panel::left(columns::salt("lesson", kept, width)).frame(page);
         let left = left.default_size(kept.unwrap_or(usual).min(widest)).size_range(220.0..=widest);
-        let shown = left.show(ui, |ui| lesson_pane::pane(ui, &self.state, self.theme, &mut self.formulas));
+        let shown = left.show(ui, |ui| lesson::pane(ui, &self.state, self.theme, &mut self.formulas));
         columns::note(ui, &mut self.remembered.lesson, shown.response.rect.width(), usual);
         if let Some(command) = shown.inner {
             self.run(ui, command);

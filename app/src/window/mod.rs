@@ -3,22 +3,15 @@
 
 mod app;
 mod bottom;
-mod columns;
 mod export_dialog;
 mod help;
 mod keys;
-mod lesson_pane;
 mod look;
 mod news;
 mod open;
 mod open_dialog;
 mod palette;
-mod present;
-mod question;
-mod rival;
-mod solid;
-mod space_pane;
-mod stage_pane;
+mod panes;
 mod toast;
 mod top;
 mod underway;

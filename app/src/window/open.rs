@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use raystep_lesson::Library;
 
 use super::app::App;
-use super::solid::Solid;
 use crate::shown::view::RayChoice;
 use crate::window::look::remembered::Remembered;
+use crate::window::panes::solid::Solid;
 
 /// What the window shall show first.
 #[derive(Debug, Default)]

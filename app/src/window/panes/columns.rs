@@ -6,11 +6,11 @@ use raystep_accel::Place;
 use raystep_figure::{Look, Role};
 use raystep_lesson::Plays;
 
-use super::app::App;
-use super::space_pane::glam_size;
-use super::stage_pane;
+use super::space::glam_size;
+use super::stage;
 use crate::shown::pictures::{Pane, main_pane, shows_bytes};
 use crate::shown::state::Beside;
+use crate::window::app::App;
 use crate::window::look::painter::{paint_figure, place_at};
 use crate::window::look::visuals::fill;
 
@@ -22,7 +22,7 @@ fn narrow(ui: &Ui) -> bool {
 }
 
 /// The column at the right.
-pub(super) fn right(app: &mut App, ui: &mut Ui) -> Option<Place> {
+pub(crate) fn right(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let whole = ui.ctx().content_rect().width();
     let frame = Frame::new().fill(fill(app.theme, Role::Page));
     let usual = (whole * 0.28).clamp(318.0, 470.0);
@@ -98,7 +98,7 @@ fn tabs(app: &mut App, ui: &mut Ui) -> Option<Place> {
 }
 
 /// Space, the ruler, and the tree where there is room for it.
-pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
+pub(crate) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let height = ui.available_height();
     let frame = Frame::new().fill(fill(app.theme, Role::Panel));
     let mut under = None;
@@ -114,7 +114,7 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
         under = shown.inner;
     }
     if !has(app, Pane::Ruler) {
-        return stage_pane::stages(app, ui).or(under);
+        return stage::stages(app, ui).or(under);
     }
     // The costs of splits are curves and bytes are boxes; intervals are lines, of which four must fit.
     let bytes = bytes(app);
@@ -130,7 +130,7 @@ pub(super) fn center(app: &mut App, ui: &mut Ui) -> Option<Place> {
         .size_range(80.0..=height * 0.4);
     let shown = ruler.show(ui, |ui| pane(app, ui, if bytes { Pane::Bytes } else { Pane::Ruler }));
     note(ui, &mut app.remembered.heights.ruler, shown.response.rect.height(), usual);
-    shown.inner.or(stage_pane::stages(app, ui)).or(under)
+    shown.inner.or(stage::stages(app, ui)).or(under)
 }
 
 /// Whether there is anything to show in a pane.
@@ -139,7 +139,7 @@ fn has(app: &App, pane: Pane) -> bool {
 }
 
 /// Whether a node's bytes stand where else the ruler does.
-pub(super) fn bytes(app: &App) -> bool {
+pub(crate) fn bytes(app: &App) -> bool {
     let show = app.state.slide().map_or(&[][..], |slide| slide.show.as_slice());
     app.state.playback().is_some_and(|playback| shows_bytes(playback, show))
 }
@@ -157,7 +157,7 @@ fn pane(app: &mut App, ui: &mut Ui, pane: Pane) -> Option<Place> {
 }
 
 /// A pane's figure in a rectangle, hovered and clicked.
-pub(super) fn figure(app: &mut App, ui: &mut Ui, pane: Pane, rect: Rect, look: &Look) -> Option<Place> {
+pub(crate) fn figure(app: &mut App, ui: &mut Ui, pane: Pane, rect: Rect, look: &Look) -> Option<Place> {
     let response = ui.allocate_rect(rect, Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, pane.name()));
     let mut pictures = app.pictures.take()?;
@@ -183,12 +183,12 @@ pub(super) fn figure(app: &mut App, ui: &mut Ui, pane: Pane, rect: Rect, look: &
 }
 
 /// What egui knows a pane by. A pane that nobody has sized gets its usual size anew with every window size.
-pub(super) fn salt(name: &'static str, kept: Option<f32>, room: f32) -> (&'static str, u32) {
+pub(crate) fn salt(name: &'static str, kept: Option<f32>, room: f32) -> (&'static str, u32) {
     (name, if kept.is_some() { 0 } else { room as u32 })
 }
 
 /// Remembers a pane's size once its edge was dragged and let go.
-pub(super) fn note(ui: &Ui, kept: &mut Option<f32>, size: f32, usual: f32) {
+pub(crate) fn note(ui: &Ui, kept: &mut Option<f32>, size: f32, usual: f32) {
     let down = ui.input(|input| input.pointer.any_down());
     if !down && (kept.is_some_and(|kept| (kept - size).abs() > 1.5) || kept.is_none() && (size - usual).abs() > 3.0) {
         *kept = Some(size.round());
@@ -196,7 +196,7 @@ pub(super) fn note(ui: &Ui, kept: &mut Option<f32>, size: f32, usual: f32) {
 }
 
 /// A strip at the top of a picture for its name.
-pub(super) fn strip(rect: Rect, height: f32) -> (Rect, Rect) {
+pub(crate) fn strip(rect: Rect, height: f32) -> (Rect, Rect) {
     (
         Rect::from_min_size(rect.min, vec2(rect.width(), height)),
         Rect::from_min_max(rect.min + vec2(0.0, height), rect.max),

@@ -10,7 +10,7 @@ use raystep_paint::{Frame, Mesh, Renderer};
 
 /// The renderer and its texture, where there is a GPU or a software one.
 #[derive(Default)]
-pub(super) struct Solid {
+pub(crate) struct Solid {
     gpu: Option<Gpu>,
 }
 
@@ -22,24 +22,24 @@ struct Gpu {
 
 impl Solid {
     /// A stage on egui's own device.
-    pub(super) fn new(state: &RenderState) -> Solid {
+    pub(crate) fn new(state: &RenderState) -> Solid {
         let renderer = Renderer::new(&state.device, &state.queue);
         Solid { gpu: Some(Gpu { state: state.clone(), renderer, texture: None }) }
     }
 
     /// Another stage on the same device, for the picture beside.
-    pub(super) fn another(&self) -> Solid {
+    pub(crate) fn another(&self) -> Solid {
         let another = |gpu: &Gpu| Gpu { state: gpu.state.clone(), renderer: gpu.renderer.another(), texture: None };
         Solid { gpu: self.gpu.as_ref().map(another) }
     }
 
     /// Whether there is a device to draw with.
-    pub(super) fn is_there(&self) -> bool {
+    pub(crate) fn is_there(&self) -> bool {
         self.gpu.is_some()
     }
 
     /// Draws space in a rectangle of the window, the hovered place lit up.
-    pub(super) fn show(
+    pub(crate) fn show(
         &mut self,
         ui: &Ui,
         rect: Rect,

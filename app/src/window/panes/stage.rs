@@ -6,22 +6,22 @@ use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Cost, Place};
 use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 
-use super::app::App;
 use super::columns::strip;
 use super::rival;
-use super::space_pane::{Happened, Hold, Picture, glam_size};
+use super::space::{Happened, Hold, Picture, glam_size};
 use crate::shown::camera::Seen;
 use crate::shown::eye;
 use crate::shown::pictures::Pane;
 use crate::shown::playback::{Playback, cost};
 use crate::shown::state::Beside;
 use crate::shown::view::RayChoice;
+use crate::window::app::App;
 use crate::window::look::outline::scaled;
 use crate::window::look::painter::{caption, paint_figure};
 use crate::window::work::second::Drawn;
 
 /// Shows the stage in all the room there is; says which place the pointer is on.
-pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
+pub(crate) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
     if app.state.beside == Beside::Nothing {
         return stage(app, ui, rect, true, 1.0);
@@ -32,7 +32,7 @@ pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let (name, picture) = strip(left, STRIP);
     let mut under = None;
     if let Some(playback) = app.state.playback().cloned() {
-        label(app, ui, name, super::top::kind_name(playback.rule.kind()));
+        label(app, ui, name, crate::window::top::kind_name(playback.rule.kind()));
         under = stage(app, ui, picture, false, 1.0);
         let so_far = app.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
         bill(app, ui, picture, &playback, so_far);
@@ -61,7 +61,7 @@ fn label(app: &App, ui: &Ui, rect: Rect, text: &str) {
 }
 
 /// The picture of the walk, with the legend under it; lines and letters `scale` times as large as usual.
-pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: f32) -> Option<Place> {
+pub(crate) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: f32) -> Option<Place> {
     let pictures = app.pictures.take();
     let Some(mut pictures) = pictures.filter(|_| app.state.playback().is_some()) else {
         waiting(app, ui, rect);
@@ -150,7 +150,7 @@ fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, cost: Option<Cost>)
 }
 
 /// Where the stage is seen from now.
-pub(super) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
+pub(crate) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
     if let Some(camera) = app.still.filter(|_| app.hold.is_some()) {
         return camera;
     }
@@ -204,7 +204,7 @@ fn waiting(app: &App, ui: &Ui, rect: Rect) {
 
 impl App {
     /// Moves the camera to where the walk stands.
-    pub(super) fn frame_here(&mut self) {
+    pub(crate) fn frame_here(&mut self) {
         let Some(pictures) = &self.pictures else { return };
         let reel = pictures.playback.reel();
         let still = reel.still(&pictures.instant);

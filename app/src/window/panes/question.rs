@@ -15,7 +15,7 @@ use crate::window::look::prose::Prose;
 use crate::window::look::visuals::{fill, ink, tinted};
 
 /// Shows the open question, or what became of the one just answered. Says which command was asked for.
-pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
+pub(crate) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
     if let Some((posed, answered)) = state.settled() {
         let choice = &posed.choices[answered.choice];
         boxed(ui, theme, Role::Hit, |ui| {
@@ -47,7 +47,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
 }
 
 /// The question with the numbers of the coming event that it names.
-pub(super) fn question_text(state: &State, posed: &Posed) -> String {
+pub(crate) fn question_text(state: &State, posed: &Posed) -> String {
     let ask = state.slide().and_then(|slide| slide.beats.get(posed.beat)?.ask.as_ref());
     let event = state.playback().and_then(|playback| playback.event(posed.step));
     match (ask, event) {
@@ -57,7 +57,7 @@ pub(super) fn question_text(state: &State, posed: &Posed) -> String {
 }
 
 /// Why an answer is wrong, in this step's numbers.
-pub(super) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
+pub(crate) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
     let event = state.playback().and_then(|playback| playback.event(posed.step));
     match (&choice.reason, event) {
         (Some(reason), Some(event)) => told(reason, &Answer { coming: event, own: choice.own }),
@@ -66,7 +66,7 @@ pub(super) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
 }
 
 /// What stands on an answer's button.
-pub(super) fn label(choice: &Choice) -> String {
+pub(crate) fn label(choice: &Choice) -> String {
     let cut = match choice.own {
         Some(Event::Build(Grow::Weigh { axis, .. })) => Some(format!("{axis} = {}", value(&choice.value))),
         _ => None,
@@ -75,7 +75,7 @@ pub(super) fn label(choice: &Choice) -> String {
 }
 
 /// One button for each answer, two in a row where they fit.
-pub(super) fn answers(ui: &mut Ui, posed: &Posed, wrong: Option<usize>, theme: &Theme) -> Option<Command> {
+pub(crate) fn answers(ui: &mut Ui, posed: &Posed, wrong: Option<usize>, theme: &Theme) -> Option<Command> {
     let mut asked = None;
     let gap = 10.0;
     let longest = posed.choices.iter().map(|choice| raystep_figure::text_width(&label(choice), Face::Medium, 15.0));

@@ -4,20 +4,20 @@ use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
 use raystep_figure::{Face, Look, Role, sentence, stack_height, told};
 
-use super::app::App;
 use super::columns::{bytes, figure};
 use super::question;
-use super::stage_pane;
+use super::stage;
 use crate::shown::command::Command;
 use crate::shown::pictures::Pane;
 use crate::shown::reel::beginning;
+use crate::window::app::App;
 use crate::window::look::fonts::font;
 use crate::window::look::painter::caption;
 use crate::window::look::prose::Prose;
 use crate::window::look::visuals::{fill, ink};
 
 /// Shows the page in the whole window.
-pub(super) fn page(app: &mut App, ui: &mut Ui) {
+pub(crate) fn page(app: &mut App, ui: &mut Ui) {
     let rect = ui.max_rect();
     ui.painter().rect_filled(rect, 0.0, fill(app.theme, Role::Page));
     // Everything follows from the height: body text is a twenty-eighth of it or larger.
@@ -42,7 +42,7 @@ pub(super) fn page(app: &mut App, ui: &mut Ui) {
     let words = Rect::from_min_max(pos2(inner.right() - side, top + body * 0.4), pos2(inner.right(), bottom));
     let line = Rect::from_min_max(pos2(inner.left(), bottom), pos2(inner.right(), bottom + ruler));
 
-    let mut under = stage_pane::stage(app, ui, space, false, body / 19.0);
+    let mut under = stage::stage(app, ui, space, false, body / 19.0);
     if ruler > 0.0 {
         under = figure(app, ui, if bytes { Pane::Bytes } else { Pane::RulerLine }, line, &look).or(under);
     }

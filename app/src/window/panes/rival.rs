@@ -4,14 +4,14 @@ use egui::{Align, ComboBox, Layout, Rect, RichText, Ui, vec2};
 use raystep_accel::Rule;
 use raystep_figure::Face;
 
-use super::app::App;
-use super::top::kind_name;
 use crate::shown::state::{Beside, Pace};
+use crate::window::app::App;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
+use crate::window::top::kind_name;
 
 /// Shows the strip and does what is chosen.
-pub(super) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {
+pub(crate) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {
     let inner = rect.shrink2(vec2(12.0, 3.0));
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center)));
     pace(app, &mut child);

@@ -13,7 +13,7 @@ const GRIP: f32 = 13.0;
 
 /// What the pointer has hold of.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Hold {
+pub(crate) enum Hold {
     /// The ray's origin; its head stays.
     Origin,
     /// The ray's head; its origin stays.
@@ -28,37 +28,37 @@ pub(super) enum Hold {
 
 /// What happened in the picture.
 #[derive(Default)]
-pub(super) struct Happened {
+pub(crate) struct Happened {
     /// The place under the pointer.
-    pub(super) hovered: Option<Place>,
+    pub(crate) hovered: Option<Place>,
     /// The place clicked on; a click beside everything is `Some(None)`.
-    pub(super) clicked: Option<Option<Place>>,
+    pub(crate) clicked: Option<Option<Place>>,
     /// A change that undo shall take back in one begins.
-    pub(super) begins: bool,
+    pub(crate) begins: bool,
     /// Another ray.
-    pub(super) ray: Option<Ray>,
+    pub(crate) ray: Option<Ray>,
     /// Another camera.
-    pub(super) camera: Option<Camera>,
+    pub(crate) camera: Option<Camera>,
 }
 
 /// What is drawn.
-pub(super) struct Picture<'a> {
-    pub(super) space: &'a Space,
-    pub(super) figure: &'a Figure,
-    pub(super) camera: Camera,
+pub(crate) struct Picture<'a> {
+    pub(crate) space: &'a Space,
+    pub(crate) figure: &'a Figure,
+    pub(crate) camera: Camera,
     /// The ray; none where a build is played.
-    pub(super) ray: Option<Ray>,
-    pub(super) theme: &'a Theme,
-    pub(super) hovered: Option<Place>,
+    pub(crate) ray: Option<Ray>,
+    pub(crate) theme: &'a Theme,
+    pub(crate) hovered: Option<Place>,
     /// Whether the ray can be dragged, if there is one.
-    pub(super) live: bool,
+    pub(crate) live: bool,
     /// Whether all but the labels is painted already.
-    pub(super) painted: bool,
+    pub(crate) painted: bool,
 }
 
 impl Picture<'_> {
     /// Draws the picture in `rect` and says what happened there.
-    pub(super) fn show(&self, ui: &mut Ui, rect: Rect, name: &str, hold: &mut Option<Hold>) -> Happened {
+    pub(crate) fn show(&self, ui: &mut Ui, rect: Rect, name: &str, hold: &mut Option<Hold>) -> Happened {
         let response = ui.allocate_rect(rect, Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, name));
         let painter = ui.painter_at(rect);
@@ -184,6 +184,6 @@ impl Picture<'_> {
 }
 
 /// The size of a rectangle in the figures' own type.
-pub(super) fn glam_size(rect: Rect) -> glam::Vec2 {
+pub(crate) fn glam_size(rect: Rect) -> glam::Vec2 {
     glam::Vec2::new(rect.width(), rect.height())
 }
