@@ -2,7 +2,7 @@
 //! [`Command`](crate::shown::command::Command)s.
 
 mod app;
-mod bottom;
+mod bars;
 mod export_dialog;
 mod help;
 mod keys;
@@ -13,7 +13,6 @@ mod open_dialog;
 mod palette;
 mod panes;
 mod toast;
-mod top;
 mod underway;
 mod work;
 

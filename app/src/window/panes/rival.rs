@@ -6,9 +6,9 @@ use raystep_figure::Face;
 
 use crate::shown::state::{Beside, Pace};
 use crate::window::app::App;
+use crate::window::bars::top::kind_name;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
-use crate::window::top::kind_name;
 
 /// Shows the strip and does what is chosen.
 pub(crate) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {

@@ -32,7 +32,7 @@ pub(crate) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let (name, picture) = strip(left, STRIP);
     let mut under = None;
     if let Some(playback) = app.state.playback().cloned() {
-        label(app, ui, name, crate::window::top::kind_name(playback.rule.kind()));
+        label(app, ui, name, crate::window::bars::top::kind_name(playback.rule.kind()));
         under = stage(app, ui, picture, false, 1.0);
         let so_far = app.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
         bill(app, ui, picture, &playback, so_far);

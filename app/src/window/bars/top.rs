@@ -13,7 +13,7 @@ use crate::window::look::icons::{Icon, icon_button};
 use crate::window::look::visuals::{color32, ink, style};
 
 /// What was asked for in the bar.
-pub(super) enum Asked {
+pub(crate) enum Asked {
     /// A command.
     Command(Command),
     /// A slide, by its place.
@@ -29,7 +29,7 @@ pub(super) enum Asked {
 }
 
 /// Shows the bar and says what was asked for.
-pub(super) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
+pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
     let mut asked = None;
     let width = ui.available_width();
     ui.horizontal_centered(|ui| {
@@ -212,7 +212,7 @@ fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked
 }
 
 /// What a kind of structure is called on a button.
-pub(super) fn kind_name(kind: &str) -> &str {
+pub(crate) fn kind_name(kind: &str) -> &str {
     match kind {
         "list" => "Brute force",
         "slab" => "Box",

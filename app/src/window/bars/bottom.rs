@@ -13,7 +13,7 @@ use crate::window::look::icons::{Icon, icon_button};
 use crate::window::look::painter::{paint_figure, paint_nearest_lit, place_at};
 
 /// What was asked for in the bar.
-pub(super) enum Asked {
+pub(crate) enum Asked {
     /// A command.
     Command(Command),
     /// A step.
@@ -21,7 +21,7 @@ pub(super) enum Asked {
 }
 
 /// Shows the bar; says what was asked for and which place the pointer is on.
-pub(super) fn bar(
+pub(crate) fn bar(
     ui: &mut Ui,
     state: &State,
     pictures: Option<&mut Pictures>,
