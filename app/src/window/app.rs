@@ -7,19 +7,19 @@ use raystep_accel::Place;
 use raystep_figure::{Camera, Theme, TreeView};
 use raystep_lesson::Library;
 
-use super::export_dialog;
-use super::help;
 use super::keys;
-use super::open_dialog;
-use super::palette;
-use super::palette::Palette;
-use super::toast::Toasts;
 use crate::shown::command::Command;
 use crate::shown::pictures::Pictures;
 use crate::shown::state::{Beside, State};
 use crate::shown::view::RayChoice;
 use crate::window::bars::bottom;
 use crate::window::bars::top;
+use crate::window::dialogs::export;
+use crate::window::dialogs::help;
+use crate::window::dialogs::open;
+use crate::window::dialogs::palette;
+use crate::window::dialogs::palette::Palette;
+use crate::window::dialogs::toasts::Toasts;
 use crate::window::look::formulas::Formulas;
 use crate::window::look::remembered::Remembered;
 use crate::window::look::visuals;
@@ -57,8 +57,8 @@ pub struct App {
     pub(super) toasts: Toasts,
     pub(super) errands: Errands,
     pub(super) remembered: Remembered,
-    pub(super) export: Option<export_dialog::Form>,
-    pub(super) opening: Option<open_dialog::Form>,
+    pub(super) export: Option<export::Form>,
+    pub(super) opening: Option<open::Form>,
     palette: Option<Palette>,
     help: bool,
     styled: Option<&'static str>,
@@ -124,8 +124,8 @@ impl App {
             }
             Command::Palette => self.palette = Some(Palette::default()),
             Command::Help => self.help = !self.help,
-            Command::Export => self.export = Some(export_dialog::Form::of(&self.state, self.theme)),
-            Command::Open => self.opening = Some(open_dialog::Form::default()),
+            Command::Export => self.export = Some(export::Form::of(&self.state, self.theme)),
+            Command::Open => self.opening = Some(open::Form::default()),
             Command::Copy => self.copy(),
             Command::Cancel => self.cancel(),
             Command::Theme => {

@@ -3,17 +3,12 @@
 
 mod app;
 mod bars;
-mod export_dialog;
-mod help;
+mod dialogs;
 mod keys;
 mod look;
 mod news;
 mod open;
-mod open_dialog;
-mod palette;
 mod panes;
-mod toast;
-mod underway;
 mod work;
 
 pub use app::App;

@@ -14,7 +14,7 @@ use crate::shown::camera::Seen;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::view::RayChoice;
 use crate::window::app::App;
-use crate::window::export_dialog::Form;
+use crate::window::dialogs::export::Form;
 use crate::window::look::formulas::decoded;
 
 /// What the window shows, for another thread.

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use egui::{Key, RichText, TextEdit, Ui};
 use raystep_figure::{Face, Role};
 
-use super::app::App;
+use crate::window::app::App;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::visuals::ink;
 
 /// What is filled in.
 #[derive(Default)]
-pub(super) struct Form {
+pub(crate) struct Form {
     path: String,
     /// Why it could not be opened.
     wrong: Option<String>,
@@ -21,7 +21,7 @@ pub(super) struct Form {
 
 impl Form {
     /// The mesh that a dialog of the desktop has chosen.
-    pub(super) fn choose(&mut self, path: &std::path::Path) {
+    pub(crate) fn choose(&mut self, path: &std::path::Path) {
         self.path = path.to_string_lossy().into_owned();
         self.wrong = None;
     }
@@ -29,7 +29,7 @@ impl Form {
 
 impl App {
     /// Shows the dialog while it is open.
-    pub(super) fn open_dialog(&mut self, ui: &Ui) {
+    pub(crate) fn open_dialog(&mut self, ui: &Ui) {
         let Some(mut form) = self.opening.take() else { return };
         let (mut open, mut close) = (false, false);
         let modal = controls::modal(ui, "open mesh").show(ui.ctx(), |ui| {

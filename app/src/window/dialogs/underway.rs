@@ -5,14 +5,14 @@ use std::sync::Arc;
 use egui::{Area, Frame, Id, Order, ProgressBar, RichText, Ui, vec2};
 use raystep_figure::{Role, Theme};
 
-use super::app::App;
 use crate::shown::state::Beside;
+use crate::window::app::App;
 use crate::window::look::visuals::ink;
 use crate::window::work::task::Task;
 
 impl App {
     /// Shows what is under way.
-    pub(super) fn underway(&mut self, ui: &Ui) {
+    pub(crate) fn underway(&mut self, ui: &Ui) {
         let mut tasks: Vec<Arc<Task>> = self.errands.tasks().to_vec();
         let (making, beside) = (self.workshop.task().cloned(), self.second.task().cloned());
         tasks.extend(making.iter().chain(&beside).cloned());

@@ -9,21 +9,21 @@ use crate::window::look::visuals::ink;
 
 /// What is typed and which line is chosen.
 #[derive(Default)]
-pub(super) struct Palette {
+pub(crate) struct Palette {
     typed: String,
     chosen: usize,
 }
 
 /// What was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Choice {
+pub(crate) enum Choice {
     Command(Command),
     Slide(usize),
 }
 
 impl Palette {
     /// Shows the palette; says whether it shall close, and what was chosen.
-    pub(super) fn show(&mut self, ui: &Ui, library: &Library, theme: &Theme) -> (bool, Option<Choice>) {
+    pub(crate) fn show(&mut self, ui: &Ui, library: &Library, theme: &Theme) -> (bool, Option<Choice>) {
         let mut chosen = None;
         let modal = Modal::new(Id::unique("palette")).show(ui.ctx(), |ui| {
             ui.set_width(460.0);

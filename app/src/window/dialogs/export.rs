@@ -6,17 +6,17 @@ use clap::ValueEnum;
 use egui::{ComboBox, DragValue, Grid, RichText, TextEdit, Ui};
 use raystep_figure::{Face, Role, Theme};
 
-use super::app::App;
 use crate::export::{Format, Order, Size, View};
 use crate::fault::Fault;
 use crate::shown::state::State;
+use crate::window::app::App;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::visuals::ink;
 
 /// What is filled in.
 #[derive(Clone)]
-pub(super) struct Form {
+pub(crate) struct Form {
     which: Which,
     first: usize,
     last: usize,
@@ -31,7 +31,7 @@ pub(super) struct Form {
 
 /// The steps to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Which {
+pub(crate) enum Which {
     /// The step that is shown.
     This,
     /// Those of the slide's beats.
@@ -42,7 +42,7 @@ pub(super) enum Which {
 
 impl Form {
     /// The usual choices.
-    pub(super) fn of(state: &State, theme: &'static Theme) -> Form {
+    pub(crate) fn of(state: &State, theme: &'static Theme) -> Form {
         let home = std::env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
         Form {
             which: Which::This,
@@ -58,17 +58,17 @@ impl Form {
     }
 
     /// The folder that is filled in.
-    pub(super) fn folder(&self) -> PathBuf {
+    pub(crate) fn folder(&self) -> PathBuf {
         PathBuf::from(self.folder.trim())
     }
 
     /// Another folder to write to.
-    pub(super) fn set_folder(&mut self, folder: &Path) {
+    pub(crate) fn set_folder(&mut self, folder: &Path) {
         self.folder = folder.to_string_lossy().into_owned();
     }
 
     /// Which steps, in the words of the command line.
-    pub(super) fn which(&self, step: usize) -> crate::export::Which {
+    pub(crate) fn which(&self, step: usize) -> crate::export::Which {
         use crate::export::Which as Steps;
         match self.which {
             Which::This => Steps::Steps(step..=step),
@@ -78,12 +78,12 @@ impl Form {
     }
 
     /// Whether each beat is drawn on the ray that it is told on.
-    pub(super) fn all_rays(&self) -> bool {
+    pub(crate) fn all_rays(&self) -> bool {
         self.which == Which::Beats
     }
 
     /// How steps are drawn.
-    pub(super) fn order(&self) -> Result<Order, Fault> {
+    pub(crate) fn order(&self) -> Result<Order, Fault> {
         let size: Size = self.size.trim().parse().map_err(|wrong| Fault::new(format!("Size: {wrong}.")))?;
         if self.which == Which::Steps && self.first > self.last {
             return Err(Fault::new("Write the smaller step first."));
@@ -167,7 +167,7 @@ impl Form {
 
 impl App {
     /// Shows the dialog while it is open.
-    pub(super) fn export_dialog(&mut self, ui: &Ui) {
+    pub(crate) fn export_dialog(&mut self, ui: &Ui) {
         let Some(mut form) = self.export.take() else { return };
         let (mut write, mut close) = (false, false);
         let modal = controls::modal(ui, "export").show(ui.ctx(), |ui| {
