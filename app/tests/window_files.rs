@@ -221,7 +221,7 @@ fn cancelling_a_build_of_a_million_triangles_keeps_the_old_page() {
 
 #[test]
 fn both_walks_stand_at_the_same_t() {
-    use raystep::shown::state::{Beside, Pace};
+    use raystep::shown::{Beside, Pace};
     let mut harness = window("5/40");
     harness.state_mut().state.pace = Pace::T;
     harness.state_mut().state.compare("grid");

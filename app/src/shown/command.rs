@@ -1,6 +1,5 @@
-//! Everything that can be done in the window, once: keys, menu, palette, help and accessible names read this.
+//! Everything that can be done, once: keys, menu, palette, help and accessible names read this.
 
-use egui::{Key, Modifiers};
 use raystep_accel::Grain;
 
 /// Something to do.
@@ -87,69 +86,65 @@ pub struct Entry {
     pub command: Command,
     /// Its name, also for screen readers.
     pub name: &'static str,
-    /// The keys that give it, the first one shown.
-    pub keys: &'static [(Modifiers, Key)],
+    /// The keys that give it, as they are read: `"Ctrl+Z"`. The first one is shown.
+    pub keys: &'static [&'static str],
 }
 
-const NONE: Modifiers = Modifiers::NONE;
-const SHIFT: Modifiers = Modifiers::SHIFT;
-const CTRL: Modifiers = Modifiers::COMMAND;
-
-const fn entry(command: Command, name: &'static str, keys: &'static [(Modifiers, Key)]) -> Entry {
+const fn entry(command: Command, name: &'static str, keys: &'static [&'static str]) -> Entry {
     Entry { command, name, keys }
 }
 
 /// Every command.
 pub const ENTRIES: &[Entry] = &[
-    entry(Command::Play, "Play or pause", &[(NONE, Key::Space)]),
-    entry(Command::Next, "Next step", &[(NONE, Key::ArrowRight)]),
-    entry(Command::Previous, "Previous step", &[(NONE, Key::ArrowLeft)]),
-    entry(Command::NextCoarse, "Next coarser step", &[(SHIFT, Key::ArrowRight)]),
-    entry(Command::PreviousCoarse, "Previous coarser step", &[(SHIFT, Key::ArrowLeft)]),
-    entry(Command::First, "First step", &[(NONE, Key::Home)]),
-    entry(Command::Last, "Last step", &[(NONE, Key::End)]),
-    entry(Command::NextSlide, "Next slide", &[(NONE, Key::PageDown)]),
-    entry(Command::PreviousSlide, "Previous slide", &[(NONE, Key::PageUp)]),
-    entry(Command::Speed(1), "Speed 1×", &[(NONE, Key::Num1)]),
-    entry(Command::Speed(2), "Speed 2×", &[(NONE, Key::Num2)]),
-    entry(Command::Speed(3), "Speed 3×", &[(NONE, Key::Num3)]),
-    entry(Command::Speed(4), "Speed 4×", &[(NONE, Key::Num4)]),
-    entry(Command::Speed(5), "Speed 5×", &[(NONE, Key::Num5)]),
-    entry(Command::Speed(6), "Speed 6×", &[(NONE, Key::Num6)]),
-    entry(Command::Speed(7), "Speed 7×", &[(NONE, Key::Num7)]),
-    entry(Command::Speed(8), "Speed 8×", &[(NONE, Key::Num8)]),
-    entry(Command::Speed(9), "Speed 9×", &[(NONE, Key::Num9)]),
+    entry(Command::Play, "Play or pause", &["Space"]),
+    entry(Command::Next, "Next step", &["→"]),
+    entry(Command::Previous, "Previous step", &["←"]),
+    entry(Command::NextCoarse, "Next coarser step", &["Shift+→"]),
+    entry(Command::PreviousCoarse, "Previous coarser step", &["Shift+←"]),
+    entry(Command::First, "First step", &["Home"]),
+    entry(Command::Last, "Last step", &["End"]),
+    entry(Command::NextSlide, "Next slide", &["Page down"]),
+    entry(Command::PreviousSlide, "Previous slide", &["Page up"]),
+    entry(Command::Speed(1), "Speed 1×", &["1"]),
+    entry(Command::Speed(2), "Speed 2×", &["2"]),
+    entry(Command::Speed(3), "Speed 3×", &["3"]),
+    entry(Command::Speed(4), "Speed 4×", &["4"]),
+    entry(Command::Speed(5), "Speed 5×", &["5"]),
+    entry(Command::Speed(6), "Speed 6×", &["6"]),
+    entry(Command::Speed(7), "Speed 7×", &["7"]),
+    entry(Command::Speed(8), "Speed 8×", &["8"]),
+    entry(Command::Speed(9), "Speed 9×", &["9"]),
     entry(Command::Grain(Grain::Arithmetic), "Step by arithmetic", &[]),
     entry(Command::Grain(Grain::Decision), "Step by decision", &[]),
     entry(Command::Grain(Grain::Visit), "Step by visit", &[]),
-    entry(Command::Predict, "Predict", &[(NONE, Key::P)]),
-    entry(Command::Answer(0), "Answer A", &[(NONE, Key::A)]),
-    entry(Command::Answer(1), "Answer B", &[(NONE, Key::B)]),
-    entry(Command::Answer(2), "Answer C", &[(NONE, Key::C)]),
-    entry(Command::Answer(3), "Answer D", &[(NONE, Key::D)]),
-    entry(Command::Skip, "Skip the question", &[(NONE, Key::Enter)]),
+    entry(Command::Predict, "Predict", &["P"]),
+    entry(Command::Answer(0), "Answer A", &["A"]),
+    entry(Command::Answer(1), "Answer B", &["B"]),
+    entry(Command::Answer(2), "Answer C", &["C"]),
+    entry(Command::Answer(3), "Answer D", &["D"]),
+    entry(Command::Skip, "Skip the question", &["Enter"]),
     entry(Command::Lock, "Next step waits at an open question", &[]),
-    entry(Command::Restore, "Back to the slide's own ray and view", &[(NONE, Key::Backspace)]),
-    entry(Command::Undo, "Undo", &[(CTRL, Key::Z)]),
-    entry(Command::Redo, "Redo", &[(CTRL.plus(SHIFT), Key::Z), (CTRL, Key::Y)]),
+    entry(Command::Restore, "Back to the slide's own ray and view", &["Backspace"]),
+    entry(Command::Undo, "Undo", &["Ctrl+Z"]),
+    entry(Command::Redo, "Redo", &["Ctrl+Shift+Z", "Ctrl+Y"]),
     entry(Command::Flat, "Flat", &[]),
     entry(Command::Solid, "Solid", &[]),
-    entry(Command::Compare, "Compare", &[(NONE, Key::X)]),
+    entry(Command::Compare, "Compare", &["X"]),
     entry(Command::Break, "Break it", &[]),
-    entry(Command::Present, "Present", &[(NONE, Key::F5)]),
-    entry(Command::FullScreen, "Full screen", &[(NONE, Key::F11)]),
-    entry(Command::Frame, "Frame the current place", &[(NONE, Key::F)]),
-    entry(Command::ResetCamera, "Reset the camera", &[(NONE, Key::R)]),
-    entry(Command::Export, "Export", &[(CTRL, Key::E)]),
-    entry(Command::Copy, "Copy the picture", &[(CTRL, Key::C)]),
-    entry(Command::Open, "Open a mesh", &[(CTRL, Key::O)]),
-    entry(Command::Cancel, "Cancel what is under way", &[(NONE, Key::Escape)]),
-    entry(Command::Palette, "Find a command or slide", &[(CTRL, Key::K)]),
+    entry(Command::Present, "Present", &["F5"]),
+    entry(Command::FullScreen, "Full screen", &["F11"]),
+    entry(Command::Frame, "Frame the current place", &["F"]),
+    entry(Command::ResetCamera, "Reset the camera", &["R"]),
+    entry(Command::Export, "Export", &["Ctrl+E"]),
+    entry(Command::Copy, "Copy the picture", &["Ctrl+C"]),
+    entry(Command::Open, "Open a mesh", &["Ctrl+O"]),
+    entry(Command::Cancel, "Cancel what is under way", &["Escape"]),
+    entry(Command::Palette, "Find a command or slide", &["Ctrl+K"]),
     entry(Command::Theme, "Next theme: light, dark, projector", &[]),
-    entry(Command::ZoomIn, "Zoom in", &[(CTRL, Key::Plus), (CTRL, Key::Equals)]),
-    entry(Command::ZoomOut, "Zoom out", &[(CTRL, Key::Minus)]),
-    entry(Command::ZoomReset, "Usual size", &[(CTRL, Key::Num0)]),
-    entry(Command::Help, "Keys", &[(NONE, Key::Questionmark), (NONE, Key::F1)]),
+    entry(Command::ZoomIn, "Zoom in", &["Ctrl++", "Ctrl+="]),
+    entry(Command::ZoomOut, "Zoom out", &["Ctrl+−"]),
+    entry(Command::ZoomReset, "Usual size", &["Ctrl+0"]),
+    entry(Command::Help, "Keys", &["?", "F1"]),
 ];
 
 impl Command {
@@ -165,37 +160,16 @@ impl Command {
 
     /// Its name with its first key: what a tooltip says.
     pub fn tip(self) -> String {
-        let keys = self.entry().map_or(String::new(), Entry::keys_text);
+        let keys = self.entry().map_or("", Entry::keys_text);
         if keys.is_empty() { self.name().to_owned() } else { format!("{}  ({keys})", self.name()) }
     }
 }
 
 impl Entry {
-    /// Its first keys as text: `"Ctrl+Z"`.
-    pub fn keys_text(&self) -> String {
-        self.keys.first().map_or(String::new(), |&(modifiers, key)| keys_text(modifiers, key))
+    /// Its first keys: `"Ctrl+Z"`.
+    pub fn keys_text(&self) -> &'static str {
+        self.keys.first().copied().unwrap_or_default()
     }
-}
-
-fn keys_text(modifiers: Modifiers, key: Key) -> String {
-    let mut text = String::new();
-    if modifiers.command {
-        text.push_str("Ctrl+");
-    }
-    if modifiers.shift {
-        text.push_str("Shift+");
-    }
-    text.push_str(match key {
-        Key::ArrowRight => "→",
-        Key::ArrowLeft => "←",
-        Key::PageDown => "Page down",
-        Key::PageUp => "Page up",
-        Key::Questionmark => "?",
-        Key::Plus => "+",
-        Key::Minus => "−",
-        other => other.name(),
-    });
-    text
 }
 
 #[cfg(test)]

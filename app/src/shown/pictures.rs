@@ -11,6 +11,7 @@ use raystep_lesson::{Choice, Listing, Show};
 use super::playback::Playback;
 use super::reel::lines;
 use super::state::State;
+use super::words::label;
 
 /// The most primitives that are drawn as outlines.
 const OUTLINED: usize = 2000;
@@ -172,14 +173,12 @@ pub(crate) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: V
 fn guess(instant: &mut Instant, choices: &[Choice]) {
     match instant {
         Instant::Walk(moment) => {
-            let guess = |choice: &Choice| Some((choice.place?, crate::window::panes::question::label(choice)));
+            let guess = |choice: &Choice| Some((choice.place?, label(choice)));
             moment.guesses = choices.iter().filter_map(guess).collect();
         }
         Instant::Build(moment) => {
             let guess = |choice: &Choice| match choice.own {
-                Some(Event::Build(Grow::Weigh { axis, plane, .. })) => {
-                    Some((axis, plane, crate::window::panes::question::label(choice)))
-                }
+                Some(Event::Build(Grow::Weigh { axis, plane, .. })) => Some((axis, plane, label(choice))),
                 _ => None,
             };
             moment.guesses = choices.iter().filter_map(guess).collect();

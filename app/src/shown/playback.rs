@@ -10,7 +10,7 @@ use raystep_scene::Scene;
 
 use super::reel::reel;
 
-use super::state::Beside;
+use super::beside::Beside;
 use super::steps::Steps;
 use super::view::{RayChoice, View};
 

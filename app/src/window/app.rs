@@ -8,9 +8,10 @@ use raystep_figure::{Camera, Theme, TreeView};
 use raystep_lesson::Library;
 
 use super::keys;
+use crate::shown::beside::Beside;
 use crate::shown::command::Command;
 use crate::shown::pictures::Pictures;
-use crate::shown::state::{Beside, State};
+use crate::shown::state::State;
 use crate::shown::view::RayChoice;
 use crate::window::bars::bottom;
 use crate::window::bars::top;

@@ -11,6 +11,7 @@ use raystep_figure::Camera;
 use raystep_lesson::{Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
 
+use super::beside::{Beside, Pace};
 use super::command::Command;
 use super::history::History;
 use super::playback::Playback;
@@ -50,26 +51,6 @@ pub struct State {
     landing: Landing,
     history: History,
     waited: f32,
-}
-
-/// What a second picture of space shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Beside {
-    /// There is none.
-    Nothing,
-    /// The same ray through another structure: its kind.
-    Structure(&'static str),
-    /// The mistake with this place in the list of those that fit the structure.
-    Mistake(usize),
-}
-
-/// How two walks keep in step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Pace {
-    /// Both have taken so many steps.
-    Event,
-    /// Both have come so far along the ray.
-    T,
 }
 
 /// An answer.

@@ -4,9 +4,11 @@ use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
 use raystep_figure::{Face, Role, Theme};
 use raystep_lesson::{Plays, StageKind};
 
-use crate::shown::command::Command;
-use crate::shown::state::{Beside, State};
+use crate::shown::beside::Beside;
+use crate::shown::command::{Command, Entry};
+use crate::shown::state::State;
 use crate::shown::view::RayChoice;
+use crate::shown::words::kind_name;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::icons::{Icon, icon_button};
@@ -211,22 +213,6 @@ fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked
     controls::name(&menu.response, &format!("Structure: {}", kind_name(playback.rule.kind())));
 }
 
-/// What a kind of structure is called on a button.
-pub(crate) fn kind_name(kind: &str) -> &str {
-    match kind {
-        "list" => "Brute force",
-        "slab" => "Box",
-        "grid" => "Grid",
-        "nested-grid" => "Nested grids",
-        "hashed-grid" => "Hashed grid",
-        "kd" => "kd-tree",
-        "octree" => "Octree",
-        "bsp" => "BSP tree",
-        "bvh" => "BVH",
-        other => other,
-    }
-}
-
 /// What is needed more rarely.
 fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
     let button = icon_button(ui, Icon::More, "More", "More", false, 28.0);
@@ -246,7 +232,7 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
             (Command::Help, true),
         ];
         for (command, enabled) in commands {
-            let keys = command.entry().map_or_else(String::new, crate::shown::command::Entry::keys_text);
+            let keys = command.entry().map_or("", Entry::keys_text);
             let button = Button::new(command.name()).shortcut_text(keys).min_size(vec2(298.0, 0.0));
             if ui.add_enabled(enabled, button).clicked() {
                 *asked = Some(Asked::Command(command));

@@ -74,7 +74,8 @@ impl Palette {
 /// Commands and slides whose names contain all the words typed, best first.
 fn found(library: &Library, typed: &str) -> Vec<(Choice, String, String)> {
     let commands = ENTRIES.iter().filter(|entry| entry.command != Command::Palette);
-    let commands = commands.map(|entry| (Choice::Command(entry.command), entry.name.to_owned(), entry.keys_text()));
+    let commands =
+        commands.map(|entry| (Choice::Command(entry.command), entry.name.to_owned(), entry.keys_text().to_owned()));
     let slides = library.slides.iter().enumerate();
     let slides = slides.map(|(index, slide)| (Choice::Slide(index), slide.title.clone(), slide.numbers_text()));
     let typed = typed.to_lowercase();

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{Area, Frame, Id, Order, ProgressBar, RichText, Ui, vec2};
 use raystep_figure::{Role, Theme};
 
-use crate::shown::state::Beside;
+use crate::shown::beside::Beside;
 use crate::window::app::App;
 use crate::window::look::visuals::ink;
 use crate::window::work::task::Task;

@@ -8,8 +8,8 @@ use raystep_lesson::Plays;
 
 use super::space::glam_size;
 use super::stage;
+use crate::shown::beside::Beside;
 use crate::shown::pictures::{Pane, main_pane, shows_bytes};
-use crate::shown::state::Beside;
 use crate::window::app::App;
 use crate::window::look::painter::{paint_figure, place_at};
 use crate::window::look::visuals::fill;

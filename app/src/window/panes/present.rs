@@ -5,11 +5,11 @@ use raystep_accel::Place;
 use raystep_figure::{Face, Look, Role, sentence, stack_height, told};
 
 use super::columns::{bytes, figure};
-use super::question;
 use super::stage;
 use crate::shown::command::Command;
 use crate::shown::pictures::Pane;
 use crate::shown::reel::beginning;
+use crate::shown::words::{label, question_text, reason};
 use crate::window::app::App;
 use crate::window::look::fonts::font;
 use crate::window::look::painter::caption;
@@ -124,19 +124,19 @@ fn said(app: &mut App, ui: &mut Ui, body: f32) -> Option<Command> {
     let prose = Prose { theme: app.theme, size: body, role: Role::Text, face: Face::Regular };
     if let Some(posed) = state.question() {
         let strong = Prose { face: Face::Medium, size: body * 1.1, ..prose };
-        strong.show(ui, &mut app.formulas, &question::question_text(state, posed));
+        strong.show(ui, &mut app.formulas, &question_text(state, posed));
         ui.add_space(body * 0.4);
         let wrong = state.answered.filter(|answered| answered.beat == posed.beat && !answered.right);
         let asked = big_answers(app, ui, posed, wrong.map(|answered| answered.choice), body);
         if let Some(answered) = wrong {
             ui.add_space(body * 0.3);
-            let reason = question::reason(state, posed, &posed.choices[answered.choice]);
+            let reason = reason(state, posed, &posed.choices[answered.choice]);
             Prose { role: Role::Wrong, ..prose }.show(ui, &mut app.formulas, &reason);
         }
         return asked;
     }
     if let Some((posed, answered)) = state.settled() {
-        let text = format!("**{}**", question::label(&posed.choices[answered.choice]));
+        let text = format!("**{}**", label(&posed.choices[answered.choice]));
         Prose { role: Role::Hit, size: body * 1.1, ..prose }.show(ui, &mut app.formulas, &text);
     }
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
@@ -170,7 +170,7 @@ fn big_answers(
     for (index, choice) in posed.choices.iter().enumerate() {
         let letter = char::from(b'A' + index.min(25) as u8);
         let role = if wrong == Some(index) { Role::Wrong } else { Role::Here };
-        let name = crate::window::look::markdown::plain(&question::label(choice));
+        let name = crate::window::look::markdown::plain(&label(choice));
         let text = RichText::new(format!("{letter}   {name}"))
             .font(font(Face::Medium, body))
             .color(ink(app.theme, Role::Text));

@@ -1,13 +1,13 @@
 //! The question box: asked before the step that answers it, answered by button, key or a click on the place.
 
 use egui::{Button, Frame, Margin, RichText, Stroke, Ui, vec2};
-use raystep_accel::{Event, Grow};
-use raystep_figure::{Answer, Face, Role, Theme, told, value};
+use raystep_figure::{Face, Role, Theme};
 use raystep_lesson::Choice;
 
 use crate::shown::command::Command;
 use crate::shown::playback::Posed;
 use crate::shown::state::State;
+use crate::shown::words::{label, question_text, reason};
 use crate::window::look::fonts::font;
 use crate::window::look::formulas::Formulas;
 use crate::window::look::markdown::plain;
@@ -46,36 +46,8 @@ pub(crate) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
     asked
 }
 
-/// The question with the numbers of the coming event that it names.
-pub(crate) fn question_text(state: &State, posed: &Posed) -> String {
-    let ask = state.slide().and_then(|slide| slide.beats.get(posed.beat)?.ask.as_ref());
-    let event = state.playback().and_then(|playback| playback.event(posed.step));
-    match (ask, event) {
-        (Some(ask), Some(event)) => told(&ask.question, &event),
-        _ => String::new(),
-    }
-}
-
-/// Why an answer is wrong, in this step's numbers.
-pub(crate) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
-    let event = state.playback().and_then(|playback| playback.event(posed.step));
-    match (&choice.reason, event) {
-        (Some(reason), Some(event)) => told(reason, &Answer { coming: event, own: choice.own }),
-        _ => "Look at the numbers of this step and try again.".to_owned(),
-    }
-}
-
-/// What stands on an answer's button.
-pub(crate) fn label(choice: &Choice) -> String {
-    let cut = match choice.own {
-        Some(Event::Build(Grow::Weigh { axis, .. })) => Some(format!("{axis} = {}", value(&choice.value))),
-        _ => None,
-    };
-    choice.label.clone().or(cut).unwrap_or_else(|| value(&choice.value))
-}
-
 /// One button for each answer, two in a row where they fit.
-pub(crate) fn answers(ui: &mut Ui, posed: &Posed, wrong: Option<usize>, theme: &Theme) -> Option<Command> {
+fn answers(ui: &mut Ui, posed: &Posed, wrong: Option<usize>, theme: &Theme) -> Option<Command> {
     let mut asked = None;
     let gap = 10.0;
     let longest = posed.choices.iter().map(|choice| raystep_figure::text_width(&label(choice), Face::Medium, 15.0));

@@ -4,9 +4,9 @@ use egui::{Align, ComboBox, Layout, Rect, RichText, Ui, vec2};
 use raystep_accel::Rule;
 use raystep_figure::Face;
 
-use crate::shown::state::{Beside, Pace};
+use crate::shown::beside::{Beside, Pace};
+use crate::shown::words::kind_name;
 use crate::window::app::App;
-use crate::window::bars::top::kind_name;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 

@@ -9,12 +9,13 @@ use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 use super::columns::strip;
 use super::rival;
 use super::space::{Happened, Hold, Picture, glam_size};
+use crate::shown::beside::Beside;
 use crate::shown::camera::Seen;
 use crate::shown::eye;
 use crate::shown::pictures::Pane;
 use crate::shown::playback::{Playback, cost};
-use crate::shown::state::Beside;
 use crate::shown::view::RayChoice;
+use crate::shown::words::kind_name;
 use crate::window::app::App;
 use crate::window::look::outline::scaled;
 use crate::window::look::painter::{caption, paint_figure};
@@ -32,7 +33,7 @@ pub(crate) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let (name, picture) = strip(left, STRIP);
     let mut under = None;
     if let Some(playback) = app.state.playback().cloned() {
-        label(app, ui, name, crate::window::bars::top::kind_name(playback.rule.kind()));
+        label(app, ui, name, kind_name(playback.rule.kind()));
         under = stage(app, ui, picture, false, 1.0);
         let so_far = app.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
         bill(app, ui, picture, &playback, so_far);

@@ -10,8 +10,8 @@ use raystep_lesson::Plays;
 use super::bench::Bench;
 use super::task::Task;
 use super::workshop::{Failure, build, builds_quickly, walks_quickly};
+use crate::shown::beside::{Beside, Pace};
 use crate::shown::playback::{Built, Playback, cost};
-use crate::shown::state::{Beside, Pace};
 use crate::shown::view::{RayChoice, View};
 use crate::window::app::App;
 
