@@ -5,7 +5,6 @@ use std::sync::Arc;
 use raystep_accel::{Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Nodes, Reel};
 use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
-use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use super::reel::reel;
@@ -36,8 +35,6 @@ pub struct Playback {
     pub kind: Beside,
     /// How many seconds the structure took to build.
     pub seconds: f32,
-    /// The solid scene on the GPU, where there is one.
-    pub mesh: Option<Arc<Mesh>>,
     film: Film,
     reached: Vec<f32>,
 }
@@ -70,14 +67,12 @@ pub struct Built {
     pub growth: Option<Arc<BuildTape>>,
     /// How many seconds it took to build.
     pub seconds: f32,
-    /// The solid scene on the GPU, where there is one.
-    pub mesh: Option<Arc<Mesh>>,
 }
 
 impl Playback {
     /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
     pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
-        let Built { scene, rule, structure, nodes, growth, seconds, mesh } = built;
+        let Built { scene, rule, structure, nodes, growth, seconds } = built;
         // A mistake's own scene is no scene of the slide: nothing is told there.
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
         let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, beats)?;
@@ -96,7 +91,7 @@ impl Playback {
         // Only walks go wrong.
         let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.ray().is_some()).collect();
         let (kind, posed) = (Beside::Nothing, Vec::new());
-        let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, mesh, film, reached };
+        let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached };
         playback.posed = playback.questions(slide);
         Some(playback)
     }
@@ -133,8 +128,7 @@ impl Playback {
         let film = Film::new(&reel(&play, &nodes));
         let reached = reached(&play.tape);
         let (view, mistakes, seconds) = (self.view.clone(), self.mistakes.clone(), self.seconds);
-        let (posed, mesh) = (Vec::new(), self.mesh.clone());
-        Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, mesh, film, reached }
+        Playback { view, play, rule, nodes, posed: Vec::new(), mistakes, kind, seconds, film, reached }
     }
 
     /// What is played, to be played again.
@@ -146,7 +140,6 @@ impl Playback {
             nodes: self.nodes.clone(),
             growth: self.play.tape.growth(),
             seconds: self.seconds,
-            mesh: self.mesh.clone(),
         }
     }
 

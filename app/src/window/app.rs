@@ -6,6 +6,7 @@ use egui::{CentralPanel, Frame, Panel, Ui, ViewportCommand};
 use raystep_accel::Place;
 use raystep_figure::{Camera, Theme, TreeView};
 use raystep_lesson::Library;
+use raystep_paint::Mesh;
 
 use super::keys;
 use crate::shown::beside::Beside;
@@ -32,7 +33,7 @@ use crate::window::panes::solid::Solid;
 use crate::window::panes::space::Hold;
 use crate::window::work::errands::Errands;
 use crate::window::work::second::Second;
-use crate::window::work::workshop::{Failure, Workshop};
+use crate::window::work::workshop::{Failure, Made, Workshop};
 
 /// The window.
 pub struct App {
@@ -44,6 +45,8 @@ pub struct App {
     pub(super) pictures: Option<Pictures>,
     pub(super) second: Second,
     pub(super) solid: Solid,
+    /// The solid scene on the GPU, where there is one.
+    pub(super) mesh: Option<Arc<Mesh>>,
     pub(super) solid_beside: Solid,
     pub(super) hovered: Option<Place>,
     pub(super) picked: Option<Place>,
@@ -81,6 +84,7 @@ impl App {
             pictures: None,
             second: Second::new(context),
             solid: Solid::default(),
+            mesh: None,
             solid_beside: Solid::default(),
             hovered: None,
             picked: None,
@@ -164,7 +168,11 @@ impl App {
 
     fn collect(&mut self, ui: &Ui) {
         match self.workshop.collect() {
-            Some(Ok(playback)) => self.state.arrive(Arc::new(playback)),
+            Some(Ok(Made { playback, mesh })) => {
+                if self.state.arrive(Arc::new(playback)) {
+                    self.mesh = mesh;
+                }
+            }
             Some(Err(Failure::Cancelled)) => self.state.refuse(),
             Some(Err(Failure::Wrong(sentence))) => {
                 self.toasts.say(ui, sentence);

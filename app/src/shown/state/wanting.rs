@@ -43,12 +43,12 @@ impl State {
         }
     }
 
-    /// A walk was made: it is shown from now on, unless something else is wanted by now.
-    pub fn arrive(&mut self, playback: Arc<Playback>) {
-        let Some(wanted) = &self.wanted else { return };
+    /// A walk was made: it is shown from now on, unless something else is wanted by now. Says whether it is.
+    pub fn arrive(&mut self, playback: Arc<Playback>) -> bool {
+        let Some(wanted) = &self.wanted else { return false };
         let exactly = playback.view.same_walk(wanted);
         if !exactly && !playback.view.same_but_own_ray(wanted) {
-            return;
+            return false;
         }
         let (camera, named) = (wanted.camera, wanted.step);
         let step = self.landed(&playback, named, self.landing);
@@ -58,6 +58,7 @@ impl State {
         if exactly {
             self.wanted = None;
         }
+        true
     }
 
     fn landed(&self, playback: &Playback, named: usize, landing: Landing) -> usize {

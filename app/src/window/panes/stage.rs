@@ -76,8 +76,8 @@ pub(crate) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
     let solid = !pictures.space.flat && app.solid.is_there();
     let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
     if solid {
-        let (prims, mesh) = (&pictures.playback.play.scene.prims, pictures.playback.mesh.as_ref());
-        app.solid.show(ui, picture, &pictures.space, prims, mesh, &camera, app.theme, ground(app), app.lit());
+        let (prims, mesh) = (&pictures.playback.play.scene.prims, app.mesh.clone());
+        app.solid.show(ui, picture, &pictures.space, prims, mesh.as_ref(), &camera, app.theme, ground(app), app.lit());
     }
     let name = "Space";
     let lit = app.lit();
@@ -112,8 +112,8 @@ fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Opt
     let ray = beside.play.tape.ray();
     let lit = app.lit();
     if solid {
-        let (prims, mesh) = (&beside.play.scene.prims, beside.mesh.as_ref());
-        app.solid_beside.show(ui, rect, &shown, prims, mesh, &camera, app.theme, ground(app), lit);
+        let (prims, mesh) = (&beside.play.scene.prims, app.mesh.clone());
+        app.solid_beside.show(ui, rect, &shown, prims, mesh.as_ref(), &camera, app.theme, ground(app), lit);
     }
     let picture = Picture {
         space: &shown,

@@ -28,10 +28,25 @@ const MOST_BYTES: usize = 1 << 28;
 struct Order {
     view: View,
     library: Arc<Library>,
-    built: Option<Built>,
+    stands: Option<Stands>,
     /// What was built before over the same scene.
-    scene: Option<Built>,
+    scene: Option<Stands>,
     device: Option<wgpu::Device>,
+}
+
+/// A structure that was built, and its solid scene on the GPU, where there is one.
+#[derive(Clone)]
+struct Stands {
+    built: Built,
+    mesh: Option<Arc<Mesh>>,
+}
+
+/// A walk that was made.
+pub(crate) struct Made {
+    /// The walk.
+    pub(crate) playback: Playback,
+    /// Its solid scene on the GPU, where there is one.
+    pub(crate) mesh: Option<Arc<Mesh>>,
 }
 
 /// Why there is no walk.
@@ -45,8 +60,8 @@ pub(crate) enum Failure {
 
 /// Makes walks of views.
 pub(crate) struct Workshop {
-    bench: Bench<Wanted, Result<Playback, Failure>>,
-    kept: Vec<Built>,
+    bench: Bench<Wanted, Result<Made, Failure>>,
+    kept: Vec<Stands>,
     device: Option<wgpu::Device>,
 }
 
@@ -74,28 +89,28 @@ impl Workshop {
         if self.bench.wanted().is_some_and(busy) {
             return;
         }
-        let built = self.kept.iter().find(|built| fits(built, view, library)).cloned();
-        let wanted = Wanted { view: view.clone(), stands: built.is_some() };
+        let stands = self.kept.iter().find(|kept| fits(&kept.built, view, library)).cloned();
+        let wanted = Wanted { view: view.clone(), stands: stands.is_some() };
         let task = match wanted.stands {
             true => Task::new("Walking the ray", ""),
             false => Task::new("Building the structure", "references"),
         };
-        let scene = self.kept.iter().find(|built| is_over(built, view, library)).cloned();
-        let order = Order { view: view.clone(), library: library.clone(), built, scene, device: self.device.clone() };
+        let scene = self.kept.iter().find(|kept| is_over(&kept.built, view, library)).cloned();
+        let order = Order { view: view.clone(), library: library.clone(), stands, scene, device: self.device.clone() };
         let quick = is_quick(&order);
         self.bench.begin(wanted, task, quick, move |task| make(order, task));
     }
 
     /// What has arrived since the last call.
-    pub(crate) fn collect(&mut self) -> Option<Result<Playback, Failure>> {
+    pub(crate) fn collect(&mut self) -> Option<Result<Made, Failure>> {
         let (_, made) = self.bench.collect()?;
-        if let Ok(playback) = &made {
-            let built = playback.built();
-            self.kept.retain(|kept| !same(kept, &built));
-            self.kept.insert(0, built);
+        if let Ok(made) = &made {
+            let built = made.playback.built();
+            self.kept.retain(|kept| !same(&kept.built, &built));
+            self.kept.insert(0, Stands { built, mesh: made.mesh.clone() });
             let mut bytes = 0;
             let many = self.kept.iter().position(|kept| {
-                bytes += kept.structure.bytes();
+                bytes += kept.built.structure.bytes();
                 bytes > MOST_BYTES
             });
             self.kept.truncate(many.unwrap_or(8).clamp(1, 8));
@@ -146,8 +161,8 @@ pub(crate) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, St
 /// Whether the making takes less time than a frame.
 fn is_quick(order: &Order) -> bool {
     let flat = |stage: &Stage| stage.scene.starts_with("flat");
-    match (&order.built, &order.view.mesh) {
-        (Some(built), _) => walks_quickly(&built.structure, built.scene.prims.len()),
+    match (&order.stands, &order.view.mesh) {
+        (Some(Stands { built, .. }), _) => walks_quickly(&built.structure, built.scene.prims.len()),
         (None, Some(mesh)) => mesh.prims.len() <= SMALL,
         (None, None) => order.view.example.is_some() || order.stage().is_none_or(flat),
     }
@@ -170,36 +185,39 @@ impl Order {
     }
 }
 
-fn make(order: Order, task: &Task) -> Result<Playback, Failure> {
+fn make(order: Order, task: &Task) -> Result<Made, Failure> {
     let wrong = |sentence: String| Failure::Wrong(sentence);
     let library = order.library.clone();
     let slide = library.slides.get(order.view.slide).ok_or_else(|| wrong("There is no such slide.".to_owned()))?;
     let stage = order.stage().cloned().ok_or_else(|| wrong("The slide has no stage.".to_owned()))?;
     let ray = ray_of(&order.view, slide, &stage).map_err(wrong)?;
-    let built = match &order.built {
-        Some(built) => built.clone(),
+    let Stands { built, mesh } = match &order.stands {
+        Some(stands) => stands.clone(),
         None => {
             let scene = match (&order.scene, &order.view.mesh, order.view.example) {
-                (Some(built), ..) => built.scene.clone(),
+                (Some(stands), ..) => stands.built.scene.clone(),
                 (None, _, Some(mistake)) => Arc::new(scene_of(mistake)),
                 (None, Some(mesh), None) => mesh.clone(),
                 (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
             let built = build(scene, rule, slide.plays, task)?;
-            Built { mesh: mesh(&order, &built.scene, task), ..built }
+            let mesh = mesh(&order, &built.scene, task);
+            Stands { built, mesh }
         }
     };
     if task.is_stopped() {
         return Err(Failure::Cancelled);
     }
-    Playback::new(order.view, built, ray, slide, &stage).ok_or_else(|| wrong("The slide has no ray.".to_owned()))
+    let playback = Playback::new(order.view, built, ray, slide, &stage);
+    let playback = playback.ok_or_else(|| wrong("The slide has no ray.".to_owned()))?;
+    Ok(Made { playback, mesh })
 }
 
 /// A solid scene on the GPU; once for all structures over it.
 fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
     let device = order.device.as_ref().filter(|_| !scene.flat)?;
-    let known = order.scene.as_ref().and_then(|built| built.mesh.clone());
+    let known = order.scene.as_ref().and_then(|stands| stands.mesh.clone());
     known.or_else(|| Mesh::new(device, &scene.prims, &|| !task.is_stopped()).map(Arc::new))
 }
 
@@ -210,7 +228,7 @@ pub(crate) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) ->
     let (structure, growth) = built.map_err(|Cancelled| Failure::Cancelled)?;
     let seconds = start.elapsed().as_secs_f32();
     let nodes = Arc::new(Nodes::of(&structure));
-    Ok(Built { scene, rule, structure: Arc::new(structure), nodes, growth, seconds, mesh: None })
+    Ok(Built { scene, rule, structure: Arc::new(structure), nodes, growth, seconds })
 }
 
 /// The small scene in which a mistake shows.
