@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Event, Grow, Primitives};
+use raystep_accel::{Cost, Event, Grow, Primitives};
 use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, TreeView, stage};
 use raystep_lesson::{Choice, Listing, Show};
 
-use super::playback::Playback;
+use super::playback::{Playback, cost};
 use super::reel::lines;
 use super::state::State;
 use super::words::label;
@@ -159,6 +159,31 @@ impl Pictures {
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
     pub(crate) fn stage(&self, camera: &Camera, size: Vec2, painted: bool) -> Figure {
         drawn(&self.space, &self.playback, camera, size, painted)
+    }
+}
+
+/// A walk beside at a step: folded once, and kept while nothing has moved.
+pub(crate) struct Drawn {
+    walk: Arc<Playback>,
+    step: usize,
+    /// What space shows.
+    pub(crate) space: Space,
+    /// What it has cost so far.
+    pub(crate) cost: Option<Cost>,
+}
+
+impl Drawn {
+    /// The walk at this step: as it is kept, if that still is right.
+    pub(crate) fn of(kept: Option<Drawn>, beside: &Arc<Playback>, step: usize) -> Drawn {
+        if let Some(kept) = kept
+            && Arc::ptr_eq(&kept.walk, beside)
+            && kept.step == step
+        {
+            return kept;
+        }
+        let instant = beside.instant(step);
+        let space = beside.reel().still(&instant).space();
+        Drawn { walk: beside.clone(), step, space, cost: cost(&instant) }
     }
 }
 

@@ -1,16 +1,18 @@
 //! The window: one [`App`] that shows a [`State`](crate::shown::state::State) and turns keys and clicks into
-//! [`Command`](crate::shown::command::Command)s.
+//! [`Command`](crate::shown::command::Command)s. Its rooms, from below: how it looks, what is done beside it,
+//! panes, bars, dialogs; each is given what it shows and returns what was asked for.
 
 mod app;
 mod bars;
 mod dialogs;
 mod keys;
 mod look;
-mod news;
 mod open;
 mod panes;
+mod wishes;
 mod work;
 
 pub use app::App;
 pub use look::remembered::Remembered;
-pub use open::{NoWindow, Wishes, open};
+pub use open::{NoWindow, open};
+pub use wishes::Wishes;

@@ -27,6 +27,25 @@ impl State {
         Some((self.slide()?.beats.get(beat)?, step))
     }
 
+    /// A click on a place: an answer, or the step at which the walk meets it next.
+    pub fn pick(&mut self, place: Option<Place>) {
+        if let Some(place) = place.filter(|_| self.question().is_some())
+            && self.answer_place(place)
+        {
+            return;
+        }
+        self.picked = place.filter(|place| *place != Place::World);
+        let Some(place) = self.picked.filter(|_| self.question().is_none()) else { return };
+        if let Some(playback) = &self.playback {
+            let now = self.view.step;
+            let steps = playback.reel().steps_at(place);
+            let next = steps.iter().find(|step| **step > now).or(steps.first()).copied();
+            if let Some(step) = next {
+                self.go(step);
+            }
+        }
+    }
+
     /// Answers the open question by a click on a place, if that is an answer.
     pub fn answer_place(&mut self, place: Place) -> bool {
         let choices = self.question().map(|posed| &posed.choices);

@@ -6,7 +6,7 @@ mod wanting;
 
 use std::sync::Arc;
 
-use raystep_accel::{Grain, Mistake};
+use raystep_accel::{Grain, Mistake, Place};
 use raystep_figure::Camera;
 use raystep_lesson::{Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
@@ -45,6 +45,8 @@ pub struct State {
     pub present: bool,
     /// The answer given to the question that is open, or was just answered.
     pub answered: Option<Answered>,
+    /// The place that was clicked on last; it stays lit.
+    pub picked: Option<Place>,
     playback: Option<Arc<Playback>>,
     /// What shall be shown instead, as soon as its walk is there.
     wanted: Option<View>,
@@ -107,6 +109,7 @@ impl State {
             pace: Pace::Event,
             present: false,
             answered: None,
+            picked: None,
             playback: None,
             landing: Landing::Opening,
             history: History::default(),

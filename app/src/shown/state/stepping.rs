@@ -3,7 +3,8 @@
 use raystep_accel::Grain;
 
 use super::{Landing, State};
-use crate::shown::playback::Posed;
+use crate::shown::beside::Pace;
+use crate::shown::playback::{Playback, Posed};
 use crate::shown::view::View;
 
 impl State {
@@ -38,6 +39,18 @@ impl State {
             self.playing = self.view.step != before && self.view.step < last && self.question().is_none();
         }
         self.playing.then_some(period - self.waited)
+    }
+
+    /// The step of a walk beside that goes with the step of the walk shown.
+    pub fn beside_step(&self, beside: &Playback) -> usize {
+        let (step, last) = (self.view.step, beside.steps().last());
+        match (self.pace, self.playback()) {
+            (Pace::T, Some(playback)) if step > 0 => {
+                let at = beside.step_at(playback.reached(step));
+                if step == playback.steps().last() { last } else { at }
+            }
+            _ => step.min(last),
+        }
     }
 
     pub(super) fn forward(&mut self, grain: Grain) {

@@ -6,17 +6,17 @@ use clap::ValueEnum;
 use egui::{ComboBox, DragValue, Grid, RichText, TextEdit, Ui};
 use raystep_figure::{Face, Role, Theme};
 
-use crate::export::{Format, Order, Size, View};
+use crate::export::{Format, Order, Size, View, Which as Steps};
 use crate::fault::Fault;
 use crate::shown::state::State;
-use crate::window::app::App;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::visuals::ink;
+use crate::window::work::exporting::Wish;
 
 /// What is filled in.
 #[derive(Clone)]
-pub(crate) struct Form {
+pub(super) struct Form {
     which: Which,
     first: usize,
     last: usize,
@@ -29,9 +29,19 @@ pub(crate) struct Form {
     wrong: Option<String>,
 }
 
+/// What was asked for in the dialog.
+pub(super) enum Asked {
+    /// To choose a folder.
+    Folder,
+    /// To write files.
+    Write(Wish),
+    /// To close it.
+    Close,
+}
+
 /// The steps to write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Which {
+enum Which {
     /// The step that is shown.
     This,
     /// Those of the slide's beats.
@@ -42,7 +52,7 @@ pub(crate) enum Which {
 
 impl Form {
     /// The usual choices.
-    pub(crate) fn of(state: &State, theme: &'static Theme) -> Form {
+    pub(super) fn of(state: &State, theme: &'static Theme) -> Form {
         let home = std::env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
         Form {
             which: Which::This,
@@ -57,33 +67,13 @@ impl Form {
         }
     }
 
-    /// The folder that is filled in.
-    pub(crate) fn folder(&self) -> PathBuf {
-        PathBuf::from(self.folder.trim())
-    }
-
     /// Another folder to write to.
-    pub(crate) fn set_folder(&mut self, folder: &Path) {
+    pub(super) fn set_folder(&mut self, folder: &Path) {
         self.folder = folder.to_string_lossy().into_owned();
     }
 
-    /// Which steps, in the words of the command line.
-    pub(crate) fn which(&self, step: usize) -> crate::export::Which {
-        use crate::export::Which as Steps;
-        match self.which {
-            Which::This => Steps::Steps(step..=step),
-            Which::Beats => Steps::Beats,
-            Which::Steps => Steps::Steps(self.first..=self.last),
-        }
-    }
-
-    /// Whether each beat is drawn on the ray that it is told on.
-    pub(crate) fn all_rays(&self) -> bool {
-        self.which == Which::Beats
-    }
-
-    /// How steps are drawn.
-    pub(crate) fn order(&self) -> Result<Order, Fault> {
+    /// What the form says, at this step.
+    fn wish(&self, step: usize) -> Result<Wish, Fault> {
         let size: Size = self.size.trim().parse().map_err(|wrong| Fault::new(format!("Size: {wrong}.")))?;
         if self.which == Which::Steps && self.first > self.last {
             return Err(Fault::new("Write the smaller step first."));
@@ -91,7 +81,56 @@ impl Form {
         if self.folder.trim().is_empty() {
             return Err(Fault::new("Write the folder that the files shall go to."));
         }
-        Ok(Order { view: self.view, format: self.format, size, theme: self.theme })
+        Ok(Wish {
+            order: Order { view: self.view, format: self.format, size, theme: self.theme },
+            which: match self.which {
+                Which::This => Steps::Steps(step..=step),
+                Which::Beats => Steps::Beats,
+                Which::Steps => Steps::Steps(self.first..=self.last),
+            },
+            all_rays: self.which == Which::Beats,
+            folder: PathBuf::from(self.folder.trim()),
+        })
+    }
+
+    /// Says why it could not be done.
+    pub(super) fn refuse(&mut self, fault: &Fault) {
+        self.wrong = Some(fault.to_string());
+    }
+
+    /// Shows the dialog; says what was asked for.
+    pub(super) fn show(&mut self, ui: &Ui, state: &State, theme: &Theme) -> Option<Asked> {
+        let (mut asked, mut write, mut close) = (None, false, false);
+        let modal = controls::modal(ui, "export").show(ui.ctx(), |ui| {
+            ui.set_width(520.0);
+            ui.label(RichText::new("Export").font(font(Face::Bold, 20.0)));
+            ui.add_space(6.0);
+            if self.rows(ui, state) {
+                asked = Some(Asked::Folder);
+            }
+            ui.add_space(6.0);
+            match &self.wrong {
+                Some(wrong) => ui.label(RichText::new(wrong).color(ink(theme, Role::Wrong))),
+                None => {
+                    let hint = "The whole lecture: raystep export --all --beats --out FOLDER";
+                    ui.label(RichText::new(hint).small().color(ink(theme, Role::Quiet)))
+                }
+            };
+            ui.horizontal(|ui| {
+                write = ui.button("Write").clicked();
+                close = ui.button("Cancel").clicked();
+            });
+        });
+        if close || modal.should_close() {
+            asked = Some(Asked::Close);
+        }
+        if write {
+            match self.wish(state.view.step) {
+                Ok(wish) => asked = Some(Asked::Write(wish)),
+                Err(fault) => self.refuse(&fault),
+            }
+        }
+        asked
     }
 
     /// The rows of the form; says whether a folder shall be chosen.
@@ -162,43 +201,5 @@ impl Form {
             ui.end_row();
         });
         choose
-    }
-}
-
-impl App {
-    /// Shows the dialog while it is open.
-    pub(crate) fn export_dialog(&mut self, ui: &Ui) {
-        let Some(mut form) = self.export.take() else { return };
-        let (mut write, mut close) = (false, false);
-        let modal = controls::modal(ui, "export").show(ui.ctx(), |ui| {
-            ui.set_width(520.0);
-            ui.label(RichText::new("Export").font(font(Face::Bold, 20.0)));
-            ui.add_space(6.0);
-            if form.rows(ui, &self.state) {
-                self.errands.ask_for_folder();
-            }
-            ui.add_space(6.0);
-            match &form.wrong {
-                Some(wrong) => ui.label(RichText::new(wrong).color(ink(self.theme, Role::Wrong))),
-                None => {
-                    let hint = "The whole lecture: raystep export --all --beats --out FOLDER";
-                    ui.label(RichText::new(hint).small().color(ink(self.theme, Role::Quiet)))
-                }
-            };
-            ui.horizontal(|ui| {
-                write = ui.button("Write").clicked();
-                close = ui.button("Cancel").clicked();
-            });
-        });
-        close |= modal.should_close();
-        if write {
-            match self.write(&form) {
-                Ok(()) => close = true,
-                Err(fault) => form.wrong = Some(fault.to_string()),
-            }
-        }
-        if !close {
-            self.export = Some(form);
-        }
     }
 }

@@ -62,7 +62,7 @@ const MOUSE: &[(&str, &str)] = &[
 ];
 
 /// Shows the page; says whether it shall close.
-pub(crate) fn page(ui: &Ui, theme: &Theme) -> bool {
+pub(super) fn page(ui: &Ui, theme: &Theme) -> bool {
     let modal = controls::modal(ui, "help").show(ui.ctx(), |ui| {
         ui.set_width(COLUMN * 2.0 + 28.0);
         ui.label(RichText::new(Command::Help.name()).font(font(Face::Bold, 20.0)));

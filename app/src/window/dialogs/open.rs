@@ -3,16 +3,25 @@
 use std::path::PathBuf;
 
 use egui::{Key, RichText, TextEdit, Ui};
-use raystep_figure::{Face, Role};
+use raystep_figure::{Face, Role, Theme};
 
-use crate::window::app::App;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::visuals::ink;
 
+/// What was asked for in the dialog.
+pub(super) enum Asked {
+    /// To choose a file.
+    Choose,
+    /// To open this one.
+    Open(PathBuf),
+    /// To close it.
+    Close,
+}
+
 /// What is filled in.
 #[derive(Default)]
-pub(crate) struct Form {
+pub(super) struct Form {
     path: String,
     /// Why it could not be opened.
     wrong: Option<String>,
@@ -21,58 +30,54 @@ pub(crate) struct Form {
 
 impl Form {
     /// The mesh that a dialog of the desktop has chosen.
-    pub(crate) fn choose(&mut self, path: &std::path::Path) {
+    pub(super) fn choose(&mut self, path: &std::path::Path) {
         self.path = path.to_string_lossy().into_owned();
         self.wrong = None;
     }
-}
 
-impl App {
-    /// Shows the dialog while it is open.
-    pub(crate) fn open_dialog(&mut self, ui: &Ui) {
-        let Some(mut form) = self.opening.take() else { return };
-        let (mut open, mut close) = (false, false);
+    /// Shows the dialog; says what was asked for.
+    pub(super) fn show(&mut self, ui: &Ui, theme: &Theme) -> Option<Asked> {
+        let (mut asked, mut open, mut close) = (None, false, false);
         let modal = controls::modal(ui, "open mesh").show(ui.ctx(), |ui| {
             ui.set_width(480.0);
             ui.label(RichText::new("Open a mesh").font(font(Face::Bold, 20.0)));
             ui.horizontal(|ui| {
                 let label = ui.label("OBJ file");
-                let field = TextEdit::singleline(&mut form.path).desired_width(300.0).hint_text("/folder/mesh.obj");
+                let field = TextEdit::singleline(&mut self.path).desired_width(300.0).hint_text("/folder/mesh.obj");
                 let field = ui.add(field).labelled_by(label.id);
-                if !std::mem::replace(&mut form.shown, true) {
+                if !std::mem::replace(&mut self.shown, true) {
                     field.request_focus();
                 }
                 open = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
                 if ui.button("Choose").clicked() {
-                    self.errands.ask_for_mesh();
+                    asked = Some(Asked::Choose);
                 }
             });
-            if let Some(wrong) = &form.wrong {
-                ui.label(RichText::new(wrong).color(ink(self.theme, Role::Wrong)));
+            if let Some(wrong) = &self.wrong {
+                ui.label(RichText::new(wrong).color(ink(theme, Role::Wrong)));
             }
             let hint = "A file can also be dropped on the window.";
-            ui.label(RichText::new(hint).small().color(ink(self.theme, Role::Quiet)));
+            ui.label(RichText::new(hint).small().color(ink(theme, Role::Quiet)));
             ui.horizontal(|ui| {
                 open |= ui.button("Open").clicked();
                 close = ui.button("Cancel").clicked();
             });
         });
-        close |= modal.should_close();
+        if close || modal.should_close() {
+            asked = Some(Asked::Close);
+        }
         if open {
-            let path = PathBuf::from(form.path.trim());
+            let path = PathBuf::from(self.path.trim());
             if path.is_file() {
-                self.open_mesh(path);
-                return;
+                return Some(Asked::Open(path));
             }
             // The field has the focus again, to be mended.
-            form.shown = false;
-            form.wrong = Some(match form.path.trim() {
+            self.shown = false;
+            self.wrong = Some(match self.path.trim() {
                 "" => "Write the path of an OBJ file.".to_owned(),
                 path => format!("{path}: there is no such file."),
             });
         }
-        if !close {
-            self.opening = Some(form);
-        }
+        asked
     }
 }

@@ -9,21 +9,21 @@ use crate::window::look::visuals::ink;
 
 /// What is typed and which line is chosen.
 #[derive(Default)]
-pub(crate) struct Palette {
+pub(super) struct Palette {
     typed: String,
     chosen: usize,
 }
 
 /// What was chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Choice {
+pub(super) enum Choice {
     Command(Command),
     Slide(usize),
 }
 
 impl Palette {
     /// Shows the palette; says whether it shall close, and what was chosen.
-    pub(crate) fn show(&mut self, ui: &Ui, library: &Library, theme: &Theme) -> (bool, Option<Choice>) {
+    pub(super) fn show(&mut self, ui: &Ui, library: &Library, theme: &Theme) -> (bool, Option<Choice>) {
         let mut chosen = None;
         let modal = Modal::new(Id::unique("palette")).show(ui.ctx(), |ui| {
             ui.set_width(460.0);

@@ -10,13 +10,13 @@ const STAYS: f64 = 6.0;
 
 /// The messages that are shown.
 #[derive(Default)]
-pub(crate) struct Toasts {
+pub(super) struct Toasts {
     shown: Vec<(String, f64)>,
 }
 
 impl Toasts {
     /// Shows a message from now on.
-    pub(crate) fn say(&mut self, ui: &Ui, message: impl Into<String>) {
+    pub(super) fn say(&mut self, ui: &Ui, message: impl Into<String>) {
         let until = ui.ctx().time() + STAYS;
         let message = message.into();
         self.shown.retain(|(other, _)| *other != message);
@@ -25,7 +25,7 @@ impl Toasts {
     }
 
     /// Draws the messages that are not over yet.
-    pub(crate) fn show(&mut self, ui: &Ui, theme: &Theme) {
+    pub(super) fn show(&mut self, ui: &Ui, theme: &Theme) {
         let now = ui.ctx().time();
         self.shown.retain(|(_, until)| *until > now);
         if self.shown.is_empty() {

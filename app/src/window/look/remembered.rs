@@ -2,11 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::Ui;
 use serde::{Deserialize, Serialize};
 
 use crate::shown::pictures::Pane;
-use crate::window::app::App;
 
 /// What is remembered.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,6 +84,12 @@ impl Remembered {
         }
     }
 
+    /// Remembers this zoom, and whether questions are asked.
+    pub(crate) fn keep(&mut self, zoom: f32, predict: bool) {
+        (self.zoom, self.predict) = (zoom, predict);
+        self.write();
+    }
+
     /// Writes the file if it would differ. What cannot be written is not remembered; nothing else is lost.
     fn write(&mut self) {
         let (Some(file), Ok(text)) = (&self.file, toml::to_string(&*self)) else { return };
@@ -116,18 +120,6 @@ fn folder() -> Option<PathBuf> {
         of("XDG_CONFIG_HOME").or_else(|| of("HOME").map(|home| home.join(".config")))
     };
     base.map(|base| base.join("raystep"))
-}
-
-impl App {
-    /// Remembers what has changed, while nothing is being dragged.
-    pub(crate) fn remember(&mut self, ui: &Ui) {
-        if ui.input(|input| input.pointer.any_down()) {
-            return;
-        }
-        self.remembered.zoom = ui.ctx().zoom_factor();
-        self.remembered.predict = self.state.predict;
-        self.remembered.write();
-    }
 }
 
 #[cfg(test)]

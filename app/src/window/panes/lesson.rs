@@ -13,7 +13,7 @@ use crate::window::look::prose::Prose;
 use crate::window::look::visuals::ink;
 
 /// Shows the lesson; says which command was asked for.
-pub(crate) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
+pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
     let mut asked = None;
     ScrollArea::vertical().id_salt("lesson").auto_shrink(false).show(ui, |ui| {
         Frame::new().inner_margin(Margin { left: 22, right: 20, top: 18, bottom: 18 }).show(ui, |ui| {

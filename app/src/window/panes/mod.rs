@@ -1,10 +1,15 @@
 //! The panes: the lesson, space, and the figures around it, as a study page or as the presenter's.
 
-pub(super) mod columns;
-pub(super) mod lesson;
+mod columns;
+mod lesson;
+mod page;
 pub(super) mod present;
-pub(super) mod question;
+mod question;
 mod rival;
-pub(super) mod solid;
-pub(super) mod space;
-pub(super) mod stage;
+mod sight;
+mod solid;
+mod space;
+mod stage;
+pub(super) mod study;
+
+pub(super) use page::{Asked, Kept, Page};

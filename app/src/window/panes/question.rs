@@ -15,7 +15,7 @@ use crate::window::look::prose::Prose;
 use crate::window::look::visuals::{fill, ink, tinted};
 
 /// Shows the open question, or what became of the one just answered. Says which command was asked for.
-pub(crate) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
+pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
     if let Some((posed, answered)) = state.settled() {
         let choice = &posed.choices[answered.choice];
         boxed(ui, theme, Role::Hit, |ui| {

@@ -4,21 +4,23 @@ use egui::{Align, ComboBox, Layout, Rect, RichText, Ui, vec2};
 use raystep_accel::Rule;
 use raystep_figure::Face;
 
+use super::page::{Asked, Page};
 use crate::shown::beside::{Beside, Pace};
+use crate::shown::state::State;
 use crate::shown::words::kind_name;
-use crate::window::app::App;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 
-/// Shows the strip and does what is chosen.
-pub(crate) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {
+/// Shows the strip; what is chosen is asked for.
+pub(super) fn choice(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<Asked>) {
     let inner = rect.shrink2(vec2(12.0, 3.0));
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center)));
-    pace(app, &mut child);
-    child.with_layout(Layout::left_to_right(Align::Center), |ui| match app.state.beside {
-        Beside::Structure(kind) => structures(app, ui, kind),
+    let state = page.state;
+    asked.extend(pace(&mut child, state.pace).map(Asked::Pace));
+    child.with_layout(Layout::left_to_right(Align::Center), |ui| match state.beside {
+        Beside::Structure(kind) => asked.extend(structures(ui, state, kind).map(Asked::Compare)),
         Beside::Mistake(index) => {
-            let mistakes = app.state.playback().map_or(&[][..], |playback| &playback.mistakes);
+            let mistakes = state.playback().map_or(&[][..], |playback| &playback.mistakes);
             let title = mistakes.get(index).map_or("", |mistake| mistake.title());
             ui.add(egui::Label::new(RichText::new(title).font(font(Face::Bold, 13.5))).truncate());
         }
@@ -27,27 +29,33 @@ pub(crate) fn choice(app: &mut App, ui: &mut Ui, rect: Rect) {
 }
 
 /// The structures that this one can be compared with.
-fn structures(app: &mut App, ui: &mut Ui, now: &'static str) {
-    let own = app.state.playback().map_or("", |playback| playback.rule.kind());
+fn structures(ui: &mut Ui, state: &State, now: &'static str) -> Option<&'static str> {
+    let mut chosen = None;
+    let own = state.playback().map_or("", |playback| playback.rule.kind());
     let text = RichText::new(kind_name(now)).font(font(Face::Bold, 13.5));
     let combo = ComboBox::from_id_salt("rival").width(112.0).selected_text(text).show_ui(ui, |ui| {
         for kind in Rule::KINDS.into_iter().filter(|kind| *kind != own && *kind != "slab") {
             if ui.selectable_label(kind == now, kind_name(kind)).clicked() {
-                app.state.compare(kind);
+                chosen = Some(kind);
             }
         }
     });
     controls::name(&combo.response, "Compare with");
+    chosen
 }
 
 /// In step by event, or by t.
-fn pace(app: &mut App, ui: &mut Ui) {
+fn pace(ui: &mut Ui, now: Pace) -> Option<Pace> {
+    let mut chosen = None;
     let names = [(Pace::Event, "step by step"), (Pace::T, "at the same t")];
-    let shown = names.iter().find(|(pace, _)| *pace == app.state.pace).map_or("", |(_, name)| name);
+    let shown = names.iter().find(|(pace, _)| *pace == now).map_or("", |(_, name)| name);
     let combo = ComboBox::from_id_salt("pace").width(112.0).selected_text(shown).show_ui(ui, |ui| {
         for (pace, name) in names {
-            ui.selectable_value(&mut app.state.pace, pace, name);
+            if ui.selectable_label(pace == now, name).clicked() {
+                chosen = Some(pace);
+            }
         }
     });
     controls::name(&combo.response, "Keep in step");
+    chosen
 }

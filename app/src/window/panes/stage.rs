@@ -4,135 +4,149 @@ use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Cost, Place};
-use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
+use raystep_figure::{Camera, Face, Look, Role};
 
-use super::columns::strip;
+use super::page::{Asked, Kept, Page};
 use super::rival;
+use super::sight::Sight;
 use super::space::{Happened, Hold, Picture, glam_size};
 use crate::shown::beside::Beside;
 use crate::shown::camera::Seen;
-use crate::shown::eye;
-use crate::shown::pictures::Pane;
+use crate::shown::pictures::{Drawn, Pane, drawn};
 use crate::shown::playback::{Playback, cost};
-use crate::shown::view::RayChoice;
+use crate::shown::state::State;
 use crate::shown::words::kind_name;
-use crate::window::app::App;
 use crate::window::look::outline::scaled;
 use crate::window::look::painter::{caption, paint_figure};
-use crate::window::work::second::Drawn;
+use crate::window::look::visuals::line;
 
 /// Shows the stage in all the room there is; says which place the pointer is on.
-pub(crate) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
+pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec<Asked>) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
-    if app.state.beside == Beside::Nothing {
-        return stage(app, ui, rect, true, 1.0);
+    if page.state.beside == Beside::Nothing {
+        return stage(ui, page, kept, rect, true, 1.0, asked);
     }
     let half = (rect.width() * 0.5).floor();
     let left = Rect::from_min_size(rect.min, vec2(half, rect.height()));
     let right = Rect::from_min_max(rect.min + vec2(half, 0.0), rect.max);
     let (name, picture) = strip(left, STRIP);
     let mut under = None;
-    if let Some(playback) = app.state.playback().cloned() {
-        label(app, ui, name, kind_name(playback.rule.kind()));
-        under = stage(app, ui, picture, false, 1.0);
-        let so_far = app.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
-        bill(app, ui, picture, &playback, so_far);
+    if let Some(playback) = page.state.playback() {
+        label(ui, page, name, kind_name(playback.rule.kind()));
+        under = stage(ui, page, kept, picture, false, 1.0, asked);
+        let so_far = kept.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
+        bill(ui, page, picture, playback, so_far);
     }
     let (name, picture) = strip(right, STRIP);
-    rival::choice(app, ui, name);
-    match app.second.shown().cloned() {
-        Some(beside) => under = second(app, ui, picture, &beside).or(under),
-        None => waiting(app, ui, picture),
+    rival::choice(ui, page, name, asked);
+    match page.beside {
+        Some(beside) => under = second(ui, page, kept, picture, beside).or(under),
+        None => waiting(ui, page, picture),
     }
-    ui.painter().vline(right.left(), rect.y_range(), crate::window::look::visuals::line(app.theme, Role::Panel));
+    ui.painter().vline(right.left(), rect.y_range(), line(page.theme, Role::Panel));
     under
 }
 
 /// What the stage stands on: in the study a pane, before a class the page itself.
-fn ground(app: &App) -> Role {
-    if app.state.present { Role::Page } else { Role::Panel }
+fn ground(state: &State) -> Role {
+    if state.present { Role::Page } else { Role::Panel }
 }
 
 /// The height of the names over two pictures.
 const STRIP: f32 = 38.0;
 
-fn label(app: &App, ui: &Ui, rect: Rect, text: &str) {
+/// A strip at the top of a picture for its name.
+fn strip(rect: Rect, height: f32) -> (Rect, Rect) {
+    (
+        Rect::from_min_size(rect.min, vec2(rect.width(), height)),
+        Rect::from_min_max(rect.min + vec2(0.0, height), rect.max),
+    )
+}
+
+fn label(ui: &Ui, page: Page<'_>, rect: Rect, text: &str) {
     let at = pos2(rect.left() + 14.0, rect.center().y);
-    caption(ui.painter(), at, Align2::LEFT_CENTER, text, Face::Bold, 13.5, Role::Text, app.theme);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, text, Face::Bold, 13.5, Role::Text, page.theme);
 }
 
 /// The picture of the walk, with the legend under it; lines and letters `scale` times as large as usual.
-pub(crate) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: f32) -> Option<Place> {
-    let pictures = app.pictures.take();
-    let Some(mut pictures) = pictures.filter(|_| app.state.playback().is_some()) else {
-        waiting(app, ui, rect);
+pub(super) fn stage(
+    ui: &mut Ui,
+    page: Page<'_>,
+    kept: &mut Kept,
+    rect: Rect,
+    signs: bool,
+    scale: f32,
+    asked: &mut Vec<Asked>,
+) -> Option<Place> {
+    let Kept { pictures, sight, tree, .. } = kept;
+    let Some(pictures) = pictures.as_mut().filter(|_| page.state.playback().is_some()) else {
+        waiting(ui, page, rect);
         return None;
     };
     let look = Look::WINDOW;
     let legend = if signs { pictures.legend_height(rect.width() - 28.0, &look) + 8.0 } else { 0.0 };
     let legend = if rect.height() > 260.0 { legend } else { 0.0 };
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
-    let camera = camera(app, &pictures.space, picture);
-    let solid = !pictures.space.flat && app.solid.is_there();
+    let camera = sight.camera(page.state, &pictures.space, glam_size(picture));
+    let solid = !pictures.space.flat && sight.solid.is_there();
     let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
     if solid {
-        let (prims, mesh) = (&pictures.playback.play.scene.prims, app.mesh.clone());
-        app.solid.show(ui, picture, &pictures.space, prims, mesh.as_ref(), &camera, app.theme, ground(app), app.lit());
+        let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
+        let (space, theme, lit) = (&pictures.space, page.theme, page.lit);
+        sight.solid.show(ui, picture, space, prims, page.mesh, &camera, theme, ground, lit);
     }
-    let name = "Space";
-    let lit = app.lit();
     let happened = Picture {
         space: &pictures.space,
         figure: &figure,
         camera,
         ray: pictures.playback.play.tape.ray(),
-        theme: app.theme,
-        hovered: lit,
+        theme: page.theme,
+        hovered: page.lit,
         live: true,
         painted: solid,
     }
-    .show(ui, picture, name, &mut app.hold);
+    .show(ui, picture, "Space", &mut sight.hold);
     if legend > 0.0 {
         let at = Rect::from_min_max(pos2(rect.left() + 14.0, picture.bottom()), rect.max);
-        let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, &app.tree, None);
-        paint_figure(&ui.painter_at(at), at.min, drawn, app.theme, None);
+        let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, tree, None);
+        paint_figure(&ui.painter_at(at), at.min, drawn, page.theme, None);
     }
-    app.pictures = Some(pictures);
-    app.space_size = glam_size(picture);
-    take(app, &happened, camera, picture)
+    sight.size = glam_size(picture);
+    take(page.state, sight, &happened, camera, asked);
+    happened.hovered
 }
 
 /// Another walk of the same ray, at the same step.
-fn second(app: &mut App, ui: &mut Ui, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
-    let step = app.beside_step(beside);
-    let Drawn { space: shown, cost, .. } = app.second.at(beside, step);
-    let camera = camera(app, &shown, rect);
-    let solid = !shown.flat && app.solid_beside.is_there();
-    let figure: Figure = crate::shown::pictures::drawn(&shown, beside, &camera, glam_size(rect), solid);
-    let ray = beside.play.tape.ray();
-    let lit = app.lit();
+fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
+    let sight = &mut kept.sight;
+    let shown = Drawn::of(sight.beside.take(), beside, page.state.beside_step(beside));
+    let space = &shown.space;
+    let camera = sight.camera(page.state, space, glam_size(rect));
+    let solid = !space.flat && sight.solid_beside.is_there();
+    let figure = drawn(space, beside, &camera, glam_size(rect), solid);
     if solid {
-        let (prims, mesh) = (&beside.play.scene.prims, app.mesh.clone());
-        app.solid_beside.show(ui, rect, &shown, prims, mesh.as_ref(), &camera, app.theme, ground(app), lit);
+        let (prims, ground) = (&beside.play.scene.prims, ground(page.state));
+        sight.solid_beside.show(ui, rect, space, prims, page.mesh, &camera, page.theme, ground, page.lit);
     }
     let picture = Picture {
-        space: &shown,
+        space,
         figure: &figure,
         camera,
-        ray,
-        theme: app.theme,
-        hovered: lit,
+        ray: beside.play.tape.ray(),
+        theme: page.theme,
+        hovered: page.lit,
         live: false,
         painted: solid,
     };
     let mut none = None;
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
-    bill(app, ui, rect, beside, cost);
+    bill(ui, page, rect, beside, shown.cost);
+    sight.beside = Some(shown);
     happened.hovered
 }
 
 /// What a walk has cost so far, at the foot of its picture.
-fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, cost: Option<Cost>) {
+fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<Cost>) {
     let Some(cost) = cost else { return };
     let all = raystep_accel::Primitives::len(&playback.play.scene.prims);
     let structure = &*playback.play.structure;
@@ -147,75 +161,29 @@ fn bill(app: &App, ui: &Ui, rect: Rect, playback: &Playback, cost: Option<Cost>)
         says.push_str(&format!(" · built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
     }
     let at = rect.left_bottom() + vec2(14.0, -16.0);
-    caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, app.theme);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, page.theme);
 }
 
-/// Where the stage is seen from now.
-pub(crate) fn camera(app: &App, space: &Space, rect: Rect) -> Camera {
-    if let Some(camera) = app.still.filter(|_| app.hold.is_some()) {
-        return camera;
-    }
-    // What somebody has set stays in the picture when that becomes narrower.
-    if let Some(camera) = app.state.view.camera {
-        return Seen { camera, aspect: app.aspect }.all_in(glam_size(rect));
-    }
-    let look = app.state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| !app.state.view.is_elsewhere());
-    let scene = app.state.playback().map(|playback| &playback.play.scene);
-    match scene {
-        Some(scene) => eye::home(look, scene, &space.bounds, glam_size(rect)),
-        None => eye::fitted(&space.bounds, glam_size(rect)),
-    }
-}
-
-/// Width over height.
-fn aspect(rect: Rect) -> f32 {
-    rect.width() / rect.height().max(1.0)
-}
-
-/// Turns what happened in the picture into changes.
-fn take(app: &mut App, happened: &Happened, camera: Camera, picture: Rect) -> Option<Place> {
+/// Turns what happened in the picture into what is asked for.
+fn take(state: &State, sight: &mut Sight, happened: &Happened, camera: Camera, asked: &mut Vec<Asked>) {
     // The wheel has no beginning: its first turn away from the slide's own view can be undone.
-    let wheeled = happened.camera.is_some() && app.hold.is_none() && app.state.view.camera.is_none();
+    let wheeled = happened.camera.is_some() && sight.hold.is_none() && state.view.camera.is_none();
     if happened.begins || wheeled {
-        app.state.keep();
+        asked.push(Asked::Keep);
     }
     if happened.begins {
         // The picture stands still under a ray that is dragged.
-        let ray = matches!(app.hold, Some(Hold::Origin | Hold::Head | Hold::New(_)));
-        app.still = ray.then_some(camera);
+        let ray = matches!(sight.hold, Some(Hold::Origin | Hold::Head | Hold::New(_)));
+        sight.still = ray.then_some(camera);
     }
-    if let Some(camera) = happened.camera {
-        app.aspect = aspect(picture);
-        app.state.turn(camera);
-    }
-    if let Some(ray) = happened.ray {
-        app.state.show_ray(RayChoice::Own(ray), true);
-    }
-    if let Some(place) = happened.clicked {
-        app.pick(place);
-    }
-    happened.hovered
+    let aspect = sight.size.x / sight.size.y.max(1.0);
+    asked.extend(happened.camera.map(|camera| Asked::Turn(Seen { camera, aspect })));
+    asked.extend(happened.ray.map(Asked::Ray));
+    asked.extend(happened.clicked.map(Asked::Pick));
 }
 
 /// Nothing to show yet.
-fn waiting(app: &App, ui: &Ui, rect: Rect) {
-    let says = if app.workshop.task().is_some() { "Building …" } else { "Nothing to show" };
-    caption(ui.painter(), rect.center(), Align2::CENTER_CENTER, says, Face::Regular, 15.0, Role::Quiet, app.theme);
-}
-
-impl App {
-    /// Moves the camera to where the walk stands.
-    pub(crate) fn frame_here(&mut self) {
-        let Some(pictures) = &self.pictures else { return };
-        let reel = pictures.playback.reel();
-        let still = reel.still(&pictures.instant);
-        let bounds = still.here().map_or(pictures.space.bounds, |place| still.bounds(place));
-        if bounds.is_empty() {
-            return;
-        }
-        let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
-        let camera = eye::framed(&camera(self, &pictures.space, rect), &bounds, glam_size(rect));
-        self.aspect = aspect(rect);
-        self.state.look(Some(camera));
-    }
+fn waiting(ui: &Ui, page: Page<'_>, rect: Rect) {
+    let says = if page.making { "Building …" } else { "Nothing to show" };
+    caption(ui.painter(), rect.center(), Align2::CENTER_CENTER, says, Face::Regular, 15.0, Role::Quiet, page.theme);
 }

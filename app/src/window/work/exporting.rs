@@ -1,30 +1,48 @@
 //! What the window shows, written to files or put on the clipboard by the code of the command line.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use raystep_figure::Theme;
 use raystep_lesson::Library;
 
-use super::errands::News;
+use super::errands::{Errands, News};
 use super::task::Task;
-use crate::export::{Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats, write};
+use crate::export::{self, Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats};
 use crate::fault::Fault;
 use crate::shown::camera::Seen;
 use crate::shown::playback::{Built, Playback};
+use crate::shown::state::State;
 use crate::shown::view::RayChoice;
-use crate::window::app::App;
-use crate::window::dialogs::export::Form;
 use crate::window::look::formulas::decoded;
 
+/// What shall be written, how, and where to.
+pub(crate) struct Wish {
+    /// How steps are drawn.
+    pub(crate) order: Order,
+    /// Which steps.
+    pub(crate) which: Which,
+    /// Whether each beat is drawn on the ray that it is told on.
+    pub(crate) all_rays: bool,
+    /// The folder of the files.
+    pub(crate) folder: PathBuf,
+}
+
 /// What the window shows, for another thread.
-struct Window {
+pub(crate) struct Window {
     library: Arc<Library>,
     playback: Arc<Playback>,
     seen: Option<Seen>,
 }
 
 impl Window {
+    /// What is shown, as far as there is a walk; `aspect` is that of the picture in which the camera was moved.
+    pub(crate) fn of(state: &State, aspect: f32) -> Result<Window, Fault> {
+        let playback = state.playback().cloned().ok_or_else(|| Fault::new("There is no walk yet."))?;
+        let seen = state.view.camera.map(|camera| Seen { camera, aspect });
+        Ok(Window { library: state.library.clone(), playback, seen })
+    }
+
     /// The ground that its ray walks on.
     fn ground<'a>(&'a self, go_on: &'a (dyn Fn() -> bool + Sync)) -> Result<Ground<'a>, Fault> {
         let gone = || Fault::new("The slide is not there any more.");
@@ -55,16 +73,17 @@ impl Window {
     }
 
     /// Writes files; says which.
-    fn write(&self, order: &Order, which: &Which, all: bool, folder: &Path, task: &Task) -> Result<String, Fault> {
+    fn write(&self, wish: &Wish, task: &Task) -> Result<String, Fault> {
+        let Wish { order, which, all_rays, folder } = wish;
         let waits = || !task.is_stopped();
         let ground = self.ground(&waits)?;
-        let sessions = self.sessions(&ground, all);
+        let sessions = self.sessions(&ground, *all_rays);
         // A beat that is told on another ray is drawn where an own ray reaches it.
         let own = matches!(self.playback.view.ray, RayChoice::Own(_));
         let which = if own && matches!(which, Which::Beats) { &Which::ReachedBeats } else { which };
         let jobs = jobs(&sessions, which, order)?;
         task.expect(pictures(&jobs));
-        let files = write(&jobs, order, folder, &|| {
+        let files = export::write(&jobs, order, folder, &|| {
             task.count();
             !task.is_stopped()
         })?;
@@ -72,38 +91,29 @@ impl Window {
     }
 }
 
-impl App {
-    /// What the window shows, as far as there is a walk.
-    fn window(&self) -> Result<Window, Fault> {
-        let none = || Fault::new("There is no walk yet.");
-        let playback = self.state.playback().cloned().ok_or_else(none)?;
-        let seen = self.state.view.camera.map(|camera| Seen { camera, aspect: self.aspect });
-        Ok(Window { library: self.state.library.clone(), playback, seen })
-    }
+/// Writes files beside the UI thread.
+pub(crate) fn write(errands: &mut Errands, window: Window, wish: Wish) {
+    let task = Task::new(format!("Writing to {}", wish.folder.display()), "pictures");
+    errands.run(task, move |task| match window.write(&wish, task) {
+        Ok(sentence) => News::Written(sentence),
+        Err(fault) => News::Failed(format!("Nothing was written: {fault}.")),
+    });
+}
 
-    /// Writes what the form says beside the UI thread.
-    pub(crate) fn write(&mut self, form: &Form) -> Result<(), Fault> {
-        let (order, window) = (form.order()?, self.window()?);
-        let (which, all, folder) = (form.which(self.state.view.step), form.all_rays(), form.folder());
-        let task = Task::new(format!("Writing to {}", folder.display()), "pictures");
-        self.errands.run(task, move |task| match window.write(&order, &which, all, &folder, task) {
-            Ok(sentence) => News::Written(sentence),
-            Err(fault) => News::Failed(format!("Nothing was written: {fault}.")),
-        });
-        Ok(())
-    }
-
-    /// Puts the picture of space on the clipboard, as it would be exported.
-    pub(crate) fn copy(&mut self) {
-        let (theme, step, size) = (self.theme, self.state.view.step, self.space_size * 2.0);
-        let window = self.window();
-        self.errands.run(Task::new("Drawing the picture", ""), move |task| {
-            match window.and_then(|window| picture(&window, step, size, theme, task)) {
-                Ok(image) => News::Copied(image),
-                Err(fault) => News::Failed(fault.to_string()),
-            }
-        });
-    }
+/// Puts the picture of space on the clipboard, as it would be exported.
+pub(crate) fn copy(
+    errands: &mut Errands,
+    window: Result<Window, Fault>,
+    step: usize,
+    size: glam::Vec2,
+    theme: &'static Theme,
+) {
+    errands.run(Task::new("Drawing the picture", ""), move |task| {
+        match window.and_then(|window| picture(&window, step, size, theme, task)) {
+            Ok(image) => News::Copied(image),
+            Err(fault) => News::Failed(fault.to_string()),
+        }
+    });
 }
 
 fn picture(

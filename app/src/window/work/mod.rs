@@ -3,6 +3,9 @@
 mod bench;
 pub(super) mod errands;
 pub(super) mod exporting;
-pub(super) mod second;
+mod second;
 pub(super) mod task;
-pub(super) mod workshop;
+mod underway;
+mod workshop;
+
+pub(super) use underway::Underway;

@@ -2,37 +2,22 @@
 
 use std::sync::Arc;
 
-use egui::Ui;
-use raystep_accel::{Cancelled, Cost, Primitives, Ray, Rule};
-use raystep_figure::Space;
+use raystep_accel::{Cancelled, Primitives, Ray, Rule};
 use raystep_lesson::Plays;
 
 use super::bench::Bench;
 use super::task::Task;
 use super::workshop::{Failure, build, builds_quickly, walks_quickly};
-use crate::shown::beside::{Beside, Pace};
-use crate::shown::playback::{Built, Playback, cost};
+use crate::shown::beside::Beside;
+use crate::shown::playback::{Built, Playback};
+use crate::shown::state::State;
 use crate::shown::view::{RayChoice, View};
-use crate::window::app::App;
 
 /// The second walk, and the search for a ray on which a mistake shows.
 pub(crate) struct Second {
     shown: Option<Arc<Playback>>,
-    /// Its picture at the step of last time.
-    drawn: Option<Drawn>,
     bench: Bench<(View, Beside), Result<Playback, Failure>>,
     search: Bench<usize, Result<Shows, Cancelled>>,
-}
-
-/// A walk beside at a step.
-#[derive(Clone)]
-pub(crate) struct Drawn {
-    walk: usize,
-    step: usize,
-    /// What space shows.
-    pub(crate) space: Arc<Space>,
-    /// What it has cost so far.
-    pub(crate) cost: Option<Cost>,
 }
 
 /// Where a mistake shows.
@@ -47,25 +32,12 @@ enum Shows {
 
 impl Second {
     pub(crate) fn new(context: &egui::Context) -> Second {
-        Second { shown: None, drawn: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()) }
+        Second { shown: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()) }
     }
 
     /// The second walk, once it is there.
     pub(crate) fn shown(&self) -> Option<&Arc<Playback>> {
         self.shown.as_ref()
-    }
-
-    /// A walk beside at a step: folded once, and kept while nothing has moved.
-    pub(crate) fn at(&mut self, beside: &Arc<Playback>, step: usize) -> Drawn {
-        let walk = Arc::as_ptr(beside) as usize;
-        if let Some(drawn) = self.drawn.as_ref().filter(|drawn| (drawn.walk, drawn.step) == (walk, step)) {
-            return drawn.clone();
-        }
-        let instant = beside.instant(step);
-        let space = Arc::new(beside.reel().still(&instant).space());
-        let drawn = Drawn { walk, step, space, cost: cost(&instant) };
-        self.drawn = Some(drawn.clone());
-        drawn
     }
 
     /// What is being made.
@@ -77,108 +49,90 @@ impl Second {
     pub(crate) fn cancel(&mut self) -> bool {
         self.bench.cancel() | self.search.cancel()
     }
-}
 
-impl App {
-    /// The walk beside, once it is there.
-    pub fn beside(&self) -> Option<&Arc<Playback>> {
-        self.second.shown()
-    }
-
-    /// The step of the walk beside that goes with the step of the walk shown.
-    pub(crate) fn beside_step(&self, beside: &Playback) -> usize {
-        let (step, last) = (self.state.view.step, beside.steps().last());
-        match (self.state.pace, self.state.playback()) {
-            (Pace::T, Some(playback)) if step > 0 => {
-                let at = beside.step_at(playback.reached(step));
-                if step == playback.steps().last() { last } else { at }
-            }
-            _ => step.min(last),
+    /// Makes the walk that is shown beside the other, if one is wanted. Says what went wrong.
+    pub(crate) fn catch_up(&mut self, state: &mut State) -> Option<String> {
+        while let Some((index, Ok(shows))) = self.search.collect() {
+            found(state, index, &shows);
         }
-    }
-
-    /// Makes the walk that is shown beside the other, if one is wanted.
-    pub(crate) fn catch_up_beside(&mut self, ui: &Ui) {
-        while let Some((index, Ok(shows))) = self.second.search.collect() {
-            self.found(index, &shows);
-        }
-        self.arrive_beside(ui);
-        let beside = self.state.beside;
-        let Some(playback) = self.state.playback().filter(|_| beside != Beside::Nothing).cloned() else {
-            self.second.shown = None;
-            self.second.bench.cancel();
-            return;
+        let wrong = self.arrive(state);
+        let beside = state.beside;
+        let Some(playback) = state.playback().filter(|_| beside != Beside::Nothing).cloned() else {
+            self.shown = None;
+            self.bench.cancel();
+            return wrong;
         };
         let fits = |view: &View, kind: Beside| kind == beside && view.same_walk(&playback.view);
-        if self.second.shown.as_ref().is_some_and(|shown| fits(&shown.view, shown.kind))
-            || self.second.bench.wanted().is_some_and(|(view, kind)| fits(view, *kind))
+        if self.shown.as_ref().is_some_and(|shown| fits(&shown.view, shown.kind))
+            || self.bench.wanted().is_some_and(|(view, kind)| fits(view, *kind))
         {
-            return;
+            return wrong;
         }
         // A second ray through a structure that stands already only walks.
-        let stands = self
-            .second
-            .shown
-            .as_ref()
-            .filter(|shown| shown.kind == beside && Arc::ptr_eq(&shown.play.scene, &playback.play.scene));
-        let stands = stands.map(|shown| shown.built());
+        let over =
+            |shown: &&Arc<Playback>| shown.kind == beside && Arc::ptr_eq(&shown.play.scene, &playback.play.scene);
+        let stands = self.shown.as_ref().filter(over).map(|shown| shown.built());
         let prims = playback.play.scene.prims.len();
         let at_once = match (&stands, beside) {
             (Some(built), _) => walks_quickly(&built.structure, prims),
             (None, Beside::Mistake(_)) => walks_quickly(&playback.play.structure, prims),
             (None, _) => builds_quickly(prims),
         };
-        self.second.shown.take_if(|_| stands.is_none());
+        self.shown.take_if(|_| stands.is_none());
         let task = Task::new("Walking beside", "references");
         let key = (playback.view.clone(), beside);
-        self.second.bench.begin(key, task, at_once, move |task| made(&playback, beside, stands, task));
-        self.arrive_beside(ui);
+        self.bench.begin(key, task, at_once, move |task| made(&playback, beside, stands, task));
+        self.arrive(state)
     }
 
-    fn arrive_beside(&mut self, ui: &Ui) {
-        match self.second.bench.collect() {
-            Some((_, Ok(made))) => self.second.shown = Some(Arc::new(made)),
-            Some((_, Err(failure))) => {
-                self.state.beside = Beside::Nothing;
-                if let Failure::Wrong(sentence) = failure {
-                    self.toasts.say(ui, sentence);
+    /// Takes the walk that was made. Says what went wrong.
+    fn arrive(&mut self, state: &mut State) -> Option<String> {
+        match self.bench.collect()? {
+            (_, Ok(made)) => {
+                self.shown = Some(Arc::new(made));
+                None
+            }
+            (_, Err(failure)) => {
+                state.beside = Beside::Nothing;
+                match failure {
+                    Failure::Wrong(sentence) => Some(sentence),
+                    Failure::Cancelled => None,
                 }
             }
-            None => {}
         }
     }
 
-    /// Shows a mistake beside the walk, on a ray where it shows; or none.
-    pub(crate) fn break_it(&mut self, ui: &Ui, mistake: Option<usize>) {
-        self.state.beside = Beside::Nothing;
-        self.second.search.cancel();
-        let (Some(index), Some(playback)) = (mistake, self.state.playback().cloned()) else { return };
+    /// Looks for a ray on which a mistake shows, to show it beside the walk; or shows none. Says what to expect.
+    pub(crate) fn break_it(&mut self, state: &mut State, mistake: Option<usize>) -> Option<String> {
+        state.beside = Beside::Nothing;
+        self.search.cancel();
+        let (index, playback) = (mistake?, state.playback()?.clone());
         let Some(mistake) = playback.mistakes.get(index) else {
-            self.toasts.say(ui, "There is nothing to break in this structure.");
-            return;
+            return Some("There is nothing to break in this structure.".to_owned());
         };
-        self.toasts.say(ui, mistake.consequence());
+        let consequence = mistake.consequence().to_owned();
         let elsewhere = playback.view.is_elsewhere();
-        let rays: Vec<Ray> = match self.state.stage() {
+        let rays: Vec<Ray> = match state.stage() {
             Some(stage) if !elsewhere => stage.rays.iter().map(|named| named.ray).collect(),
             _ => Vec::new(),
         };
         let quick = walks_quickly(&playback.play.structure, playback.play.scene.prims.len());
         let task = Task::new("Looking for a ray that shows it", "");
-        self.second.search.begin(index, task, quick, move |task| search(&playback, index, &rays, task));
-        self.catch_up_beside(ui);
+        self.search.begin(index, task, quick, move |task| search(&playback, index, &rays, task));
+        Some(consequence)
     }
+}
 
-    fn found(&mut self, index: usize, shows: &Shows) {
-        let mistake = self.state.playback().and_then(|playback| playback.mistakes.get(index).copied());
-        match (shows, mistake) {
-            (Shows::Here, _) => {}
-            (Shows::Ray(ray), _) => self.state.show_ray(RayChoice::Named(*ray), false),
-            (Shows::Elsewhere, Some(mistake)) => self.state.show_example(mistake),
-            (Shows::Elsewhere, None) => return,
-        }
-        self.state.beside = Beside::Mistake(index);
+/// Goes to where a mistake shows.
+fn found(state: &mut State, index: usize, shows: &Shows) {
+    let mistake = state.playback().and_then(|playback| playback.mistakes.get(index).copied());
+    match (shows, mistake) {
+        (Shows::Here, _) => {}
+        (Shows::Ray(ray), _) => state.show_ray(RayChoice::Named(*ray), false),
+        (Shows::Elsewhere, Some(mistake)) => state.show_example(mistake),
+        (Shows::Elsewhere, None) => return,
     }
+    state.beside = Beside::Mistake(index);
 }
 
 /// The walk beside.
