@@ -38,8 +38,10 @@ pub fn write(library: &Library, folder: &Path) -> Result<(), Fault> {
             grounds.push((slide, stage, Ground::of_stage(library, slide, stage)?));
         }
     }
-    let sessions: Vec<(&Slide, Vec<Session<'_>>)> =
-        grounds.iter().map(|(slide, stage, ground)| (*slide, ground.sessions(&rays_of_beats(slide, stage)))).collect();
+    let sessions: Vec<(&Slide, Vec<Session<'_>>)> = grounds
+        .iter()
+        .map(|(slide, stage, ground)| (*slide, Session::of_rays(ground, &rays_of_beats(slide, stage))))
+        .collect();
     let pictures = pictures(&sessions);
     files::folder(folder)?;
     let bar = bar(pictures.len());

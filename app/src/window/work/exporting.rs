@@ -64,11 +64,11 @@ impl Window {
     /// The walks to draw: that of its ray, or of all rays that the slide's beats are told on.
     fn sessions<'a>(&self, ground: &'a Ground<'a>, all: bool) -> Vec<Session<'a>> {
         match self.playback.view.ray {
-            RayChoice::Own(ray) if self.playback.play.tape.ray().is_some() => ground.with_ray(ray),
+            RayChoice::Own(ray) if self.playback.play.tape.ray().is_some() => Session::of_own_ray(ground, ray),
             RayChoice::Named(index) if !all => {
-                ground.sessions(&ground.stage.rays.get(index).into_iter().collect::<Vec<_>>())
+                Session::of_rays(ground, &ground.stage.rays.get(index).into_iter().collect::<Vec<_>>())
             }
-            _ => ground.sessions(&rays_of_beats(ground.slide, ground.stage)),
+            _ => Session::of_rays(ground, &rays_of_beats(ground.slide, ground.stage)),
         }
     }
 
