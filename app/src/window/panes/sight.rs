@@ -1,6 +1,6 @@
 //! How space is looked at: what draws it, and what the pointer has hold of.
 
-use raystep_figure::Camera;
+use raystep_figure::{Camera, Space};
 
 use super::solid::Solid;
 use super::space::Hold;
@@ -8,7 +8,6 @@ use crate::shown::camera::Seen;
 use crate::shown::eye;
 use crate::shown::pictures::{Drawn, Pictures};
 use crate::shown::state::State;
-use raystep_figure::Space;
 
 /// The stage between two frames.
 pub(crate) struct Sight {
