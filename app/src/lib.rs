@@ -1,6 +1,9 @@
 //! Raystep: one ray walks through an acceleration structure, one decision at a time.
 
 pub mod cli;
+mod counts;
 mod export;
-mod reel;
+mod fault;
+mod files;
+pub mod shown;
 pub mod window;

@@ -7,7 +7,8 @@ use std::sync::Arc;
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use raystep::window::{App, Playback, Remembered, Wishes};
+use raystep::shown::Playback;
+use raystep::window::{App, Remembered, Wishes};
 use raystep_lesson::Library;
 
 fn window(slide: &str) -> Harness<'static, App> {
@@ -220,7 +221,7 @@ fn cancelling_a_build_of_a_million_triangles_keeps_the_old_page() {
 
 #[test]
 fn both_walks_stand_at_the_same_t() {
-    use raystep::window::state::{Beside, Pace};
+    use raystep::shown::{Beside, Pace};
     let mut harness = window("5/40");
     harness.state_mut().state.pace = Pace::T;
     harness.state_mut().state.compare("grid");

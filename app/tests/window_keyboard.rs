@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use raystep::window::state::Beside;
+use raystep::shown::Beside;
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::Grain;
 use raystep_lesson::Library;

@@ -90,6 +90,24 @@ fn only_the_window_and_the_painter_know_the_gpu() {
     }
 }
 
+/// The rooms of the app that every way of showing slides shares.
+const SHARED: &[&str] = &["shown", "export", "counts.rs", "fault.rs", "files.rs"];
+
+#[test]
+fn what_every_window_shares_knows_none() {
+    let mut files: Vec<PathBuf> = SHARED.iter().map(|name| root().join("app/src").join(name)).collect();
+    while let Some(file) = files.pop() {
+        if file.is_dir() {
+            files.extend(std::fs::read_dir(&file).expect("a folder").map(|entry| entry.expect("an entry").path()));
+            continue;
+        }
+        let text = std::fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+        for named in ["egui", "eframe", "wgpu", "raystep_paint"] {
+            assert!(!text.contains(named), "{} may not name {named}", file.display());
+        }
+    }
+}
+
 #[test]
 fn one_copy_of_each_shared_library() {
     let lock = read(&root().join("Cargo.lock"));

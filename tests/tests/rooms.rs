@@ -6,30 +6,55 @@ use std::path::Path;
 /// The rooms of each crate that has some, from the ground up: a room may know itself and those before it, never one
 /// after it. A room is a module, by its path from `src` on (`bsp`, `window/look`): a folder or a single file, without
 /// what is a room of its own below it. The root of a crate joins its rooms and is none.
-const HOUSES: &[(&str, &[&str])] = &[(
-    "crates/accel/src",
-    &[
-        "geometry",
-        "events",
-        "slab",
-        "objects",
-        "prims",
-        "common",
-        "rule",
-        "list",
-        "one_box",
-        "grid",
-        "octree",
-        "bsp",
-        "kd",
-        "volume",
-        "bvh",
-        "structure",
-        "instancing",
-        "packet",
-        "mistakes",
-    ],
-)];
+const HOUSES: &[(&str, &[&str])] = &[
+    (
+        "crates/accel/src",
+        &[
+            "geometry",
+            "events",
+            "slab",
+            "objects",
+            "prims",
+            "common",
+            "rule",
+            "list",
+            "one_box",
+            "grid",
+            "octree",
+            "bsp",
+            "kd",
+            "volume",
+            "bvh",
+            "structure",
+            "instancing",
+            "packet",
+            "mistakes",
+        ],
+    ),
+    ("crates/figure/src", &["theme", "page", "words", "world", "stage", "moments", "panes", "kinds"]),
+    (
+        "app/src",
+        &[
+            "counts",
+            "fault",
+            "files",
+            "shown",
+            "export",
+            "window/look",
+            "window/work",
+            "window/panes",
+            "window/bars",
+            "window/dialogs",
+            "window/keys",
+            "window/wishes",
+            "window",
+            "cli",
+        ],
+    ),
+];
+
+/// In these rooms no files know each other in a circle.
+const STRAIGHT: &[(&str, &[&str])] = &[("app/src", &["shown", "export", "window"])];
 
 /// The sources of a crate by module path: `grid/walk` for `grid/walk.rs`, `grid` for `grid/mod.rs`, nothing for the
 /// root. Tests inside them may know every room.
@@ -172,21 +197,49 @@ fn room(path: &str, rooms: &[&str]) -> Option<usize> {
     holding.max_by_key(|(_, room)| room.len()).map(|(index, _)| index)
 }
 
+/// Names that are handed on, and what they stand for.
+type Handed<'a> = BTreeMap<&'a str, &'a str>;
+
+fn handed<'a>(said: &'a BTreeMap<&str, Said>) -> Handed<'a> {
+    said.values().flat_map(|said| &said.handed).map(|(name, path)| (name.as_str(), path.as_str())).collect()
+}
+
+/// What a path stands for, through every hand it goes through.
+fn home(path: &str, handed: &Handed<'_>) -> String {
+    let mut path = path.to_owned();
+    for _ in 0..8 {
+        let Some((name, stands_for)) = handed.iter().find(|(name, _)| lies_in(&path, name)) else { break };
+        path = format!("{stands_for}{}", &path[name.len()..]);
+    }
+    path
+}
+
+/// The files in a room that know each other in a circle, and those that know such files.
+fn circle<'a>(room: &str, sources: &'a Sources) -> BTreeSet<&'a str> {
+    let said: BTreeMap<&str, Said> =
+        sources.iter().map(|(module, text)| (module.as_str(), read(module, text, sources))).collect();
+    let handed = handed(&said);
+    let inside = || sources.keys().map(String::as_str).filter(|module| lies_in(module, room));
+    // A path lies in the file with the longest name.
+    let file = |path: &str| inside().filter(|module| lies_in(path, module)).max_by_key(|module| module.len());
+    let known = |module: &str| said[module].known.iter().filter_map(|path| file(&home(path, &handed)));
+    let mut left: BTreeMap<&str, BTreeSet<&str>> =
+        inside().map(|module| (module, known(module).filter(|other| *other != module).collect())).collect();
+    // Whoever knows nobody who is left may go.
+    while let Some(free) = left.iter().find(|(_, known)| known.is_empty()).map(|(module, _)| *module) {
+        left.remove(free);
+        for known in left.values_mut() {
+            known.remove(free);
+        }
+    }
+    left.into_keys().collect()
+}
+
 /// Every sentence that is to be said about the rooms: modules without a room, rooms without a module, arrows upwards.
 fn complaints(rooms: &[&str], sources: &Sources) -> BTreeSet<String> {
     let said: BTreeMap<&str, Said> =
         sources.iter().map(|(module, text)| (module.as_str(), read(module, text, sources))).collect();
-    let handed: BTreeMap<&str, &str> =
-        said.values().flat_map(|said| &said.handed).map(|(name, path)| (name.as_str(), path.as_str())).collect();
-    // What a path stands for, through every hand it goes through.
-    let home = |path: &str| {
-        let mut path = path.to_owned();
-        for _ in 0..8 {
-            let Some((name, stands_for)) = handed.iter().find(|(name, _)| lies_in(&path, name)) else { break };
-            path = format!("{stands_for}{}", &path[name.len()..]);
-        }
-        path
-    };
+    let handed = handed(&said);
     let mut found = BTreeSet::new();
     for room in rooms.iter().filter(|room| !sources.contains_key(**room)) {
         found.insert(format!("there is no room {room}"));
@@ -197,7 +250,7 @@ fn complaints(rooms: &[&str], sources: &Sources) -> BTreeSet<String> {
             continue;
         };
         for path in &said.known {
-            let home = home(path);
+            let home = home(path, &handed);
             if let Some(there) = room(&home, rooms).filter(|there| *there > here) {
                 found.insert(format!("{module} may not know {home}: {} stands below {}", rooms[here], rooms[there]));
             }
@@ -214,6 +267,37 @@ fn arrows_between_rooms_run_downwards() {
         let complaints = complaints(rooms, &found);
         assert!(complaints.is_empty(), "{src}:\n{}", complaints.into_iter().collect::<Vec<_>>().join("\n"));
     }
+}
+
+#[test]
+fn files_stand_in_no_circle() {
+    for (src, rooms) in STRAIGHT {
+        let mut found = Sources::new();
+        sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(src), "", &mut found);
+        for room in *rooms {
+            let circle = circle(room, &found);
+            assert!(circle.is_empty(), "{src}: in a circle, or above one: {circle:?}");
+        }
+    }
+}
+
+#[test]
+fn a_circle_is_found() {
+    let check = |line: &str, expected: &[&str]| {
+        let sources: Sources = [
+            ("", "mod room;\n"),
+            ("room", "mod first;\nmod second;\nmod third;\npub use third::Third;\n"),
+            ("room/first", "use super::second::Second;\n"),
+            ("room/second", line),
+            ("room/third", "use super::first::First;\n"),
+        ]
+        .map(|(module, text)| (module.to_owned(), code(text)))
+        .into();
+        assert_eq!(circle("room", &sources).into_iter().collect::<Vec<_>>(), expected, "{line}");
+    };
+    check("", &[]);
+    check("use crate::elsewhere::First;\n", &[]);
+    check("use crate::room::Third;\n", &["room", "room/first", "room/second", "room/third"]);
 }
 
 #[test]

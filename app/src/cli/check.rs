@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use raystep_lesson::{Library, Problem, check};
 
-use super::fault::{Fault, about};
+use crate::fault::{Fault, about};
 
 /// What to check.
 #[derive(Args, Debug)]

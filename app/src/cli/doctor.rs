@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use super::fault::Fault;
-use super::files;
+use crate::fault::Fault;
+use crate::files;
 
 /// Libraries that a window loads when it opens, with the Debian packages that hold them.
 const LIBRARIES: [(&str, &str); 7] = [

@@ -9,8 +9,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raystep_figure::Theme;
 use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
 
-use super::fault::{Fault, about};
 use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
+use crate::fault::{Fault, about};
 
 /// What to draw, how, and where to.
 #[derive(Args, Debug)]
@@ -63,7 +63,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
         return Err(Fault::new(format!("{problem} (raystep check lists all)")));
     }
     let grounds = grounds(&library, arguments)?;
-    let sessions: Vec<Session<'_>> = grounds.iter().flat_map(|(ground, rays)| ground.sessions(rays)).collect();
+    let sessions: Vec<Session<'_>> = grounds.iter().flat_map(|(ground, rays)| Session::of_rays(ground, rays)).collect();
     if sessions.is_empty() {
         return Err(Fault::new(nothing(&library, arguments)));
     }

@@ -3,8 +3,6 @@
 mod check;
 mod doctor;
 mod export;
-mod fault;
-pub(crate) mod files;
 mod measure;
 pub mod page;
 mod rays;
@@ -18,13 +16,12 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 pub use crate::export::{Size, View};
+pub use crate::fault::Fault;
 pub use check::CheckArguments;
 pub use export::ExportArguments;
-pub use fault::Fault;
 pub use measure::MeasureArguments;
 pub use start::StartArguments;
 pub use trace::TraceArguments;
-pub(crate) use verify::thousands;
 pub use verify::{VerifyArguments, replay};
 
 /// One ray walks through an acceleration structure, one decision at a time.

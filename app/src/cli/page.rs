@@ -11,9 +11,9 @@ use raystep_lesson::{Library, Slide, StageKind};
 use raystep_print::svg;
 
 use super::export::bar;
-use super::fault::Fault;
-use super::files;
 use crate::export::{Ground, Session, View, rays_of_beats};
+use crate::fault::Fault;
+use crate::files;
 
 /// Where the lecture is written when no window can open.
 pub const FOLDER: &str = "raystep-lecture";
@@ -38,8 +38,10 @@ pub fn write(library: &Library, folder: &Path) -> Result<(), Fault> {
             grounds.push((slide, stage, Ground::of_stage(library, slide, stage)?));
         }
     }
-    let sessions: Vec<(&Slide, Vec<Session<'_>>)> =
-        grounds.iter().map(|(slide, stage, ground)| (*slide, ground.sessions(&rays_of_beats(slide, stage)))).collect();
+    let sessions: Vec<(&Slide, Vec<Session<'_>>)> = grounds
+        .iter()
+        .map(|(slide, stage, ground)| (*slide, Session::of_rays(ground, &rays_of_beats(slide, stage))))
+        .collect();
     let pictures = pictures(&sessions);
     files::folder(folder)?;
     let bar = bar(pictures.len());

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use raystep_accel::Ray;
 
-use super::fault::Fault;
+use crate::fault::Fault;
 
 /// The columns, the last two of which may be left out.
 const COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "t_min", "t_max"];

@@ -2,7 +2,7 @@
 
 use raystep_accel::{Rule, RuleError};
 
-use super::fault::Fault;
+use crate::fault::Fault;
 
 /// The rule that `kind key=value ...` spells.
 pub(crate) fn rule(line: &str) -> Result<Rule, Fault> {

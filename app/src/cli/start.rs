@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use raystep_lesson::Library;
 
-use super::fault::{Fault, about};
 use super::{doctor, page};
+use crate::fault::{Fault, about};
 use crate::window::{self, Wishes};
 
 /// What the window shows first.

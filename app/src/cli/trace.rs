@@ -11,9 +11,11 @@ use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
 use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
-use super::fault::Fault;
-use super::{files, rays};
-use crate::export::{Size, camera};
+use super::rays;
+use crate::export::Size;
+use crate::fault::Fault;
+use crate::files;
+use crate::shown::camera;
 
 /// What to trace, and how.
 #[derive(Args, Debug)]

@@ -3,13 +3,12 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::Vec2;
-use raystep_accel::{Ray, Rule};
+use raystep_accel::Rule;
 use raystep_figure::{Camera, Nodes, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
-use super::camera::{self, Seen};
-use super::session::Session;
-use crate::cli::Fault;
+use crate::fault::Fault;
+use crate::shown::camera::{self, Seen};
 
 /// A scene, the structure over it, and the slide that speaks of it.
 pub(crate) struct Ground<'a> {
@@ -102,26 +101,6 @@ impl<'a> Ground<'a> {
         }
     }
 
-    /// The walks of these rays of the stage; where a build is played, that alone.
-    pub(crate) fn sessions(&self, rays: &[&NamedRay]) -> Vec<Session<'_>> {
-        if self.built.growth.is_some() {
-            return Session::new(self, None, None, self.stem.clone()).into_iter().collect();
-        }
-        rays.iter().filter_map(|ray| self.named(ray)).collect()
-    }
-
-    fn named(&self, ray: &NamedRay) -> Option<Session<'_>> {
-        let first = self.stage.rays.first().is_some_and(|first| first.name == ray.name);
-        let stem = if first { self.stem.clone() } else { format!("{}-{}", self.stem, slug(&ray.name)) };
-        Session::new(self, Some(ray.ray), Some(&ray.name), stem)
-    }
-
-    /// The walk of another ray.
-    pub(crate) fn with_ray(&self, ray: Ray) -> Vec<Session<'_>> {
-        let stem = format!("{}-own-ray", self.stem);
-        Session::new(self, Some(ray), Some("your own"), stem).into_iter().collect()
-    }
-
     /// Where it is seen from in a picture of this size.
     pub(super) fn camera(&self, shown: &Space, size: Vec2) -> Camera {
         match &self.seen {
@@ -167,7 +146,7 @@ pub(crate) fn rays_of_beats<'a>(slide: &'a Slide, stage: &'a Stage) -> Vec<&'a N
 const MOST_PIXELS: u32 = 2400;
 
 /// A name as a part of a file's name.
-fn slug(name: &str) -> String {
+pub(super) fn slug(name: &str) -> String {
     let plain = |letter: char| if letter.is_alphanumeric() { letter.to_ascii_lowercase() } else { '-' };
     let dashed: String = name.chars().map(plain).collect();
     dashed.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")

@@ -10,7 +10,8 @@ use raystep_figure::Theme;
 use raystep_print::{PrintError, apng, gif, png, svg};
 
 use super::{Session, Size, View};
-use crate::cli::{Fault, files};
+use crate::fault::Fault;
+use crate::files;
 
 /// How steps are drawn.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,5 @@
 //! Steps of walks as files: the one way that the command line and the window's dialog both go.
 
-pub(crate) mod camera;
 mod ground;
 mod job;
 mod session;

@@ -5,12 +5,12 @@ use raystep_accel::{Event, Ray};
 use raystep_figure::{
     Figure, Look, Reel, Scenery, Still, Theme, TreeView, VolumeName, sentence, short, stage as picture_of, told,
 };
-use raystep_lesson::{Play, Show, Tape};
+use raystep_lesson::{NamedRay, Play, Show, Tape};
 use raystep_print::{Below, Plate, Record, Told, json, plate};
 
-use super::ground::Ground;
-use crate::cli::Fault;
-use crate::reel::{beginning, lines, reel};
+use super::ground::{Ground, slug};
+use crate::fault::Fault;
+use crate::shown::reel::{beginning, lines, reel};
 
 /// A walk or a build and what it is drawn on.
 pub(crate) struct Session<'a> {
@@ -33,14 +33,29 @@ pub enum View {
 }
 
 impl<'a> Session<'a> {
+    /// The walks of these rays of the ground's stage; where a build is played, that alone.
+    pub(crate) fn of_rays(ground: &'a Ground<'a>, rays: &[&NamedRay]) -> Vec<Session<'a>> {
+        if ground.built.growth.is_some() {
+            return Session::new(ground, None, None, ground.stem.clone()).into_iter().collect();
+        }
+        rays.iter().filter_map(|ray| Session::of_ray(ground, ray)).collect()
+    }
+
+    fn of_ray(ground: &'a Ground<'a>, ray: &NamedRay) -> Option<Session<'a>> {
+        let first = ground.stage.rays.first().is_some_and(|first| first.name == ray.name);
+        let stem = if first { ground.stem.clone() } else { format!("{}-{}", ground.stem, slug(&ray.name)) };
+        Session::new(ground, Some(ray.ray), Some(&ray.name), stem)
+    }
+
+    /// The walk of another ray.
+    pub(crate) fn of_own_ray(ground: &'a Ground<'a>, ray: Ray) -> Vec<Session<'a>> {
+        let stem = format!("{}-own-ray", ground.stem);
+        Session::new(ground, Some(ray), Some("your own"), stem).into_iter().collect()
+    }
+
     /// Plays the build if the ground kept it, else the ray; nothing where there is neither. The ray's name
     /// stands on plates, the stem at the beginning of files' names.
-    pub(super) fn new(
-        ground: &'a Ground<'a>,
-        ray: Option<Ray>,
-        name: Option<&str>,
-        stem: String,
-    ) -> Option<Session<'a>> {
+    fn new(ground: &'a Ground<'a>, ray: Option<Ray>, name: Option<&str>, stem: String) -> Option<Session<'a>> {
         let play = ground.built.play(ray, ground.beats)?;
         Some(Session { ground, play, ray: name.map(str::to_owned), stem })
     }

@@ -1,64 +1,48 @@
-//! The window: one `ui` that shows the state and turns what happens into commands.
+//! The window: one `ui` that shows the state and does what keys, bars, panes and dialogs ask for.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{CentralPanel, Frame, Panel, Ui, ViewportCommand};
+use egui::{Frame, Margin, Panel, Ui, ViewportCommand};
 use raystep_accel::Place;
-use raystep_figure::{Camera, Theme, TreeView};
+use raystep_figure::{Role, Theme};
 use raystep_lesson::Library;
 
-use super::beside::Second;
-use super::command::Command;
-use super::errand::Errands;
-use super::formulas::Formulas;
+use super::bars::{bottom, top};
+use super::dialogs::{self, Overlay};
 use super::keys;
-use super::palette::{self, Palette};
-use super::pictures::Pictures;
-use super::remember::Remembered;
-use super::solid::Solid;
-use super::space_pane::Hold;
-use super::state::{Beside, State};
-use super::toast::Toasts;
-use super::view::RayChoice;
-use super::visuals::{self, fill};
-use super::workshop::{Failure, Workshop};
-use super::{bottom, columns, export_dialog, help, lesson_pane, open_dialog, present, top};
+use super::look::fonts;
+use super::look::remembered::Remembered;
+use super::look::visuals::{self, fill};
+use super::panes::{self, Kept, Page, present, study};
+use super::wishes::Wishes;
+use super::work::Underway;
+use super::work::errands::News;
+use super::work::exporting::{self, Window, Wish};
+use crate::fault::Fault;
+use crate::shown::beside::Beside;
+use crate::shown::command::Command;
+use crate::shown::pictures::Pictures;
+use crate::shown::playback::Playback;
+use crate::shown::state::State;
+use crate::shown::view::RayChoice;
 
 /// The window.
 pub struct App {
     /// What is shown.
     pub state: State,
-    pub(super) theme: &'static Theme,
-    pub(super) workshop: Workshop,
-    pub(super) formulas: Formulas,
-    pub(super) pictures: Option<Pictures>,
-    pub(super) second: Second,
-    pub(super) solid: Solid,
-    pub(super) solid_beside: Solid,
-    pub(super) hovered: Option<Place>,
-    pub(super) picked: Option<Place>,
-    pub(super) tree: TreeView,
-    pub(super) hold: Option<Hold>,
-    /// The aspect (width / height) of the picture in which the camera was moved last.
-    pub(super) aspect: f32,
-    /// Where space is seen from while a ray is dragged.
-    pub(super) still: Option<Camera>,
-    /// The size of the picture of space.
-    pub(super) space_size: glam::Vec2,
-    pub(super) toasts: Toasts,
-    pub(super) errands: Errands,
-    pub(super) remembered: Remembered,
-    pub(super) export: Option<export_dialog::Form>,
-    pub(super) opening: Option<open_dialog::Form>,
-    palette: Option<Palette>,
-    help: bool,
+    theme: &'static Theme,
+    underway: Underway,
+    kept: Kept,
+    overlay: Overlay,
+    remembered: Remembered,
     styled: Option<&'static str>,
 }
 
 impl App {
     /// A window on these lessons, standing on a slide.
     pub fn new(context: &egui::Context, library: Library, slide: usize, remembered: Remembered) -> App {
-        context.set_fonts(super::fonts::definitions());
+        context.set_fonts(fonts::definitions());
         let mut state = State::new(Arc::new(library), slide);
         state.predict = remembered.predict;
         let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);
@@ -66,43 +50,52 @@ impl App {
         App {
             state,
             theme,
-            workshop: Workshop::new(context.clone()),
-            formulas: Formulas::default(),
-            pictures: None,
-            second: Second::new(context),
-            solid: Solid::default(),
-            solid_beside: Solid::default(),
-            hovered: None,
-            picked: None,
-            tree: TreeView::default(),
-            hold: None,
-            aspect: 1.6,
-            still: None,
-            space_size: glam::Vec2::new(1000.0, 625.0),
-            toasts: Toasts::default(),
-            errands: Errands::new(context.clone()),
+            underway: Underway::new(context),
+            kept: Kept::default(),
+            overlay: Overlay::default(),
             remembered,
-            export: None,
-            opening: None,
-            palette: None,
-            help: false,
             styled: None,
         }
     }
 
+    /// A window that shows what was wished for.
+    pub fn wished(context: &egui::Context, library: Library, wishes: Wishes, remembered: Remembered) -> App {
+        let slide = wishes.slide(&library);
+        let mut app = App::new(context, library, slide, remembered);
+        wishes.go(&mut app.state);
+        if let Some(folder) = &wishes.lessons {
+            app.watch_lessons(folder);
+        }
+        if let Some(mesh) = wishes.mesh {
+            app.open_mesh(mesh);
+        }
+        app
+    }
+
+    /// Draws solid stages with egui's own device.
+    pub fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
+        self.kept.sight.draw_with(state);
+        self.underway.upload_to(&state.device);
+    }
+
     /// Lets lessons in a folder be read again when they are saved.
-    pub fn watch_lessons(&mut self, folder: &std::path::Path) {
-        self.errands.watch(folder);
+    pub fn watch_lessons(&mut self, folder: &Path) {
+        self.underway.errands.watch(folder);
     }
 
     /// Opens a mesh beside the UI thread.
-    pub fn open_mesh(&mut self, path: std::path::PathBuf) {
-        self.errands.load(path);
+    pub fn open_mesh(&mut self, path: PathBuf) {
+        self.underway.errands.load(path);
+    }
+
+    /// The walk beside, once it is there.
+    pub fn beside(&self) -> Option<&Arc<Playback>> {
+        self.underway.beside()
     }
 
     /// Whether nothing is built beside the UI thread, not even what was given up.
     pub fn is_idle(&self) -> bool {
-        self.workshop.is_idle()
+        self.underway.is_idle()
     }
 
     /// Does what a command says.
@@ -113,12 +106,12 @@ impl App {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
             }
-            Command::Palette => self.palette = Some(Palette::default()),
-            Command::Help => self.help = !self.help,
-            Command::Export => self.export = Some(export_dialog::Form::of(&self.state, self.theme)),
-            Command::Open => self.opening = Some(open_dialog::Form::default()),
+            Command::Palette => self.overlay.find(),
+            Command::Help => self.overlay.help(),
+            Command::Export => self.overlay.export(&self.state, self.theme),
+            Command::Open => self.overlay.open(),
             Command::Copy => self.copy(),
-            Command::Cancel => self.cancel(),
+            Command::Cancel => self.underway.stop_all(&mut self.state),
             Command::Theme => {
                 let themes = [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR];
                 let now = themes.iter().position(|theme| theme.name == self.theme.name).unwrap_or(0);
@@ -136,50 +129,98 @@ impl App {
         }
     }
 
-    /// Makes the walk that the state asks for, as far as it is not there.
-    fn catch_up(&mut self, ui: &Ui) {
-        self.collect(ui);
-        match self.state.wanted() {
-            Some(wanted) => {
-                self.workshop.ask(wanted, &self.state.library);
-                self.collect(ui);
-            }
-            None => {
-                self.workshop.cancel();
-            }
+    fn set_theme(&mut self, theme: &'static Theme) {
+        self.theme = theme;
+        theme.name.clone_into(&mut self.remembered.theme);
+    }
+
+    /// Moves the camera to where the walk stands.
+    fn frame_here(&mut self) {
+        let Kept { pictures, sight, .. } = &mut self.kept;
+        let seen = pictures.as_ref().and_then(|pictures| sight.framed(&self.state, pictures));
+        if let Some(seen) = seen {
+            sight.aspect = seen.aspect;
+            self.state.look(Some(seen.camera));
         }
-        self.errands_done(ui);
+    }
+
+    /// Shows a mistake beside the walk, on a ray where it shows; or none.
+    fn break_it(&mut self, ui: &Ui, mistake: Option<usize>) {
+        let consequence = self.underway.break_it(&mut self.state, mistake);
+        self.say(ui, consequence);
         self.catch_up_beside(ui);
     }
 
-    fn collect(&mut self, ui: &Ui) {
-        match self.workshop.collect() {
-            Some(Ok(playback)) => self.state.arrive(Arc::new(playback)),
-            Some(Err(Failure::Cancelled)) => self.state.refuse(),
-            Some(Err(Failure::Wrong(sentence))) => {
-                self.toasts.say(ui, sentence);
-                self.state.refuse();
+    /// Writes files beside the UI thread.
+    fn write(&mut self, wish: Wish) -> Result<(), Fault> {
+        let window = Window::of(&self.state, self.kept.sight.aspect)?;
+        exporting::write(&mut self.underway.errands, window, wish);
+        Ok(())
+    }
+
+    /// Puts the picture of space on the clipboard, as it would be exported.
+    fn copy(&mut self) {
+        let sight = &self.kept.sight;
+        let window = Window::of(&self.state, sight.aspect);
+        exporting::copy(&mut self.underway.errands, window, self.state.view.step, sight.size * 2.0, self.theme);
+    }
+
+    fn say(&mut self, ui: &Ui, sentence: Option<String>) {
+        if let Some(sentence) = sentence {
+            self.overlay.say(ui, sentence);
+        }
+    }
+
+    /// Makes what the state asks for, as far as it is not there, and takes in what has come back.
+    fn catch_up(&mut self, ui: &Ui) {
+        let wrong = self.underway.catch_up(&mut self.state);
+        self.say(ui, wrong);
+        for file in ui.input(|input| input.raw.dropped_files.clone()) {
+            let path = file.path().to_path_buf();
+            match path.extension() {
+                Some(ending) if ending.eq_ignore_ascii_case("obj") => self.open_mesh(path),
+                _ => self.overlay.say(ui, "Only OBJ files can be opened."),
             }
-            None => {}
         }
+        while let Some(news) = self.underway.errands.next() {
+            self.learn(ui, news);
+        }
+        self.catch_up_beside(ui);
     }
 
-    /// Gives up everything that is under way: what is shown stays.
-    pub(super) fn cancel(&mut self) {
-        for task in self.errands.tasks() {
-            task.stop();
-        }
-        if self.workshop.cancel() {
-            self.state.refuse();
-        }
-        if self.second.cancel() {
-            self.state.beside = Beside::Nothing;
-        }
+    fn catch_up_beside(&mut self, ui: &Ui) {
+        let wrong = self.underway.catch_up_beside(&mut self.state);
+        self.say(ui, wrong);
     }
 
-    pub(super) fn set_theme(&mut self, theme: &'static Theme) {
-        self.theme = theme;
-        theme.name.clone_into(&mut self.remembered.theme);
+    /// Takes in what has come back from outside.
+    fn learn(&mut self, ui: &Ui, news: News) {
+        match news {
+            News::Chosen(path) => {
+                if !self.overlay.chose_mesh(&path) {
+                    self.open_mesh(path);
+                }
+            }
+            News::Mesh(scene, ray) => {
+                if !scene.note.is_empty() {
+                    self.overlay.say(ui, scene.note.clone());
+                }
+                self.state.show_mesh(scene, ray);
+            }
+            News::Folder(folder) => self.overlay.chose_folder(&folder),
+            News::Copied(image) => {
+                ui.ctx().copy_image(image);
+                self.overlay.say(ui, "The picture is on the clipboard.");
+            }
+            News::Lessons(library) => {
+                self.say(ui, library.problems.first().map(ToString::to_string));
+                if !library.slides.is_empty() {
+                    self.underway.renew();
+                    self.state.renew(Arc::new(*library));
+                }
+            }
+            News::Written(sentence) | News::Failed(sentence) => self.overlay.say(ui, sentence),
+        }
     }
 
     /// The theme's colours and sizes for egui, when they are not set yet.
@@ -194,56 +235,14 @@ impl App {
         }
     }
 
-    /// A click on a place: an answer, or the step at which the walk meets it next.
-    pub(super) fn pick(&mut self, place: Option<Place>) {
-        if let Some(place) = place.filter(|_| self.state.question().is_some())
-            && self.state.answer_place(place)
-        {
-            return;
-        }
-        self.picked = place.filter(|place| *place != Place::World);
-        let Some(place) = self.picked.filter(|_| self.state.question().is_none()) else { return };
-        if let Some(playback) = self.state.playback() {
-            let now = self.state.view.step;
-            let steps = playback.reel().steps_at(place);
-            let next = steps.iter().find(|step| **step > now).or(steps.first()).copied();
-            if let Some(step) = next {
-                self.state.go(step);
-            }
-        }
-    }
-
     /// What lights up: where the pointer is, else what was picked.
-    pub(super) fn lit(&self) -> Option<Place> {
-        self.hovered.or(self.picked)
+    fn lit(&self) -> Option<Place> {
+        self.kept.hovered().or(self.state.picked)
     }
 
-    fn dialogs(&mut self, ui: &mut Ui) {
-        if let Some(palette) = &mut self.palette {
-            let (close, chosen) = palette.show(ui, &self.state.library, self.theme);
-            if close {
-                self.palette = None;
-            }
-            match chosen {
-                Some(palette::Choice::Command(command)) => self.run(ui, command),
-                Some(palette::Choice::Slide(slide)) => self.state.show_slide(slide),
-                None => {}
-            }
-        }
-        if self.help && help::page(ui, self.theme) {
-            self.help = false;
-        }
-        self.export_dialog(ui);
-        self.open_dialog(ui);
-        self.underway(ui);
-        self.toasts.show(ui, self.theme);
-        self.drop_hint(ui);
-    }
-
+    /// Shows the bars and does what they ask for; says which place the pointer is on.
     fn bars(&mut self, ui: &mut Ui) -> Option<Place> {
-        let bar = Frame::new()
-            .fill(fill(self.theme, raystep_figure::Role::Page))
-            .inner_margin(egui::Margin::symmetric(16, 0));
+        let bar = Frame::new().fill(fill(self.theme, Role::Page)).inner_margin(Margin::symmetric(16, 0));
         let top = Panel::top("top").exact_size(48.0).frame(bar).resizable(false);
         match top.show(ui, |ui| top::bar(ui, &self.state, self.theme)).inner {
             Some(top::Asked::Command(command)) => self.run(ui, command),
@@ -256,8 +255,8 @@ impl App {
         }
         let bottom = Panel::bottom("bottom").exact_size(80.0).frame(bar).resizable(false);
         let lit = self.lit();
-        let (asked, under) =
-            bottom.show(ui, |ui| bottom::bar(ui, &self.state, self.pictures.as_mut(), self.theme, lit)).inner;
+        let pictures = self.kept.pictures.as_mut();
+        let (asked, under) = bottom.show(ui, |ui| bottom::bar(ui, &self.state, pictures, self.theme, lit)).inner;
         match asked {
             Some(bottom::Asked::Command(command)) => self.run(ui, command),
             Some(bottom::Asked::Step(step)) => {
@@ -269,31 +268,60 @@ impl App {
         under
     }
 
-    fn page(&mut self, ui: &mut Ui) {
-        let mut under = self.bars(ui);
-        let page = Frame::new().fill(fill(self.theme, raystep_figure::Role::Page));
-        let width = ui.available_width();
-        let widest = (width * 0.34).max(230.0);
-        let usual = (width * 0.222).clamp(248.0, 400.0);
-        let kept = self.remembered.lesson;
-        let left = Panel::left(columns::salt("lesson", kept, width)).frame(page);
-        let left = left.default_size(kept.unwrap_or(usual).min(widest)).size_range(220.0..=widest);
-        let shown = left.show(ui, |ui| lesson_pane::pane(ui, &self.state, self.theme, &mut self.formulas));
-        columns::note(ui, &mut self.remembered.lesson, shown.response.rect.width(), usual);
-        if let Some(command) = shown.inner {
-            self.run(ui, command);
+    /// Shows the panes and does what they ask for.
+    fn panes(&mut self, ui: &mut Ui) {
+        let present = self.state.present;
+        let in_bars = if present { None } else { self.bars(ui) };
+        let mut asked = Vec::new();
+        let page = Page {
+            state: &self.state,
+            beside: self.underway.beside(),
+            mesh: self.underway.mesh(),
+            making: self.underway.is_making(),
+            lit: self.lit(),
+            theme: self.theme,
+        };
+        let under = match present {
+            true => present::page(ui, page, &mut self.kept, &mut asked),
+            false => study::page(ui, page, &mut self.kept, &mut self.remembered, &mut asked),
+        };
+        self.kept.hover(ui, under.or(in_bars));
+        for asked in asked {
+            match asked {
+                panes::Asked::Command(command) => self.run(ui, command),
+                panes::Asked::Pick(place) => self.state.pick(place),
+                panes::Asked::Keep => self.state.keep(),
+                panes::Asked::Turn(seen) => {
+                    self.kept.sight.aspect = seen.aspect;
+                    self.state.turn(seen.camera);
+                }
+                panes::Asked::Ray(ray) => self.state.show_ray(RayChoice::Own(ray), true),
+                panes::Asked::Compare(kind) => self.state.compare(kind),
+                panes::Asked::Pace(pace) => self.state.pace = pace,
+            }
         }
-        under = columns::right(self, ui).or(under);
-        let ground = Frame::new().fill(fill(self.theme, raystep_figure::Role::Panel));
-        under = CentralPanel::no_frame().frame(ground).show(ui, |ui| columns::center(self, ui)).inner.or(under);
-        self.hover(ui, under);
     }
 
-    /// What the pointer is on lights up from the next frame on.
-    pub(super) fn hover(&mut self, ui: &Ui, under: Option<Place>) {
-        if under != self.hovered {
-            self.hovered = under;
+    /// Shows what lies over the page and does what it asks for.
+    fn overlay(&mut self, ui: &Ui) {
+        let tasks = self.underway.tasks();
+        let asked = self.overlay.show(ui, &self.state, &tasks, self.theme);
+        if !asked.is_empty() {
             ui.ctx().request_repaint();
+        }
+        for asked in asked {
+            match asked {
+                dialogs::Asked::Command(command) => self.run(ui, command),
+                dialogs::Asked::Slide(slide) => self.state.show_slide(slide),
+                dialogs::Asked::ChooseFolder => self.underway.errands.ask_for_folder(),
+                dialogs::Asked::Write(wish) => {
+                    let written = self.write(wish);
+                    self.overlay.wrote(written);
+                }
+                dialogs::Asked::ChooseMesh => self.underway.errands.ask_for_mesh(),
+                dialogs::Asked::Mesh(path) => self.open_mesh(path),
+                dialogs::Asked::Stop(task) => self.underway.stop(&task, &mut self.state),
+            }
         }
     }
 }
@@ -301,14 +329,14 @@ impl App {
 impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
-        let busy = self.palette.is_some() || self.help || self.export.is_some() || self.opening.is_some();
+        let busy = self.overlay.is_open();
         if !busy {
             for command in keys::pressed(ui) {
                 self.run(ui, command);
             }
         }
         if ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy {
-            self.picked = None;
+            self.state.picked = None;
             if self.state.present {
                 self.state.apply(Command::Present);
             }
@@ -318,15 +346,13 @@ impl eframe::App for App {
         if let Some(wait) = self.state.tick(seconds) {
             ui.ctx().request_repaint_after_secs(wait.min(0.1));
         }
-        self.pictures = Pictures::of(self.pictures.take(), &self.state);
+        self.kept.pictures = Pictures::of(self.kept.pictures.take(), &self.state);
         let drawn = self.state.stamp();
-        if self.state.present {
-            present::page(self, ui);
-        } else {
-            self.page(ui);
+        self.panes(ui);
+        self.overlay(ui);
+        if ui.input(|input| !input.pointer.any_down()) {
+            self.remembered.keep(ui.ctx().zoom_factor(), self.state.predict);
         }
-        self.dialogs(ui);
-        self.remember(ui);
         if self.state.stamp() != drawn {
             // What was clicked shows without waiting for the pointer to move again.
             ui.ctx().request_repaint();

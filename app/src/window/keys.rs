@@ -2,7 +2,7 @@
 
 use egui::{Event, Key, Modifiers, Ui};
 
-use super::command::{Command, ENTRIES};
+use crate::shown::command::{Command, ENTRIES};
 
 /// The commands given by keys in this frame, in order.
 pub(super) fn pressed(ui: &Ui) -> Vec<Command> {
@@ -27,19 +27,44 @@ fn command(event: &Event, focused: bool) -> Option<Command> {
         Event::Key { key, pressed: true, modifiers, .. } => (*key, *modifiers),
         _ => return None,
     };
-    let entry = ENTRIES.iter().find(|entry| entry.keys.iter().any(|&wanted| given(wanted, key, modifiers)))?;
+    let entry = ENTRIES.iter().find(|entry| entry.keys.iter().any(|keys| given(keys, key, modifiers)))?;
     let free = matches!(key, Key::F1 | Key::F5 | Key::F11 | Key::PageDown | Key::PageUp)
         || modifiers.command && !matches!(entry.command, Command::Undo | Command::Redo | Command::Copy);
     (!focused || free).then_some(entry.command)
 }
 
-fn given((wanted, wanted_key): (Modifiers, Key), key: Key, modifiers: Modifiers) -> bool {
+/// Whether this key was wanted, as the table of commands spells it.
+fn given(keys: &str, key: Key, modifiers: Modifiers) -> bool {
+    let Some(wanted) = Wanted::read(keys) else { return false };
     // A question mark or a plus may need Shift to be typed.
-    let typed = matches!(wanted_key, Key::Questionmark | Key::Plus);
-    key == wanted_key
-        && modifiers.command == wanted.command
+    let typed = matches!(wanted.key, Key::Questionmark | Key::Plus);
+    key == wanted.key
+        && modifiers.command == wanted.ctrl
         && !modifiers.alt
         && (typed || modifiers.shift == wanted.shift)
+}
+
+/// A key with what is held down beside it.
+struct Wanted {
+    ctrl: bool,
+    shift: bool,
+    key: Key,
+}
+
+impl Wanted {
+    /// `"Ctrl+Shift+Z"`.
+    fn read(keys: &str) -> Option<Wanted> {
+        let (ctrl, keys) = keys.strip_prefix("Ctrl+").map_or((false, keys), |rest| (true, rest));
+        let (shift, keys) = keys.strip_prefix("Shift+").map_or((false, keys), |rest| (true, rest));
+        let key = match keys {
+            "→" => Key::ArrowRight,
+            "←" => Key::ArrowLeft,
+            "Page down" => Key::PageDown,
+            "Page up" => Key::PageUp,
+            name => Key::from_name(name)?,
+        };
+        Some(Wanted { ctrl, shift, key })
+    }
 }
 
 #[cfg(test)]
@@ -60,6 +85,13 @@ mod tests {
         assert_eq!(give(Key::Z, ctrl | Modifiers::SHIFT), Some(Command::Redo));
         assert_eq!(give(Key::Questionmark, Modifiers::SHIFT), Some(Command::Help));
         assert_eq!(give(Key::A, ctrl), None);
+    }
+
+    #[test]
+    fn every_key_of_the_table_is_known() {
+        for keys in ENTRIES.iter().flat_map(|entry| entry.keys) {
+            assert!(Wanted::read(keys).is_some(), "{keys}");
+        }
     }
 
     #[test]

@@ -1,54 +1,18 @@
-//! The window: one [`App`] that shows a [`State`](state::State) and turns keys and clicks into [`Command`](command::Command)s.
+//! The window: one [`App`] that shows a [`State`](crate::shown::state::State) and turns keys and clicks into
+//! [`Command`](crate::shown::command::Command)s. Its rooms, from below: how it looks, what is done beside it,
+//! panes, bars, dialogs; each is given what it shows and returns what was asked for.
 
 mod app;
-mod bench;
-mod beside;
-mod bottom;
-mod columns;
-pub mod command;
-mod controls;
-mod errand;
-mod export_dialog;
-mod exporting;
-mod eye;
-mod fonts;
-mod formulas;
-mod help;
-mod history;
-mod icons;
+mod bars;
+mod dialogs;
 mod keys;
-mod lesson_pane;
-mod markdown;
-mod news;
+mod look;
 mod open;
-mod open_dialog;
-mod outline;
-mod painter;
-mod palette;
-mod pictures;
-mod playback;
-mod present;
-mod prose;
-mod question;
-mod remember;
-mod rival;
-mod solid;
-mod space_pane;
-mod stage_pane;
-pub mod state;
-mod steps;
-mod task;
-mod tex;
-mod toast;
-mod top;
-mod underway;
-mod view;
-mod visuals;
-mod workshop;
+mod panes;
+mod wishes;
+mod work;
 
 pub use app::App;
-pub use open::{NoWindow, Wishes, open};
-pub use playback::{Playback, Posed};
-pub use remember::Remembered;
-pub use steps::Steps;
-pub use view::{RayChoice, View};
+pub use look::remembered::Remembered;
+pub use open::{NoWindow, open};
+pub use wishes::Wishes;

@@ -1,28 +1,10 @@
 //! Opening the window.
 
-use std::path::PathBuf;
-
 use raystep_lesson::Library;
 
 use super::app::App;
-use super::remember::Remembered;
-use super::solid::Solid;
-use super::view::RayChoice;
-
-/// What the window shall show first.
-#[derive(Debug, Default)]
-pub struct Wishes {
-    /// The slide: `"5/33"`, or the name of its file.
-    pub slide: Option<String>,
-    /// The name of a ray.
-    pub ray: Option<String>,
-    /// The step.
-    pub step: Option<usize>,
-    /// The folder of lessons, to be read again when they are saved.
-    pub lessons: Option<PathBuf>,
-    /// A mesh.
-    pub mesh: Option<PathBuf>,
-}
+use super::wishes::Wishes;
+use crate::window::look::remembered::Remembered;
 
 /// The window cannot be opened.
 #[derive(Debug, thiserror::Error)]
@@ -50,40 +32,4 @@ pub fn open(library: Library, wishes: Wishes) -> Result<(), NoWindow> {
         Ok(app)
     };
     Ok(eframe::run_native("Raystep", options, Box::new(create))?)
-}
-
-impl App {
-    /// Draws solid stages with egui's own device.
-    pub fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
-        self.solid = Solid::new(state);
-        self.solid_beside = self.solid.another();
-        self.workshop.upload_to(&state.device);
-    }
-
-    /// A window that shows what was wished for.
-    pub fn wished(context: &egui::Context, library: Library, wishes: Wishes, remembered: Remembered) -> App {
-        let index = |id: &String| {
-            let slide = library.slide(id)?;
-            library.slides.iter().position(|other| std::ptr::eq(other, slide))
-        };
-        // A mesh is met first where a tree walks through it.
-        let tree = || library.slides.iter().position(|slide| slide.listing == "kd-walk");
-        let first = if wishes.mesh.is_some() { tree().unwrap_or(0) } else { 0 };
-        let slide = wishes.slide.as_ref().and_then(index).unwrap_or(first);
-        let mut app = App::new(context, library, slide, remembered);
-        let named = |name: &String| app.state.stage()?.rays.iter().position(|ray| ray.name == *name);
-        if let Some(ray) = wishes.ray.as_ref().and_then(named) {
-            app.state.show_ray(RayChoice::Named(ray), true);
-        }
-        if let Some(step) = wishes.step {
-            app.state.open_at(step);
-        }
-        if let Some(folder) = &wishes.lessons {
-            app.watch_lessons(folder);
-        }
-        if let Some(mesh) = wishes.mesh {
-            app.open_mesh(mesh);
-        }
-        app
-    }
 }

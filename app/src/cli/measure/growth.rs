@@ -11,9 +11,9 @@ use serde::Serialize;
 
 use super::survey::{self, survey, timed};
 use super::{bar, build, fit, look, table};
-use crate::cli::fault::Fault;
-use crate::cli::verify::thousands;
+use crate::counts::thousands;
 use crate::export::Size;
+use crate::fault::Fault;
 
 /// One structure over one number of triangles.
 #[derive(Serialize)]

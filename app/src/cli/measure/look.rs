@@ -8,7 +8,7 @@ use raystep_figure::Camera;
 use raystep_scene::{Scene, View};
 
 use crate::export::Size;
-use crate::export::camera::of_scene;
+use crate::shown::camera::of_scene;
 
 /// A camera, as it is written on the command line.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -16,9 +16,10 @@ use raystep_accel::{Prims, Structure};
 use raystep_scene::Scene;
 use raystep_scene::trial::rules::rule;
 
-use super::fault::Fault;
-use super::{files, spelt};
+use super::spelt;
 use crate::export::Size;
+use crate::fault::Fault;
+use crate::files;
 use look::{Look, Shot};
 use rows::Row;
 use survey::{Survey, survey, timed};

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use raystep_accel::{Aabb, Accel, Cost, Interval, Place, Primitives, Ray, Structure, slab};
 use raystep_figure::Camera;
 
-use crate::cli::fault::Fault;
+use crate::fault::Fault;
 
 /// What one structure cost over all rays.
 #[derive(Clone, Copy, Debug, Default)]

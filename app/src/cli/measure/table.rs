@@ -10,8 +10,8 @@ use serde::Serialize;
 use super::Measured;
 use super::look::Shot;
 use super::rows::spelt_out;
-use crate::cli::fault::Fault;
-use crate::cli::verify::thousands;
+use crate::counts::thousands;
+use crate::fault::Fault;
 
 /// A row as files hold it.
 #[derive(Serialize)]

@@ -9,8 +9,9 @@ use raystep_accel::{Accel, Hit, List, Primitives, Ray, Rule, Structure};
 use raystep_scene::Scene;
 use raystep_scene::trial::rules::rules;
 
-use crate::cli::fault::Fault;
-use crate::cli::{files, rays, spelt};
+use crate::cli::{rays, spelt};
+use crate::fault::Fault;
+use crate::files;
 
 /// What a structure answered instead.
 pub(super) enum Found {
@@ -110,7 +111,7 @@ impl fmt::Display for Difference<'_> {
 pub fn replay(path: &Path) -> Result<u64, Fault> {
     let mut paths = vec![path.to_owned()];
     if path.is_dir() {
-        let entries = std::fs::read_dir(path).map_err(crate::cli::fault::about(path))?;
+        let entries = std::fs::read_dir(path).map_err(crate::fault::about(path))?;
         paths = entries.filter_map(|entry| Some(entry.ok()?.path())).collect();
         paths.retain(|path| path.extension().is_some_and(|ending| ending == "csv"));
         paths.sort();

@@ -17,8 +17,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raystep_accel::Rule;
 use raystep_scene::trial::rules::rules;
 
-use super::fault::Fault;
-use super::files;
+use crate::counts::thousands;
+use crate::fault::Fault;
+use crate::files;
 use campaign::Campaign;
 pub use kept::replay;
 use tally::Tally;
@@ -150,16 +151,6 @@ pub(crate) fn counted(n: u64, what: &str) -> String {
     format!("{} {what}{}", thousands(n), if n == 1 { "" } else { "s" })
 }
 
-/// With a comma between the thousands.
-pub(crate) fn thousands(n: u64) -> String {
-    let digits = n.to_string();
-    let first = digits.len() % 3;
-    let (head, tail) = digits.split_at(first);
-    let groups = tail.as_bytes().chunks(3).map(|group| String::from_utf8_lossy(group).into_owned());
-    let head = (!head.is_empty()).then(|| head.to_owned());
-    head.into_iter().chain(groups).collect::<Vec<_>>().join(",")
-}
-
 /// A share in parts of a hundred.
 fn percent(part: u64, whole: u64) -> String {
     let share = part as f64 / whole.max(1) as f64 * 100.0;
@@ -169,11 +160,6 @@ fn percent(part: u64, whole: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn thousands_are_set_apart() {
-        assert_eq!([0, 999, 1000, 123_456_789].map(thousands), ["0", "999", "1,000", "123,456,789"]);
-    }
 
     #[test]
     fn every_kind_has_rules_to_try() {

@@ -7,7 +7,8 @@ use std::ops::AddAssign;
 use raystep_accel::{Hit, PrimId, Primitives, Ray};
 
 use super::cause::{CAUSES, cause};
-use super::{counted, percent, thousands};
+use super::{counted, percent};
+use crate::counts::thousands;
 
 /// What came of some rays.
 #[derive(Clone, Debug, Default, PartialEq)]

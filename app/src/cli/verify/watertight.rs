@@ -8,9 +8,10 @@ use raystep_accel::{Aabb, Accel, List, Mesh, PrimId, Primitives, Prims, Random, 
 use raystep_scene::Scene;
 use raystep_scene::trial::sphere;
 
-use super::{bar, counted, stopped, thousands};
-use crate::cli::fault::Fault;
-use crate::cli::files;
+use super::{bar, counted, stopped};
+use crate::counts::thousands;
+use crate::fault::Fault;
+use crate::files;
 
 /// What rays aim at, in turn.
 const AIMS: [&str; 4] = ["a vertex", "an edge", "a direction at random", "along an axis"];

@@ -1,0 +1,20 @@
+//! What is shown: the slide and its walk, how far it is, from where it is seen, and the commands that change
+//! that. It knows no window, file or clock, so that everything that shows slides can share it.
+
+pub(crate) mod beside;
+pub(crate) mod camera;
+pub mod command;
+pub(crate) mod eye;
+pub(crate) mod history;
+pub(crate) mod pictures;
+pub(crate) mod playback;
+pub(crate) mod reel;
+pub mod state;
+pub(crate) mod steps;
+pub(crate) mod view;
+pub(crate) mod words;
+
+pub use beside::{Beside, Pace};
+pub use playback::{Playback, Posed};
+pub use steps::Steps;
+pub use view::{RayChoice, View};

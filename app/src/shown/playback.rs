@@ -1,0 +1,247 @@
+//! One walk or build, ready to be shown at any step: what `lesson` plays, with what the views need beside it.
+
+use std::sync::Arc;
+
+use raystep_accel::{Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace, Visit};
+use raystep_figure::{Film, Instant, Nodes, Reel};
+use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
+use raystep_scene::Scene;
+
+use super::reel::reel;
+
+use super::beside::Beside;
+use super::steps::Steps;
+use super::view::{RayChoice, View};
+
+/// The most events of a mistaken walk that are kept.
+const MOST: usize = 50_000;
+
+/// A walk or a build and everything that its pictures are made of.
+#[derive(Debug)]
+pub struct Playback {
+    /// What was asked for.
+    pub view: View,
+    /// What happens.
+    pub play: Play,
+    /// How the structure was built.
+    pub rule: Rule,
+    /// Its nodes, as pictures need them.
+    pub nodes: Arc<Nodes>,
+    /// The questions of the beats that are reached.
+    pub posed: Vec<Posed>,
+    /// What can be done wrong in such a structure.
+    pub mistakes: Vec<Mistake>,
+    /// What it is shown as: the walk itself, or one beside it.
+    pub kind: Beside,
+    /// How many seconds the structure took to build.
+    pub seconds: f32,
+    film: Film,
+    reached: Vec<f32>,
+}
+
+/// A question and where it stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Posed {
+    /// The beat that asks.
+    pub beat: usize,
+    /// The step at which it is asked.
+    pub before: usize,
+    /// The step that answers it.
+    pub step: usize,
+    /// What can be answered.
+    pub choices: Vec<Choice>,
+}
+
+/// A built structure, which many rays can share.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// What it was built over.
+    pub scene: Arc<Scene>,
+    /// How.
+    pub rule: Rule,
+    /// The structure.
+    pub structure: Arc<Structure>,
+    /// Its nodes, as pictures need them.
+    pub nodes: Arc<Nodes>,
+    /// How it was built, if that is to be played.
+    pub growth: Option<Arc<BuildTape>>,
+    /// How many seconds it took to build.
+    pub seconds: f32,
+}
+
+impl Playback {
+    /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
+    pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
+        let Built { scene, rule, structure, nodes, growth, seconds } = built;
+        // A mistake's own scene is no scene of the slide: nothing is told there.
+        let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
+        let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, beats)?;
+        // Beats that speak of another of the slide's rays are silent on this one.
+        if let RayChoice::Named(index) = view.ray
+            && let Some(this) = stage.rays.get(index)
+        {
+            for (beat, at) in play.beats.iter_mut().enumerate() {
+                if slide.ray_of(stage, beat).is_some_and(|ray| ray.name != this.name) {
+                    *at = None;
+                }
+            }
+        }
+        let film = Film::new(&reel(&play, &nodes));
+        let reached = reached(&play.tape);
+        // Only walks go wrong.
+        let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.ray().is_some()).collect();
+        let (kind, posed) = (Beside::Nothing, Vec::new());
+        let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached };
+        playback.posed = playback.questions(slide);
+        Some(playback)
+    }
+
+    /// The same ray through the same structure with a mistake made.
+    pub fn mistaken(&self, index: usize) -> Option<Playback> {
+        let (mistake, ray) = (*self.mistakes.get(index)?, self.play.tape.ray()?);
+        let mut tape = Trace::new(MOST);
+        let hit = mistake.walk(&self.play.structure, &self.play.scene.prims, &ray, &mut tape);
+        let tape = Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit });
+        let play = Play::new(self.play.scene.clone(), self.play.structure.clone(), tape, &[]);
+        Some(self.aside(play, self.rule, self.nodes.clone(), Beside::Mistake(index)))
+    }
+
+    /// Whether a mistake shows on a ray: in the answer, or in the work.
+    pub fn shows(&self, index: usize, ray: &Ray) -> bool {
+        let Some(mistake) = self.mistakes.get(index) else { return false };
+        let (structure, prims) = (&self.play.structure, &self.play.scene.prims);
+        let (mut right, mut wrong) = (Cost::default(), Cost::default());
+        let answer = structure.intersect(prims, ray, &mut right);
+        mistake.walk(structure, prims, ray, &mut wrong) != answer || right != wrong
+    }
+
+    /// The same ray through another structure over the same scene; a build has none.
+    pub fn through(&self, built: Built) -> Option<Playback> {
+        let Built { scene, rule, structure, nodes, seconds, .. } = built;
+        let kind = Beside::Structure(rule.kind());
+        let tape = Tape::walk(&scene, &structure, self.play.tape.ray()?);
+        let play = Play::new(scene, structure, tape, &[]);
+        Some(Playback { seconds, ..self.aside(play, rule, nodes, kind) })
+    }
+
+    fn aside(&self, play: Play, rule: Rule, nodes: Arc<Nodes>, kind: Beside) -> Playback {
+        let film = Film::new(&reel(&play, &nodes));
+        let reached = reached(&play.tape);
+        let (view, mistakes, seconds) = (self.view.clone(), self.mistakes.clone(), self.seconds);
+        Playback { view, play, rule, nodes, posed: Vec::new(), mistakes, kind, seconds, film, reached }
+    }
+
+    /// What is played, to be played again.
+    pub fn built(&self) -> Built {
+        Built {
+            scene: self.play.scene.clone(),
+            rule: self.rule,
+            structure: self.play.structure.clone(),
+            nodes: self.nodes.clone(),
+            growth: self.play.tape.growth(),
+            seconds: self.seconds,
+        }
+    }
+
+    /// How far along the ray the walk has come at a step.
+    pub fn reached(&self, step: usize) -> f32 {
+        self.reached[step.min(self.reached.len() - 1)]
+    }
+
+    /// The last step at which the walk has come no farther along the ray than this.
+    pub fn step_at(&self, t: f32) -> usize {
+        self.reached.partition_point(|reached| *reached <= t).saturating_sub(1)
+    }
+
+    /// What the figures are drawn of.
+    pub fn reel(&self) -> Reel<'_> {
+        reel(&self.play, &self.nodes)
+    }
+
+    /// The state after so many events.
+    pub fn instant(&self, step: usize) -> Instant {
+        self.film.at(&self.reel(), step)
+    }
+
+    /// What a walk has cost after so many events.
+    pub fn cost(&self, step: usize) -> Option<Cost> {
+        cost(&self.instant(step))
+    }
+
+    /// How many primitives a walk has tested after so many events.
+    pub fn tests(&self, step: usize) -> u64 {
+        self.cost(step).map_or(0, |cost| cost.prim_tests)
+    }
+
+    /// The steps.
+    pub fn steps(&self) -> Steps<'_> {
+        Steps { tape: &self.play.tape, flat: self.play.scene.flat }
+    }
+
+    /// The event that a step shows.
+    pub fn event(&self, step: usize) -> Option<Event> {
+        self.play.event(step)
+    }
+
+    /// The beat that a step belongs to, and the step it waited for.
+    pub fn beat_at(&self, step: usize) -> Option<(usize, usize)> {
+        let beat = self.play.beat_at(step)?;
+        Some((beat, self.play.beats[beat]?))
+    }
+
+    /// The step on which the slide opens: its first decision, or the question before it.
+    pub fn opening(&self, predict: bool) -> usize {
+        let first = self
+            .play
+            .beats
+            .iter()
+            .flatten()
+            .copied()
+            .min()
+            .unwrap_or_else(|| self.steps().next(0, raystep_accel::Grain::Decision));
+        let asked = self.posed.iter().find(|posed| predict && posed.step == first);
+        asked.map_or(first, |posed| posed.before)
+    }
+
+    fn questions(&self, slide: &Slide) -> Vec<Posed> {
+        let finest = raystep_accel::Grain::Arithmetic;
+        let reached = self.play.beats.iter().enumerate().filter_map(|(beat, at)| Some((beat, (*at)?)));
+        let mut posed: Vec<Posed> = reached
+            .filter_map(|(beat, step)| {
+                let choices = slide.beats.get(beat)?.ask.as_ref()?.choices(&self.play, step);
+                let before = self.steps().previous(step, finest);
+                (choices.len() > 1 && before < step).then_some(Posed { beat, before, step, choices })
+            })
+            .collect();
+        posed.sort_by_key(|posed| posed.step);
+        // One question at a time.
+        posed.dedup_by_key(|posed| posed.step);
+        posed
+    }
+}
+
+/// What a walk has cost so far; a build costs no ray anything.
+pub(crate) fn cost(instant: &Instant) -> Option<Cost> {
+    match instant {
+        Instant::Walk(moment) => Some(moment.cost),
+        Instant::Build(_) => None,
+    }
+}
+
+/// How far along the ray a walk has come, at every step: the largest t at which it entered something. A ray
+/// that tests everything first stays at its beginning until the end; a build does not go along a ray.
+fn reached(tape: &Tape) -> Vec<f32> {
+    let Tape::Walk(walk) = tape else { return vec![0.0] };
+    let mut far = walk.ray.t_min;
+    let mut reached = vec![far];
+    for event in &walk.events {
+        far = match *event {
+            Visit::Enter { t_near, .. } | Visit::Pop { t_near, .. } => far.max(t_near),
+            Visit::End { hit: true, t, .. } => far.max(t),
+            Visit::End { hit: false, .. } => f32::INFINITY,
+            _ => far,
+        };
+        reached.push(far);
+    }
+    reached
+}

@@ -1,0 +1,76 @@
+//! Questions: which one is open, and what an answer does.
+
+use raystep_accel::Place;
+use raystep_lesson::Beat;
+
+use super::{Answered, State};
+use crate::shown::playback::Posed;
+
+impl State {
+    /// The question that is open now: it is answered by the next step.
+    pub fn question(&self) -> Option<&Posed> {
+        let playback = self.playback.as_ref().filter(|_| self.predict)?;
+        playback.posed.iter().find(|posed| posed.before == self.view.step)
+    }
+
+    /// The question that was just answered by this step.
+    pub fn settled(&self) -> Option<(&Posed, Answered)> {
+        let answered = self.answered?;
+        let posed = self.playback.as_ref()?.posed.iter().find(|posed| posed.beat == answered.beat)?;
+        (posed.step == self.view.step).then_some((posed, answered))
+    }
+
+    /// The beat that this step belongs to, with the step it waited for.
+    pub fn beat(&self) -> Option<(&Beat, usize)> {
+        let playback = self.playback.as_ref()?;
+        let (beat, step) = playback.beat_at(self.view.step)?;
+        Some((self.slide()?.beats.get(beat)?, step))
+    }
+
+    /// A click on a place: an answer, or the step at which the walk meets it next.
+    pub fn pick(&mut self, place: Option<Place>) {
+        if let Some(place) = place.filter(|_| self.question().is_some())
+            && self.answer_place(place)
+        {
+            return;
+        }
+        self.picked = place.filter(|place| *place != Place::World);
+        let Some(place) = self.picked.filter(|_| self.question().is_none()) else { return };
+        if let Some(playback) = &self.playback {
+            let now = self.view.step;
+            let steps = playback.reel().steps_at(place);
+            let next = steps.iter().find(|step| **step > now).or(steps.first()).copied();
+            if let Some(step) = next {
+                self.go(step);
+            }
+        }
+    }
+
+    /// Answers the open question by a click on a place, if that is an answer.
+    pub fn answer_place(&mut self, place: Place) -> bool {
+        let choices = self.question().map(|posed| &posed.choices);
+        let choice = choices.and_then(|choices| choices.iter().position(|choice| choice.place == Some(place)));
+        if let Some(choice) = choice {
+            self.answer(choice);
+        }
+        choice.is_some()
+    }
+
+    /// Answers the open question; a right answer takes its step.
+    pub(super) fn answer(&mut self, choice: usize) {
+        let Some(posed) = self.question() else { return };
+        let Some(right) = posed.choices.get(choice).map(|choice| choice.right) else { return };
+        let (beat, step) = (posed.beat, posed.step);
+        if right {
+            self.view.step = step;
+        }
+        self.answered = Some(Answered { beat, choice, right });
+    }
+
+    /// Takes the step of the open question without an answer.
+    pub(super) fn skip(&mut self) {
+        if let Some(step) = self.question().map(|posed| posed.step) {
+            self.go(step);
+        }
+    }
+}

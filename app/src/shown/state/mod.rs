@@ -1,0 +1,320 @@
+//! The window's state: pure data that commands change. It knows no widget, file or clock.
+
+mod answering;
+mod stepping;
+mod wanting;
+
+use std::sync::Arc;
+
+use raystep_accel::{Grain, Mistake, Place};
+use raystep_figure::Camera;
+use raystep_lesson::{Library, Slide, Stage, StageKind};
+use raystep_scene::Scene;
+
+use super::beside::{Beside, Pace};
+use super::command::Command;
+use super::history::History;
+use super::playback::Playback;
+use super::steps::coarser;
+use super::view::{RayChoice, View};
+
+/// Everything that a command can change.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// All slides.
+    pub library: Arc<Library>,
+    /// What is shown: always a step of the walk that is there.
+    pub view: View,
+    /// Where playing and the arrow keys stop.
+    pub grain: Grain,
+    /// How many times as fast playing is, 1 to 9.
+    pub speed: u8,
+    /// Whether the walk plays by itself.
+    pub playing: bool,
+    /// Whether questions are asked before the step that answers them.
+    pub predict: bool,
+    /// Whether the next step waits at an open question.
+    pub locked: bool,
+    /// What is shown beside the walk.
+    pub beside: Beside,
+    /// The structure that is compared with when nothing else is said.
+    pub rival: &'static str,
+    /// How the walk beside keeps in step.
+    pub pace: Pace,
+    /// Whether the presenter's page is shown.
+    pub present: bool,
+    /// The answer given to the question that is open, or was just answered.
+    pub answered: Option<Answered>,
+    /// The place that was clicked on last; it stays lit.
+    pub picked: Option<Place>,
+    playback: Option<Arc<Playback>>,
+    /// What shall be shown instead, as soon as its walk is there.
+    wanted: Option<View>,
+    landing: Landing,
+    history: History,
+    waited: f32,
+}
+
+/// An answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Answered {
+    /// The beat that asked.
+    pub beat: usize,
+    /// The place of the chosen answer.
+    pub choice: usize,
+    /// Whether it was right.
+    pub right: bool,
+}
+
+/// Everything that decides what a frame looks like.
+#[derive(PartialEq)]
+pub(crate) struct Stamp {
+    walk: Option<*const Playback>,
+    step: usize,
+    camera: Option<Camera>,
+    waits: bool,
+    beside: (Beside, Pace),
+    modes: [bool; 4],
+    answered: Option<Answered>,
+}
+
+/// Where to stand in a walk that has just been made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Landing {
+    /// At its first decision.
+    Opening,
+    /// At the step of before, as far as the walk goes.
+    Keep,
+    /// At the step that its view names.
+    Named,
+}
+
+impl State {
+    /// The first slide, or the one asked for.
+    pub fn new(library: Arc<Library>, slide: usize) -> State {
+        let slide = slide.min(library.slides.len().saturating_sub(1));
+        let stage = first_stage(&library, slide, StageKind::Flat);
+        let view = View::of_slide(slide, stage);
+        State {
+            library,
+            wanted: Some(view.clone()),
+            view,
+            grain: Grain::Decision,
+            speed: 1,
+            playing: false,
+            predict: true,
+            locked: false,
+            beside: Beside::Nothing,
+            rival: "list",
+            pace: Pace::Event,
+            present: false,
+            answered: None,
+            picked: None,
+            playback: None,
+            landing: Landing::Opening,
+            history: History::default(),
+            waited: 0.0,
+        }
+    }
+
+    /// The slide shown; nothing when the library is empty.
+    pub fn slide(&self) -> Option<&Slide> {
+        self.library.slides.get(self.view.slide)
+    }
+
+    /// The stage shown.
+    pub fn stage(&self) -> Option<&Stage> {
+        let slide = self.slide()?;
+        slide.stage(self.view.stage).or(slide.stages.first())
+    }
+
+    /// The walk shown, once it is there.
+    pub fn playback(&self) -> Option<&Arc<Playback>> {
+        self.playback.as_ref()
+    }
+
+    /// What a frame that is drawn now shows.
+    pub(crate) fn stamp(&self) -> Stamp {
+        Stamp {
+            walk: self.playback.as_ref().map(Arc::as_ptr),
+            step: self.view.step,
+            camera: self.view.camera,
+            waits: self.wanted.is_some(),
+            beside: (self.beside, self.pace),
+            modes: [self.playing, self.predict, self.locked, self.present],
+            answered: self.answered,
+        }
+    }
+
+    /// Does what a command says; those that concern the window itself change nothing here.
+    pub fn apply(&mut self, command: Command) {
+        match command {
+            Command::Play => {
+                self.playing = !self.playing;
+                self.waited = 0.0;
+                if self.playing && self.playback.as_ref().is_some_and(|p| self.view.step == p.steps().last()) {
+                    self.go(0);
+                    self.playing = true;
+                }
+            }
+            Command::Next => self.forward(self.grain),
+            Command::NextCoarse => self.forward(coarser(self.grain)),
+            Command::Previous => self.back(self.grain),
+            Command::PreviousCoarse => self.back(coarser(self.grain)),
+            Command::First => self.go(0),
+            Command::Last => self.go(usize::MAX),
+            Command::NextSlide => self.show_slide(self.target().slide + 1),
+            Command::PreviousSlide => self.show_slide(self.target().slide.wrapping_sub(1)),
+            Command::Speed(speed) => self.speed = speed.clamp(1, 9),
+            Command::Grain(grain) => self.grain = grain,
+            Command::Predict => {
+                self.predict = !self.predict;
+                self.answered = None;
+            }
+            Command::Answer(choice) => self.answer(usize::from(choice)),
+            Command::Skip => self.skip(),
+            Command::Lock => self.locked = !self.locked,
+            Command::Restore => self.restore(),
+            Command::Undo => self.undo(),
+            Command::Redo => self.redo(),
+            Command::Flat => self.show_stage(StageKind::Flat),
+            Command::Solid => self.show_stage(StageKind::Solid),
+            Command::Compare => {
+                let on = matches!(self.beside, Beside::Structure(_));
+                self.beside = if on { Beside::Nothing } else { Beside::Structure(self.rival) };
+            }
+            Command::Present => self.present = !self.present,
+            Command::ResetCamera => self.look(None),
+            _ => {}
+        }
+    }
+
+    /// To another slide.
+    pub fn show_slide(&mut self, slide: usize) {
+        if slide >= self.library.slides.len() || slide == self.target().slide {
+            return;
+        }
+        self.keep();
+        let stage = first_stage(&self.library, slide, self.target().stage);
+        self.beside = Beside::Nothing;
+        self.want(View::of_slide(slide, stage), Landing::Opening);
+    }
+
+    /// To the slide's other stage.
+    pub fn show_stage(&mut self, stage: StageKind) {
+        let View { slide, stage: now, .. } = *self.target();
+        let offered = self.library.slides.get(slide).is_some_and(|slide| slide.stage(stage).is_some());
+        if offered && stage != now {
+            self.keep();
+            self.want(View::of_slide(slide, stage), Landing::Opening);
+        }
+    }
+
+    /// Another ray; `drag` says that it belongs to a change that is under way.
+    pub fn show_ray(&mut self, ray: RayChoice, drag: bool) {
+        if ray == self.target().ray {
+            return;
+        }
+        if !drag {
+            self.keep();
+        }
+        let landing = if matches!(ray, RayChoice::Named(_)) { Landing::Opening } else { Landing::Keep };
+        self.want(View { ray, ..self.target().clone() }, landing);
+    }
+
+    /// A parameter of the structure.
+    pub fn set(&mut self, key: &str, value: &str) {
+        self.keep();
+        let mut view = self.target().clone();
+        view.settings.retain(|(known, _)| known != key);
+        view.settings.push((key.to_owned(), value.to_owned()));
+        self.want(view, Landing::Keep);
+    }
+
+    /// A mesh instead of the slide's scene, with a ray through it.
+    pub fn show_mesh(&mut self, mesh: Arc<Scene>, ray: raystep_accel::Ray) {
+        self.keep();
+        let (stage, ray) = (StageKind::Solid, RayChoice::Own(ray));
+        let view = View { stage, ray, mesh: Some(mesh), example: None, camera: None, ..self.target().clone() };
+        self.want(view, Landing::Opening);
+    }
+
+    /// The small scene and the ray on which a mistake shows.
+    pub fn show_example(&mut self, mistake: Mistake) {
+        self.keep();
+        let view = View::of_slide(self.view.slide, self.view.stage);
+        let ray = RayChoice::Own(mistake.example().ray);
+        self.want(View { ray, example: Some(mistake), ..view }, Landing::Opening);
+    }
+
+    /// Another structure beside the walk.
+    pub fn compare(&mut self, kind: &'static str) {
+        self.rival = kind;
+        self.beside = Beside::Structure(kind);
+    }
+
+    /// Another place to look from, as part of a change that is under way.
+    pub fn turn(&mut self, camera: Camera) {
+        self.see(Some(camera));
+    }
+
+    /// Another place to look from; nothing for the slide's own.
+    pub fn look(&mut self, camera: Option<Camera>) {
+        if camera != self.view.camera {
+            self.keep();
+            self.see(camera);
+        }
+    }
+
+    fn see(&mut self, camera: Option<Camera>) {
+        self.view.camera = camera;
+        if let Some(wanted) = &mut self.wanted
+            && wanted.same_scene(&self.view)
+        {
+            wanted.camera = camera;
+        }
+    }
+
+    /// Remembers the view before a change that undo shall take back in one.
+    pub fn keep(&mut self) {
+        self.history.keep(&self.view);
+    }
+
+    /// Whether there is something to undo, and to redo.
+    pub fn undoable(&self) -> (bool, bool) {
+        self.history.available()
+    }
+
+    fn restore(&mut self) {
+        let View { slide, stage, .. } = *self.target();
+        let own = View::of_slide(slide, first_stage(&self.library, slide, stage));
+        if !own.same_walk(self.target()) {
+            self.keep();
+            self.want(own, Landing::Opening);
+        } else if self.view.camera.is_some() {
+            self.look(None);
+        }
+        self.beside = Beside::Nothing;
+    }
+
+    fn undo(&mut self) {
+        let now = self.target().clone();
+        if let Some(view) = self.history.undo(&now) {
+            self.want(view, Landing::Named);
+        }
+    }
+
+    fn redo(&mut self) {
+        let now = self.target().clone();
+        if let Some(view) = self.history.redo(&now) {
+            self.want(view, Landing::Named);
+        }
+    }
+}
+
+/// The stage a slide opens on: the wanted one if it has it.
+fn first_stage(library: &Library, slide: usize, wanted: StageKind) -> StageKind {
+    let stages = library.slides.get(slide).map_or(&[][..], |slide| slide.stages.as_slice());
+    let wanted = stages.iter().find(|stage| stage.kind == wanted);
+    wanted.or(stages.first()).map_or(StageKind::Flat, |stage| stage.kind)
+}

@@ -1,0 +1,4 @@
+//! The bars at the top and at the bottom.
+
+pub(super) mod bottom;
+pub(super) mod top;

@@ -1,0 +1,275 @@
+//! The bar at the top: where we are in the lecture, which ray, which stage, and the modes.
+
+use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
+use raystep_figure::{Face, Role, Theme};
+use raystep_lesson::{Plays, StageKind};
+
+use crate::shown::beside::Beside;
+use crate::shown::command::{Command, Entry};
+use crate::shown::state::State;
+use crate::shown::view::RayChoice;
+use crate::shown::words::kind_name;
+use crate::window::look::controls;
+use crate::window::look::fonts::font;
+use crate::window::look::icons::{Icon, icon_button};
+use crate::window::look::visuals::{color32, ink, style};
+
+/// What was asked for in the bar.
+pub(crate) enum Asked {
+    /// A command.
+    Command(Command),
+    /// A slide, by its place.
+    Slide(usize),
+    /// A ray of the slide, by its place.
+    Ray(usize),
+    /// A parameter of the structure.
+    Set(String, String),
+    /// A mistake, by its place, or none.
+    Mistake(Option<usize>),
+    /// A theme.
+    Theme(&'static Theme),
+}
+
+/// Shows the bar and says what was asked for.
+pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
+    let mut asked = None;
+    let width = ui.available_width();
+    ui.horizontal_centered(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        if width > 1180.0 {
+            ui.label(RichText::new("Raystep").font(font(Face::Bold, 17.0)));
+            ui.add_space(8.0);
+        }
+        outline(ui, state, theme, (width * 0.235).clamp(180.0, 380.0), &mut asked);
+        if width > 1300.0
+            && let Some(slide) = state.slide()
+        {
+            ui.add_space(6.0);
+            ui.label(RichText::new(slide.numbers_text()).color(ink(theme, Role::Quiet)));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            more(ui, state, theme, &mut asked);
+            let modes = [
+                (Command::Export, false),
+                (Command::Present, false),
+                (Command::Predict, state.predict),
+                (Command::Compare, matches!(state.beside, Beside::Structure(_))),
+            ];
+            // Brute force has no structure that could be built.
+            let builds = state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+            for (command, on) in modes.into_iter().filter(|(command, _)| !(builds && *command == Command::Compare)) {
+                let button = Button::new(command.name()).selected(on);
+                let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };
+                if ui.add(button).on_hover_text(command.tip()).clicked() {
+                    asked = Some(Asked::Command(command));
+                }
+            }
+            ui.add_space(4.0);
+            stages(ui, state, theme, &mut asked);
+            ui.add_space(4.0);
+            structure(ui, state, theme, &mut asked);
+            let room = ui.available_width();
+            rays(ui, state, theme, (room - 8.0).clamp(60.0, 300.0), &mut asked);
+        });
+    });
+    asked
+}
+
+/// ‹ outline ›
+fn outline(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Option<Asked>) {
+    // Where we go shows at once, even while the page is still the one before.
+    let at = state.target().slide;
+    let back = icon_button(ui, Icon::Left, "Previous slide", &Command::PreviousSlide.tip(), false, 28.0);
+    if back.clicked() {
+        *asked = Some(Asked::Command(Command::PreviousSlide));
+    }
+    let shown = state.library.slides.get(at).map_or_else(String::new, |slide| {
+        format!("{} {} › {}", section_number(slide), slide.section_title(), slide.title)
+    });
+    let combo = ComboBox::from_id_salt("outline").width(width).truncate().selected_text(RichText::new(shown));
+    let shown = controls::within(ui, width, |ui| {
+        combo.show_ui(ui, |ui| {
+            ui.set_min_width(width.max(340.0));
+            let mut section = "";
+            for (index, slide) in state.library.slides.iter().enumerate() {
+                if slide.section != section {
+                    section = &slide.section;
+                    ui.add_space(4.0);
+                    let heading = format!("{} {}", section_number(slide), slide.section_title());
+                    ui.label(RichText::new(heading).font(font(Face::Bold, 12.5)).color(ink(theme, Role::Quiet)));
+                }
+                let text = format!("{}   {}", slide.title, slide.numbers_text());
+                if ui.selectable_label(index == at, text).clicked() {
+                    *asked = Some(Asked::Slide(index));
+                }
+            }
+        })
+    });
+    controls::name(&shown.response, "Outline of slides");
+    let forth = icon_button(ui, Icon::Right, "Next slide", &Command::NextSlide.tip(), false, 28.0);
+    if forth.clicked() {
+        *asked = Some(Asked::Command(Command::NextSlide));
+    }
+}
+
+/// `"5"` of the section `"05-kd-tree"`.
+fn section_number(slide: &raystep_lesson::Slide) -> &str {
+    slide.section.split('-').next().unwrap_or_default().trim_start_matches('0')
+}
+
+/// The slide's rays, in the colour of rays.
+fn rays(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Option<Asked>) {
+    let Some(stage) = state.stage().filter(|stage| !stage.rays.is_empty()) else { return };
+    let name = match &state.view.ray {
+        RayChoice::Named(index) => stage.rays.get(*index).map_or("", |ray| ray.name.as_str()),
+        RayChoice::Own(_) => "your own",
+    };
+    let text = format!("Ray: {name}");
+    let needed = raystep_figure::text_width(&text, Face::Medium, 13.5) + 44.0;
+    ui.scope(|ui| {
+        let (text_color, tint) = (ink(theme, Role::Live), theme.style(Role::Value).fill);
+        let panel = theme.style(Role::Panel).fill;
+        let visuals = ui.visuals_mut();
+        for widget in [&mut visuals.widgets.inactive, &mut visuals.widgets.hovered, &mut visuals.widgets.open] {
+            if let (Some(tint), Some(panel)) = (tint, panel) {
+                widget.weak_bg_fill = color32(tint.over(panel));
+            }
+            widget.bg_stroke = egui::Stroke::new(1.2, text_color);
+            widget.fg_stroke.color = text_color;
+        }
+        let width = needed.min(width);
+        let combo = ComboBox::from_id_salt("rays").width(width).truncate();
+        let text = RichText::new(text).font(font(Face::Medium, 13.5)).color(text_color);
+        let shown = controls::within(ui, width, |ui| {
+            combo.selected_text(text).show_ui(ui, |ui| {
+                for (index, ray) in stage.rays.iter().enumerate() {
+                    if ui.selectable_label(state.view.ray == RayChoice::Named(index), &ray.name).clicked() {
+                        *asked = Some(Asked::Ray(index));
+                    }
+                }
+            })
+        });
+        controls::name(&shown.response, &format!("Ray: {name}"));
+    });
+}
+
+/// Flat or solid, as far as the slide offers them.
+fn stages(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
+    let Some(slide) = state.slide() else { return };
+    // Laid out from right to left.
+    ui.spacing_mut().item_spacing.x = 0.0;
+    for (kind, command) in [(StageKind::Solid, Command::Solid), (StageKind::Flat, Command::Flat)] {
+        let on = state.view.stage == kind;
+        let text = RichText::new(command.name());
+        let text = if on { text.color(ui.visuals().extreme_bg_color) } else { text };
+        let button = Button::new(text);
+        let button = if on { button.fill(ink(theme, Role::Here)) } else { button };
+        let offered = slide.stage(kind).is_some() || state.view.mesh.is_some() && on;
+        let response = ui.add_enabled(offered, button).on_hover_text(command.tip());
+        let response = response.on_disabled_hover_text("This slide has no such stage");
+        if response.clicked() {
+            *asked = Some(Asked::Command(command));
+        }
+    }
+    ui.spacing_mut().item_spacing.x = 6.0;
+}
+
+/// The structure's parameters, behind a button with its name.
+fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
+    let Some(playback) = state.playback() else { return };
+    let target = state.target();
+    let mut rule = playback.rule;
+    if target.same_scene(&state.view) {
+        for (key, value) in &target.settings {
+            // What cannot be set is said when the structure is built.
+            let _ = rule.set(key, value);
+        }
+    }
+    let parameters = rule.parameters();
+    if parameters.is_empty() {
+        return;
+    }
+    let changed = if target.settings.is_empty() { "" } else { " *" };
+    let title = format!("{}{changed}", kind_name(playback.rule.kind()));
+    let menu = ui.menu_button(title, |ui| {
+        // Its fields look like fields, not like a menu's rows.
+        ui.set_style(style(theme));
+        ui.set_width(330.0);
+        ui.label(RichText::new("How it is built").font(font(Face::Bold, 13.5)));
+        for parameter in &parameters {
+            if let Some(value) = controls::parameter(ui, parameter, theme) {
+                *asked = Some(Asked::Set(parameter.key.to_owned(), value));
+            }
+        }
+        if !target.settings.is_empty() {
+            ui.add_space(4.0);
+            if ui.button("The slide's own parameters").clicked() {
+                *asked = Some(Asked::Command(Command::Restore));
+                ui.close();
+            }
+        }
+    });
+    controls::name(&menu.response, &format!("Structure: {}", kind_name(playback.rule.kind())));
+}
+
+/// What is needed more rarely.
+fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
+    let button = icon_button(ui, Icon::More, "More", "More", false, 28.0);
+    egui::Popup::menu(&button).show(|ui| {
+        ui.set_width(310.0);
+        let (undo, redo) = state.undoable();
+        let commands = [
+            (Command::Undo, undo),
+            (Command::Redo, redo),
+            (Command::Restore, true),
+            (Command::Frame, true),
+            (Command::ResetCamera, true),
+            (Command::Open, true),
+            (Command::Copy, true),
+            (Command::FullScreen, true),
+            (Command::Palette, true),
+            (Command::Help, true),
+        ];
+        for (command, enabled) in commands {
+            let keys = command.entry().map_or("", Entry::keys_text);
+            let button = Button::new(command.name()).shortcut_text(keys).min_size(vec2(298.0, 0.0));
+            if ui.add_enabled(enabled, button).clicked() {
+                *asked = Some(Asked::Command(command));
+            }
+        }
+        ui.separator();
+        let mut locked = state.locked;
+        ui.horizontal(|ui| {
+            ui.set_style(style(theme));
+            if ui.checkbox(&mut locked, Command::Lock.name()).changed() {
+                *asked = Some(Asked::Command(Command::Lock));
+            }
+        });
+        ui.separator();
+        ui.label(RichText::new("Theme").color(ink(theme, Role::Quiet)));
+        ui.horizontal(|ui| {
+            ui.set_style(style(theme));
+            for other in [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR] {
+                let button = Button::new(other.name).selected(other.name == theme.name);
+                if button.ui(ui).clicked() {
+                    *asked = Some(Asked::Theme(other));
+                }
+            }
+        });
+        mistakes(ui, state, theme, asked);
+    });
+}
+
+/// The mistakes that can be played beside the right walk.
+fn mistakes(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
+    let Some(playback) = state.playback().filter(|playback| !playback.mistakes.is_empty()) else { return };
+    ui.separator();
+    ui.label(RichText::new(Command::Break.name()).color(ink(theme, Role::Quiet)));
+    for (index, mistake) in playback.mistakes.iter().enumerate() {
+        let on = state.beside == Beside::Mistake(index);
+        if ui.selectable_label(on, mistake.title()).on_hover_text(mistake.consequence()).clicked() {
+            *asked = Some(Asked::Mistake((!on).then_some(index)));
+        }
+    }
+}

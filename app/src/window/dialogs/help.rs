@@ -1,0 +1,143 @@
+//! The page of keys and of what the mouse does, in two columns that fit the window.
+
+use egui::{Grid, RichText, ScrollArea, Ui};
+use raystep_figure::{Face, Role, Theme};
+
+use crate::shown::command::{Command, Entry};
+use crate::window::look::controls;
+use crate::window::look::fonts::font;
+use crate::window::look::visuals::ink;
+
+/// Some commands under a heading.
+type Group = (&'static str, &'static [Command]);
+
+/// The left column, then the right one. The nine speeds and the four answers share a line each.
+const COLUMNS: [&[Group]; 2] = [
+    &[
+        (
+            "The walk",
+            &[
+                Command::Play,
+                Command::Speed(1),
+                Command::Next,
+                Command::Previous,
+                Command::NextCoarse,
+                Command::PreviousCoarse,
+                Command::First,
+                Command::Last,
+            ],
+        ),
+        ("Questions", &[Command::Predict, Command::Answer(0), Command::Skip]),
+        ("Slides", &[Command::NextSlide, Command::PreviousSlide, Command::Restore, Command::Undo, Command::Redo]),
+    ],
+    &[
+        ("The picture", &[Command::Compare, Command::Frame, Command::ResetCamera, Command::Export, Command::Copy]),
+        (
+            "The window",
+            &[
+                Command::Present,
+                Command::FullScreen,
+                Command::Open,
+                Command::Cancel,
+                Command::Palette,
+                Command::ZoomIn,
+                Command::ZoomOut,
+                Command::ZoomReset,
+                Command::Help,
+            ],
+        ),
+    ],
+];
+
+/// What the mouse does.
+const MOUSE: &[(&str, &str)] = &[
+    ("Hover", "lights up the same place in every view"),
+    ("Click", "goes to where the walk meets a place"),
+    ("Double click", "puts a node of the tree on top"),
+    ("Ray's ends", "move the ray"),
+    ("Shift drag", "shoots a ray of your own"),
+    ("Drag", "turns the view, or shifts a flat one"),
+    ("Right drag", "shifts the view, as does the middle"),
+    ("Wheel", "comes nearer"),
+];
+
+/// Shows the page; says whether it shall close.
+pub(super) fn page(ui: &Ui, theme: &Theme) -> bool {
+    let modal = controls::modal(ui, "help").show(ui.ctx(), |ui| {
+        ui.set_width(COLUMN * 2.0 + 28.0);
+        ui.label(RichText::new(Command::Help.name()).font(font(Face::Bold, 20.0)));
+        let height = (ui.ctx().content_rect().height() - 130.0).max(200.0);
+        let area = ScrollArea::vertical().min_scrolled_height(height).max_height(height).auto_shrink([false, true]);
+        area.show(ui, |ui| {
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = 28.0;
+                for (index, groups) in COLUMNS.into_iter().enumerate() {
+                    ui.vertical(|ui| {
+                        ui.set_width(COLUMN);
+                        column(ui, groups, theme);
+                        if index == 1 {
+                            let rows = MOUSE.iter().map(|(left, right)| (*left, *right));
+                            group(ui, "The mouse", rows, theme);
+                        }
+                    });
+                }
+            });
+        });
+        ui.add_space(4.0);
+        ui.button("Close").clicked()
+    });
+    modal.should_close() || modal.inner
+}
+
+/// The width of a column.
+const COLUMN: f32 = 410.0;
+
+fn column(ui: &mut Ui, groups: &[Group], theme: &Theme) {
+    for (heading, commands) in groups {
+        let rows: Vec<(String, &str)> = commands.iter().filter_map(|command| Some(row(command.entry()?))).collect();
+        group(ui, heading, rows.iter().map(|(keys, name)| (keys.as_str(), *name)), theme);
+    }
+}
+
+/// A command's keys and name.
+fn row(entry: &Entry) -> (String, &'static str) {
+    // A plus between two keys would run into the signs beside it.
+    let keys = entry.keys_text().replace("Ctrl+", "Ctrl ").replace("Shift+", "Shift ");
+    match entry.command {
+        Command::Speed(_) => ("1 … 9".to_owned(), "Speed of playing"),
+        Command::Answer(_) => ("A B C D".to_owned(), "Answer the open question"),
+        Command::Cancel => (keys, "Cancel, close, let go of a field"),
+        _ => (keys, entry.name),
+    }
+}
+
+fn group<'a>(ui: &mut Ui, heading: &str, rows: impl Iterator<Item = (&'a str, &'a str)>, theme: &Theme) {
+    ui.add_space(6.0);
+    ui.label(RichText::new(heading).font(font(Face::Bold, 13.0)).color(ink(theme, Role::Quiet)));
+    Grid::new(heading).num_columns(2).min_col_width(112.0).min_row_height(18.0).spacing([16.0, 4.0]).show(ui, |ui| {
+        for (left, right) in rows {
+            ui.label(RichText::new(left).font(font(Face::Mono, 12.5)).color(ink(theme, Role::Here)));
+            ui.label(RichText::new(right).font(font(Face::Regular, 13.5)));
+            ui.end_row();
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shown::command::ENTRIES;
+
+    #[test]
+    fn every_key_stands_on_the_page_once() {
+        let listed: Vec<&Command> = COLUMNS.iter().flat_map(|groups| groups.iter().flat_map(|(_, all)| *all)).collect();
+        for entry in ENTRIES.iter().filter(|entry| !entry.keys.is_empty()) {
+            let shown = match entry.command {
+                Command::Speed(_) => Command::Speed(1),
+                Command::Answer(_) => Command::Answer(0),
+                other => other,
+            };
+            assert_eq!(listed.iter().filter(|command| ***command == shown).count(), 1, "{}", entry.name);
+        }
+    }
+}

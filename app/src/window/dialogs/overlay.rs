@@ -1,0 +1,136 @@
+//! All that lies over the page.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use egui::Ui;
+use raystep_figure::Theme;
+
+use super::palette::Palette;
+use super::toasts::Toasts;
+use super::{drop_hint, export, help, open, palette, progress};
+use crate::fault::Fault;
+use crate::shown::command::Command;
+use crate::shown::state::State;
+use crate::window::work::exporting::Wish;
+use crate::window::work::task::Task;
+
+/// The dialogs that are open, and the messages that are shown.
+#[derive(Default)]
+pub(crate) struct Overlay {
+    palette: Option<Palette>,
+    help: bool,
+    export: Option<export::Form>,
+    open: Option<open::Form>,
+    toasts: Toasts,
+}
+
+/// What was asked for over the page.
+pub(crate) enum Asked {
+    /// A command.
+    Command(Command),
+    /// A slide, by its place.
+    Slide(usize),
+    /// To choose a folder to write to.
+    ChooseFolder,
+    /// To write files.
+    Write(Wish),
+    /// To choose a mesh.
+    ChooseMesh,
+    /// To open a mesh.
+    Mesh(PathBuf),
+    /// To give up what is under way.
+    Stop(Arc<Task>),
+}
+
+impl Overlay {
+    /// Whether a dialog has the keys.
+    pub(crate) fn is_open(&self) -> bool {
+        self.palette.is_some() || self.help || self.export.is_some() || self.open.is_some()
+    }
+
+    /// Opens the palette.
+    pub(crate) fn find(&mut self) {
+        self.palette = Some(Palette::default());
+    }
+
+    /// Opens the page of keys, or closes it.
+    pub(crate) fn help(&mut self) {
+        self.help = !self.help;
+    }
+
+    /// Opens the dialog that writes files.
+    pub(crate) fn export(&mut self, state: &State, theme: &'static Theme) {
+        self.export = Some(export::Form::of(state, theme));
+    }
+
+    /// Opens the dialog that opens a mesh.
+    pub(crate) fn open(&mut self) {
+        self.open = Some(open::Form::default());
+    }
+
+    /// Shows a message.
+    pub(crate) fn say(&mut self, ui: &Ui, message: impl Into<String>) {
+        self.toasts.say(ui, message);
+    }
+
+    /// A mesh was chosen for the dialog. Says whether that is open.
+    pub(crate) fn chose_mesh(&mut self, path: &Path) -> bool {
+        if let Some(form) = &mut self.open {
+            form.choose(path);
+        }
+        self.open.is_some()
+    }
+
+    /// A folder was chosen to write to.
+    pub(crate) fn chose_folder(&mut self, folder: &Path) {
+        if let Some(form) = &mut self.export {
+            form.set_folder(folder);
+        }
+    }
+
+    /// What was to be written is being written, or cannot be.
+    pub(crate) fn wrote(&mut self, written: Result<(), Fault>) {
+        match (written, &mut self.export) {
+            (Err(fault), Some(form)) => form.refuse(&fault),
+            _ => self.export = None,
+        }
+    }
+
+    /// Shows all of it; says what was asked for.
+    pub(crate) fn show(&mut self, ui: &Ui, state: &State, tasks: &[Arc<Task>], theme: &Theme) -> Vec<Asked> {
+        let mut asked = Vec::new();
+        if let Some(palette) = &mut self.palette {
+            let (close, chosen) = palette.show(ui, &state.library, theme);
+            if close {
+                self.palette = None;
+            }
+            asked.extend(chosen.map(|choice| match choice {
+                palette::Choice::Command(command) => Asked::Command(command),
+                palette::Choice::Slide(slide) => Asked::Slide(slide),
+            }));
+        }
+        if self.help && help::page(ui, theme) {
+            self.help = false;
+        }
+        match self.export.as_mut().and_then(|form| form.show(ui, state, theme)) {
+            Some(export::Asked::Folder) => asked.push(Asked::ChooseFolder),
+            Some(export::Asked::Write(wish)) => asked.push(Asked::Write(wish)),
+            Some(export::Asked::Close) => self.export = None,
+            None => {}
+        }
+        match self.open.as_mut().and_then(|form| form.show(ui, theme)) {
+            Some(open::Asked::Choose) => asked.push(Asked::ChooseMesh),
+            Some(open::Asked::Open(path)) => {
+                self.open = None;
+                asked.push(Asked::Mesh(path));
+            }
+            Some(open::Asked::Close) => self.open = None,
+            None => {}
+        }
+        asked.extend(progress::strip(ui, tasks, theme).map(Asked::Stop));
+        self.toasts.show(ui, theme);
+        drop_hint::show(ui, theme);
+        asked
+    }
+}

@@ -1,0 +1,82 @@
+//! Controls that follow from data: a structure's parameters, and names for what egui leaves nameless.
+
+use egui::{Checkbox, ComboBox, DragValue, Response, RichText, Role, Ui, WidgetInfo};
+use raystep_accel::{Allowed, Parameter};
+use raystep_figure::Theme;
+
+use super::visuals::ink;
+
+/// Gives a drop-down its accessible name.
+pub(crate) fn name(response: &Response, name: &str) {
+    response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name));
+}
+
+/// Shows something in so much width and no more.
+pub(crate) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R) -> R {
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    ui.allocate_ui_with_layout(egui::vec2(width, 30.0), layout, |ui| {
+        ui.set_max_width(width);
+        add(ui)
+    })
+    .inner
+}
+
+/// A control for one parameter; returns its new value as text when it was changed.
+pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<String> {
+    let mut changed = None;
+    let label = parameter.key.replace('_', " ");
+    ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.horizontal(|ui| {
+            ui.set_min_height(30.0);
+            ui.label(&label);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                changed = control(ui, parameter, &label);
+            });
+        });
+        ui.label(RichText::new(parameter.about).small().color(ink(theme, raystep_figure::Role::Quiet)));
+    });
+    changed
+}
+
+fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<String> {
+    match parameter.allowed {
+        Allowed::Flag => {
+            let mut on = parameter.value == "true";
+            let response = ui.add(Checkbox::without_text(&mut on));
+            response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, label));
+            response.changed().then(|| on.to_string())
+        }
+        Allowed::Words(words) => {
+            let mut chosen = None;
+            let combo = ComboBox::from_id_salt(parameter.key).selected_text(&parameter.value).width(110.0);
+            let shown = combo.show_ui(ui, |ui| {
+                for word in words {
+                    if ui.selectable_label(*word == parameter.value, *word).clicked() {
+                        chosen = Some((*word).to_owned());
+                    }
+                }
+            });
+            name(&shown.response, label);
+            chosen
+        }
+        Allowed::Count { min, max } => {
+            let mut count: u32 = parameter.value.parse().unwrap_or(min);
+            let response = ui.add(DragValue::new(&mut count).range(min..=max).speed(0.05));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));
+            response.changed().then(|| count.to_string())
+        }
+        Allowed::Real { min, max } => {
+            let mut number: f32 = parameter.value.parse().unwrap_or(min);
+            let response = ui.add(DragValue::new(&mut number).range(min..=max).speed((max - min) * 0.002));
+            response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));
+            response.changed().then(|| number.to_string())
+        }
+    }
+}
+
+/// A dialog over the window.
+pub(crate) fn modal(ui: &Ui, name: &'static str) -> egui::Modal {
+    let frame = egui::Frame::popup(ui.style()).inner_margin(22);
+    egui::Modal::new(egui::Id::unique(name)).frame(frame)
+}

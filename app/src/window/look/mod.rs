@@ -1,0 +1,13 @@
+//! How the window looks: colours, letters, formulas, figures and controls, and what of that is remembered.
+
+pub(super) mod controls;
+pub(super) mod fonts;
+pub(super) mod formulas;
+pub(super) mod icons;
+pub(super) mod markdown;
+pub(super) mod outline;
+pub(super) mod painter;
+pub(super) mod prose;
+pub(super) mod remembered;
+pub(super) mod tex;
+pub(super) mod visuals;

@@ -1,0 +1,15 @@
+//! The panes: the lesson, space, and the figures around it, as a study page or as the presenter's.
+
+mod columns;
+mod lesson;
+mod page;
+pub(super) mod present;
+mod question;
+mod rival;
+mod sight;
+mod solid;
+mod space;
+mod stage;
+pub(super) mod study;
+
+pub(super) use page::{Asked, Kept, Page};

@@ -1,0 +1,78 @@
+//! What panes are given, what they keep, and what they answer.
+
+use std::sync::Arc;
+
+use egui::Ui;
+use raystep_accel::{Place, Ray};
+use raystep_figure::{Theme, TreeView};
+use raystep_paint::Mesh;
+
+use super::sight::Sight;
+use crate::shown::beside::Pace;
+use crate::shown::camera::Seen;
+use crate::shown::command::Command;
+use crate::shown::pictures::Pictures;
+use crate::shown::playback::Playback;
+use crate::shown::state::State;
+use crate::window::look::formulas::Formulas;
+
+/// What panes show.
+#[derive(Clone, Copy)]
+pub(crate) struct Page<'a> {
+    pub(crate) state: &'a State,
+    /// The walk beside, once it is there.
+    pub(crate) beside: Option<&'a Arc<Playback>>,
+    /// The solid scene on the GPU, where there is one.
+    pub(crate) mesh: Option<&'a Arc<Mesh>>,
+    /// Whether a walk is being made.
+    pub(crate) making: bool,
+    /// The place that lights up.
+    pub(crate) lit: Option<Place>,
+    pub(crate) theme: &'a Theme,
+}
+
+/// What was asked for in a pane.
+#[derive(Debug)]
+pub(crate) enum Asked {
+    /// A command.
+    Command(Command),
+    /// A click on a place; beside everything, on none.
+    Pick(Option<Place>),
+    /// A change begins that undo shall take back in one.
+    Keep,
+    /// Another place to look from, as part of that change.
+    Turn(Seen),
+    /// A ray of the user's own, as part of that change.
+    Ray(Ray),
+    /// Another structure beside the walk.
+    Compare(&'static str),
+    /// How the walk beside keeps in step.
+    Pace(Pace),
+}
+
+/// What panes keep from frame to frame, so that it is made once.
+#[derive(Default)]
+pub(crate) struct Kept {
+    /// The figures of this step.
+    pub(crate) pictures: Option<Pictures>,
+    /// How space is looked at.
+    pub(crate) sight: Sight,
+    pub(super) formulas: Formulas,
+    pub(super) tree: TreeView,
+    hovered: Option<Place>,
+}
+
+impl Kept {
+    /// The place under the pointer.
+    pub(crate) fn hovered(&self) -> Option<Place> {
+        self.hovered
+    }
+
+    /// What the pointer is on lights up from the next frame on.
+    pub(crate) fn hover(&mut self, ui: &Ui, under: Option<Place>) {
+        if under != self.hovered {
+            self.hovered = under;
+            ui.ctx().request_repaint();
+        }
+    }
+}

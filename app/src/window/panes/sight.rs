@@ -1,0 +1,77 @@
+//! How space is looked at: what draws it, and what the pointer has hold of.
+
+use raystep_figure::{Camera, Space};
+
+use super::solid::Solid;
+use super::space::Hold;
+use crate::shown::camera::Seen;
+use crate::shown::eye;
+use crate::shown::pictures::{Drawn, Pictures};
+use crate::shown::state::State;
+
+/// The stage between two frames.
+pub(crate) struct Sight {
+    pub(super) solid: Solid,
+    pub(super) solid_beside: Solid,
+    /// What the pointer has hold of.
+    pub(super) hold: Option<Hold>,
+    /// Where space is seen from while a ray is dragged.
+    pub(super) still: Option<Camera>,
+    /// The walk beside, as it was drawn last.
+    pub(super) beside: Option<Drawn>,
+    /// The aspect (width / height) of the picture in which the camera was moved last.
+    pub(crate) aspect: f32,
+    /// The size of the picture of space.
+    pub(crate) size: glam::Vec2,
+}
+
+impl Default for Sight {
+    fn default() -> Sight {
+        Sight {
+            solid: Solid::default(),
+            solid_beside: Solid::default(),
+            hold: None,
+            still: None,
+            beside: None,
+            aspect: 1.6,
+            size: glam::Vec2::new(1000.0, 625.0),
+        }
+    }
+}
+
+impl Sight {
+    /// Draws solid stages with egui's own device.
+    pub(crate) fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
+        self.solid = Solid::new(state);
+        self.solid_beside = self.solid.another();
+    }
+
+    /// Where the stage is seen from now, in a picture of this size.
+    pub(super) fn camera(&self, state: &State, space: &Space, size: glam::Vec2) -> Camera {
+        if let Some(camera) = self.still.filter(|_| self.hold.is_some()) {
+            return camera;
+        }
+        // What somebody has set stays in the picture when that becomes narrower.
+        if let Some(camera) = state.view.camera {
+            return Seen { camera, aspect: self.aspect }.all_in(size);
+        }
+        let look = state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| !state.view.is_elsewhere());
+        match state.playback() {
+            Some(playback) => eye::home(look, &playback.play.scene, &space.bounds, size),
+            None => eye::fitted(&space.bounds, size),
+        }
+    }
+
+    /// The camera moved to where the walk stands.
+    pub(crate) fn framed(&self, state: &State, pictures: &Pictures) -> Option<Seen> {
+        let reel = pictures.playback.reel();
+        let still = reel.still(&pictures.instant);
+        let bounds = still.here().map_or(pictures.space.bounds, |place| still.bounds(place));
+        if bounds.is_empty() {
+            return None;
+        }
+        let size = glam::Vec2::new(800.0, 600.0);
+        let camera = eye::framed(&self.camera(state, &pictures.space, size), &bounds, size);
+        Some(Seen { camera, aspect: size.x / size.y })
+    }
+}

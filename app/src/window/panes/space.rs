@@ -1,0 +1,189 @@
+//! The picture of space: drawn, hovered, clicked, turned, and its ray dragged.
+
+use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Sense, Ui};
+use glam::Vec3;
+use raystep_accel::{Place, Ray};
+use raystep_figure::{Camera, Figure, Form, Role, Space, Theme};
+
+use crate::shown::eye;
+use crate::window::look::painter::{paint_figure, paint_labels, place_at};
+
+/// How near to an end of the ray the pointer must be to take hold of it, in points.
+const GRIP: f32 = 13.0;
+
+/// What the pointer has hold of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Hold {
+    /// The ray's origin; its head stays.
+    Origin,
+    /// The ray's head; its origin stays.
+    Head,
+    /// A new ray from here.
+    New(Vec3),
+    /// The camera.
+    Turn,
+    /// What the camera looks at.
+    Shift,
+}
+
+/// What happened in the picture.
+#[derive(Default)]
+pub(crate) struct Happened {
+    /// The place under the pointer.
+    pub(crate) hovered: Option<Place>,
+    /// The place clicked on; a click beside everything is `Some(None)`.
+    pub(crate) clicked: Option<Option<Place>>,
+    /// A change that undo shall take back in one begins.
+    pub(crate) begins: bool,
+    /// Another ray.
+    pub(crate) ray: Option<Ray>,
+    /// Another camera.
+    pub(crate) camera: Option<Camera>,
+}
+
+/// What is drawn.
+pub(crate) struct Picture<'a> {
+    pub(crate) space: &'a Space,
+    pub(crate) figure: &'a Figure,
+    pub(crate) camera: Camera,
+    /// The ray; none where a build is played.
+    pub(crate) ray: Option<Ray>,
+    pub(crate) theme: &'a Theme,
+    pub(crate) hovered: Option<Place>,
+    /// Whether the ray can be dragged, if there is one.
+    pub(crate) live: bool,
+    /// Whether all but the labels is painted already.
+    pub(crate) painted: bool,
+}
+
+impl Picture<'_> {
+    /// Draws the picture in `rect` and says what happened there.
+    pub(crate) fn show(&self, ui: &mut Ui, rect: Rect, name: &str, hold: &mut Option<Hold>) -> Happened {
+        let response = ui.allocate_rect(rect, Sense::click_and_drag());
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, name));
+        let painter = ui.painter_at(rect);
+        if self.painted {
+            paint_labels(&painter, rect.min, self.figure, self.theme, self.hovered);
+        } else {
+            paint_figure(&painter, rect.min, self.figure, self.theme, self.hovered);
+        }
+        let mut happened = Happened::default();
+        let pointer = response.hover_pos().or(response.interact_pointer_pos());
+        let grip = pointer.filter(|_| self.live).and_then(|pointer| self.grip(rect, pointer));
+        if response.hovered() {
+            let over = match (*hold, grip) {
+                (Some(Hold::Origin | Hold::Head), _) | (None, Some(_)) => CursorIcon::Grab,
+                _ => CursorIcon::Default,
+            };
+            ui.ctx().set_cursor_icon(over);
+            happened.hovered = pointer.and_then(|pointer| place_at(self.figure, rect.min, pointer));
+        }
+        if response.clicked() {
+            let at = response.interact_pointer_pos();
+            happened.clicked = Some(at.and_then(|at| place_at(self.figure, rect.min, at)));
+        }
+        self.drag(ui, &response, rect, hold, &mut happened);
+        self.wheel(ui, &response, rect, &mut happened);
+        happened
+    }
+
+    /// Taking hold, dragging and letting go.
+    fn drag(&self, ui: &Ui, response: &Response, rect: Rect, hold: &mut Option<Hold>, happened: &mut Happened) {
+        let size = glam_size(rect);
+        if response.drag_started() {
+            let press = ui.input(|input| input.pointer.press_origin());
+            let shift = ui.input(|input| input.modifiers.shift);
+            let first = response.drag_started_by(PointerButton::Primary);
+            let grip = press.filter(|_| self.live && first).and_then(|press| self.grip(rect, press));
+            *hold = Some(match (first, shift, grip, press) {
+                (true, true, _, Some(press)) if self.live && self.ray.is_some() => {
+                    Hold::New(self.world(rect, press, self.target()))
+                }
+                (true, _, Some(grip), _) => grip,
+                (true, ..) => Hold::Turn,
+                (false, ..) => Hold::Shift,
+            });
+            happened.begins = true;
+        }
+        if response.dragged()
+            && let (Some(holding), Some(pointer)) = (*hold, response.interact_pointer_pos())
+        {
+            let moved = response.drag_delta();
+            let moved = glam::Vec2::new(moved.x, moved.y);
+            match holding {
+                Hold::Turn => happened.camera = Some(eye::turned(&self.camera, moved, size)),
+                Hold::Shift => happened.camera = Some(eye::shifted(&self.camera, moved, size)),
+                Hold::Origin => {
+                    let ends = self.ends();
+                    happened.ray = ends.and_then(|(origin, head)| self.drawn(self.world(rect, pointer, origin), head));
+                }
+                Hold::Head => {
+                    let ends = self.ends();
+                    happened.ray = ends.and_then(|(origin, head)| self.drawn(origin, self.world(rect, pointer, head)));
+                }
+                Hold::New(from) => happened.ray = self.drawn(from, self.world(rect, pointer, from)),
+            }
+        }
+        if response.drag_stopped() {
+            *hold = None;
+        }
+    }
+
+    fn wheel(&self, ui: &Ui, response: &Response, rect: Rect, happened: &mut Happened) {
+        let Some(pointer) = response.hover_pos() else { return };
+        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+        let factor = (scroll * 0.0025).exp() * pinch;
+        if factor != 1.0 {
+            let at = pointer - rect.min;
+            happened.camera = Some(eye::nearer(&self.camera, factor, glam::Vec2::new(at.x, at.y), glam_size(rect)));
+        }
+    }
+
+    /// The end of the ray under the pointer.
+    fn grip(&self, rect: Rect, pointer: Pos2) -> Option<Hold> {
+        let (origin, head) = self.ends()?;
+        let near = |world: Vec3| {
+            let (page, _) = self.camera.project(world, glam_size(rect))?;
+            Some((rect.min + egui::vec2(page.x, page.y)).distance(pointer) <= GRIP)
+        };
+        if near(origin) == Some(true) {
+            return Some(Hold::Origin);
+        }
+        (near(head) == Some(true)).then_some(Hold::Head)
+    }
+
+    /// Where the ray is seen to begin and to end.
+    fn ends(&self) -> Option<(Vec3, Vec3)> {
+        let ray = self.ray?;
+        let arrow = self.space.marks.iter().find_map(|mark| match mark.form {
+            Form::Arrow(_, tip) if matches!(mark.role, Role::Ray | Role::Live) => Some(tip),
+            _ => None,
+        });
+        Some((ray.o, arrow.unwrap_or_else(|| ray.at(1.0))))
+    }
+
+    /// A ray through two points; in a flat scene it stays in the plane.
+    fn drawn(&self, from: Vec3, to: Vec3) -> Option<Ray> {
+        let flat = |at: Vec3| if self.space.flat { at.truncate().extend(0.0) } else { at };
+        let (from, to) = (flat(from), flat(to));
+        let (along, ray) = ((to - from).try_normalize()?, self.ray?);
+        Ray::new(from, along).ok()?.within(ray.t_min, ray.t_max).ok()
+    }
+
+    fn world(&self, rect: Rect, pointer: Pos2, through: Vec3) -> Vec3 {
+        let at = pointer - rect.min;
+        eye::on_plane(&self.camera, glam::Vec2::new(at.x, at.y), glam_size(rect), through)
+    }
+
+    fn target(&self) -> Vec3 {
+        match self.camera {
+            Camera::Flat { center, .. } => center.extend(0.0),
+            Camera::Solid { target, .. } => target,
+        }
+    }
+}
+
+/// The size of a rectangle in the figures' own type.
+pub(crate) fn glam_size(rect: Rect) -> glam::Vec2 {
+    glam::Vec2::new(rect.width(), rect.height())
+}

@@ -1,0 +1,189 @@
+//! The stage: one picture of space, or two beside each other.
+
+use std::sync::Arc;
+
+use egui::{Align2, Rect, Ui, pos2, vec2};
+use raystep_accel::{Cost, Place};
+use raystep_figure::{Camera, Face, Look, Role};
+
+use super::page::{Asked, Kept, Page};
+use super::rival;
+use super::sight::Sight;
+use super::space::{Happened, Hold, Picture, glam_size};
+use crate::shown::beside::Beside;
+use crate::shown::camera::Seen;
+use crate::shown::pictures::{Drawn, Pane, drawn};
+use crate::shown::playback::{Playback, cost};
+use crate::shown::state::State;
+use crate::shown::words::kind_name;
+use crate::window::look::outline::scaled;
+use crate::window::look::painter::{caption, paint_figure};
+use crate::window::look::visuals::line;
+
+/// Shows the stage in all the room there is; says which place the pointer is on.
+pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec<Asked>) -> Option<Place> {
+    let rect = ui.available_rect_before_wrap();
+    if page.state.beside == Beside::Nothing {
+        return stage(ui, page, kept, rect, true, 1.0, asked);
+    }
+    let half = (rect.width() * 0.5).floor();
+    let left = Rect::from_min_size(rect.min, vec2(half, rect.height()));
+    let right = Rect::from_min_max(rect.min + vec2(half, 0.0), rect.max);
+    let (name, picture) = strip(left, STRIP);
+    let mut under = None;
+    if let Some(playback) = page.state.playback() {
+        label(ui, page, name, kind_name(playback.rule.kind()));
+        under = stage(ui, page, kept, picture, false, 1.0, asked);
+        let so_far = kept.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
+        bill(ui, page, picture, playback, so_far);
+    }
+    let (name, picture) = strip(right, STRIP);
+    rival::choice(ui, page, name, asked);
+    match page.beside {
+        Some(beside) => under = second(ui, page, kept, picture, beside).or(under),
+        None => waiting(ui, page, picture),
+    }
+    ui.painter().vline(right.left(), rect.y_range(), line(page.theme, Role::Panel));
+    under
+}
+
+/// What the stage stands on: in the study a pane, before a class the page itself.
+fn ground(state: &State) -> Role {
+    if state.present { Role::Page } else { Role::Panel }
+}
+
+/// The height of the names over two pictures.
+const STRIP: f32 = 38.0;
+
+/// A strip at the top of a picture for its name.
+fn strip(rect: Rect, height: f32) -> (Rect, Rect) {
+    (
+        Rect::from_min_size(rect.min, vec2(rect.width(), height)),
+        Rect::from_min_max(rect.min + vec2(0.0, height), rect.max),
+    )
+}
+
+fn label(ui: &Ui, page: Page<'_>, rect: Rect, text: &str) {
+    let at = pos2(rect.left() + 14.0, rect.center().y);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, text, Face::Bold, 13.5, Role::Text, page.theme);
+}
+
+/// The picture of the walk, with the legend under it; lines and letters `scale` times as large as usual.
+pub(super) fn stage(
+    ui: &mut Ui,
+    page: Page<'_>,
+    kept: &mut Kept,
+    rect: Rect,
+    signs: bool,
+    scale: f32,
+    asked: &mut Vec<Asked>,
+) -> Option<Place> {
+    let Kept { pictures, sight, tree, .. } = kept;
+    let Some(pictures) = pictures.as_mut().filter(|_| page.state.playback().is_some()) else {
+        waiting(ui, page, rect);
+        return None;
+    };
+    let look = Look::WINDOW;
+    let legend = if signs { pictures.legend_height(rect.width() - 28.0, &look) + 8.0 } else { 0.0 };
+    let legend = if rect.height() > 260.0 { legend } else { 0.0 };
+    let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
+    let camera = sight.camera(page.state, &pictures.space, glam_size(picture));
+    let solid = !pictures.space.flat && sight.solid.is_there();
+    let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
+    if solid {
+        let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
+        let (space, theme, lit) = (&pictures.space, page.theme, page.lit);
+        sight.solid.show(ui, picture, space, prims, page.mesh, &camera, theme, ground, lit);
+    }
+    let happened = Picture {
+        space: &pictures.space,
+        figure: &figure,
+        camera,
+        ray: pictures.playback.play.tape.ray(),
+        theme: page.theme,
+        hovered: page.lit,
+        live: true,
+        painted: solid,
+    }
+    .show(ui, picture, "Space", &mut sight.hold);
+    if legend > 0.0 {
+        let at = Rect::from_min_max(pos2(rect.left() + 14.0, picture.bottom()), rect.max);
+        let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, tree, None);
+        paint_figure(&ui.painter_at(at), at.min, drawn, page.theme, None);
+    }
+    sight.size = glam_size(picture);
+    take(page.state, sight, &happened, camera, asked);
+    happened.hovered
+}
+
+/// Another walk of the same ray, at the same step.
+fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
+    let sight = &mut kept.sight;
+    let shown = Drawn::of(sight.beside.take(), beside, page.state.beside_step(beside));
+    let space = &shown.space;
+    let camera = sight.camera(page.state, space, glam_size(rect));
+    let solid = !space.flat && sight.solid_beside.is_there();
+    let figure = drawn(space, beside, &camera, glam_size(rect), solid);
+    if solid {
+        let (prims, ground) = (&beside.play.scene.prims, ground(page.state));
+        sight.solid_beside.show(ui, rect, space, prims, page.mesh, &camera, page.theme, ground, page.lit);
+    }
+    let picture = Picture {
+        space,
+        figure: &figure,
+        camera,
+        ray: beside.play.tape.ray(),
+        theme: page.theme,
+        hovered: page.lit,
+        live: false,
+        painted: solid,
+    };
+    let mut none = None;
+    let happened = picture.show(ui, rect, "Space, beside", &mut none);
+    bill(ui, page, rect, beside, shown.cost);
+    sight.beside = Some(shown);
+    happened.hovered
+}
+
+/// What a walk has cost so far, at the foot of its picture.
+fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<Cost>) {
+    let Some(cost) = cost else { return };
+    let all = raystep_accel::Primitives::len(&playback.play.scene.prims);
+    let structure = &*playback.play.structure;
+    let (tests, of) = raystep_figure::tested(structure, all, &cost);
+    let mut says = format!("{tests} of {of} tested");
+    match (cost.node_visits, cost.cell_steps) {
+        (0, 0) => {}
+        (0, cells) => says.push_str(&format!(" · {cells} {}", if cells == 1 { "cell" } else { "cells" })),
+        (nodes, _) => says.push_str(&format!(" · {nodes} {}", if nodes == 1 { "node" } else { "nodes" })),
+    }
+    if structure.node_count() > 0 || structure.grid().is_some() {
+        says.push_str(&format!(" · built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
+    }
+    let at = rect.left_bottom() + vec2(14.0, -16.0);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, page.theme);
+}
+
+/// Turns what happened in the picture into what is asked for.
+fn take(state: &State, sight: &mut Sight, happened: &Happened, camera: Camera, asked: &mut Vec<Asked>) {
+    // The wheel has no beginning: its first turn away from the slide's own view can be undone.
+    let wheeled = happened.camera.is_some() && sight.hold.is_none() && state.view.camera.is_none();
+    if happened.begins || wheeled {
+        asked.push(Asked::Keep);
+    }
+    if happened.begins {
+        // The picture stands still under a ray that is dragged.
+        let ray = matches!(sight.hold, Some(Hold::Origin | Hold::Head | Hold::New(_)));
+        sight.still = ray.then_some(camera);
+    }
+    let aspect = sight.size.x / sight.size.y.max(1.0);
+    asked.extend(happened.camera.map(|camera| Asked::Turn(Seen { camera, aspect })));
+    asked.extend(happened.ray.map(Asked::Ray));
+    asked.extend(happened.clicked.map(Asked::Pick));
+}
+
+/// Nothing to show yet.
+fn waiting(ui: &Ui, page: Page<'_>, rect: Rect) {
+    let says = if page.making { "Building …" } else { "Nothing to show" };
+    caption(ui.painter(), rect.center(), Align2::CENTER_CENTER, says, Face::Regular, 15.0, Role::Quiet, page.theme);
+}

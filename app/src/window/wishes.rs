@@ -1,0 +1,48 @@
+//! What the window shall show first.
+
+use std::path::PathBuf;
+
+use raystep_lesson::Library;
+
+use crate::shown::state::State;
+use crate::shown::view::RayChoice;
+
+/// What the window shall show first.
+#[derive(Debug, Default)]
+pub struct Wishes {
+    /// The slide: `"5/33"`, or the name of its file.
+    pub slide: Option<String>,
+    /// The name of a ray.
+    pub ray: Option<String>,
+    /// The step.
+    pub step: Option<usize>,
+    /// The folder of lessons, to be read again when they are saved.
+    pub lessons: Option<PathBuf>,
+    /// A mesh.
+    pub mesh: Option<PathBuf>,
+}
+
+impl Wishes {
+    /// The place of the slide in the library.
+    pub(super) fn slide(&self, library: &Library) -> usize {
+        let index = |id: &String| {
+            let slide = library.slide(id)?;
+            library.slides.iter().position(|other| std::ptr::eq(other, slide))
+        };
+        // A mesh is met first where a tree walks through it.
+        let tree = || library.slides.iter().position(|slide| slide.listing == "kd-walk");
+        let first = if self.mesh.is_some() { tree().unwrap_or(0) } else { 0 };
+        self.slide.as_ref().and_then(index).unwrap_or(first)
+    }
+
+    /// Goes to the ray and the step.
+    pub(super) fn go(&self, state: &mut State) {
+        let named = |name: &String| state.stage()?.rays.iter().position(|ray| ray.name == *name);
+        if let Some(ray) = self.ray.as_ref().and_then(named) {
+            state.show_ray(RayChoice::Named(ray), true);
+        }
+        if let Some(step) = self.step {
+            state.open_at(step);
+        }
+    }
+}

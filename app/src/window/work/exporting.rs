@@ -1,0 +1,146 @@
+//! What the window shows, written to files or put on the clipboard by the code of the command line.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use raystep_figure::Theme;
+use raystep_lesson::Library;
+
+use super::errands::{Errands, News};
+use super::task::Task;
+use crate::export::{self, Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats};
+use crate::fault::Fault;
+use crate::shown::camera::Seen;
+use crate::shown::playback::{Built, Playback};
+use crate::shown::state::State;
+use crate::shown::view::RayChoice;
+use crate::window::look::formulas::decoded;
+
+/// What shall be written, how, and where to.
+pub(crate) struct Wish {
+    /// How steps are drawn.
+    pub(crate) order: Order,
+    /// Which steps.
+    pub(crate) which: Which,
+    /// Whether each beat is drawn on the ray that it is told on.
+    pub(crate) all_rays: bool,
+    /// The folder of the files.
+    pub(crate) folder: PathBuf,
+}
+
+/// What the window shows, for another thread.
+pub(crate) struct Window {
+    library: Arc<Library>,
+    playback: Arc<Playback>,
+    seen: Option<Seen>,
+}
+
+impl Window {
+    /// What is shown, as far as there is a walk; `aspect` is that of the picture in which the camera was moved.
+    pub(crate) fn of(state: &State, aspect: f32) -> Result<Window, Fault> {
+        let playback = state.playback().cloned().ok_or_else(|| Fault::new("There is no walk yet."))?;
+        let seen = state.view.camera.map(|camera| Seen { camera, aspect });
+        Ok(Window { library: state.library.clone(), playback, seen })
+    }
+
+    /// The ground that its ray walks on.
+    fn ground<'a>(&'a self, go_on: &'a (dyn Fn() -> bool + Sync)) -> Result<Ground<'a>, Fault> {
+        let gone = || Fault::new("The slide is not there any more.");
+        let view = &self.playback.view;
+        let slide = self.library.slides.get(view.slide).ok_or_else(gone)?;
+        let stage = slide.stage(view.stage).or(slide.stages.first()).ok_or_else(gone)?;
+        let Built { scene, rule, structure, nodes, growth, .. } = self.playback.built();
+        let title = scene.title.clone();
+        let built = raystep_lesson::Built { scene, structure, growth };
+        let changes = Changes {
+            scene: view.is_elsewhere().then_some(title),
+            settings: view.settings.clone(),
+            seen: self.seen,
+            told: view.example.is_none(),
+        };
+        Ok(Ground::new(&self.library, slide, stage, built, rule, nodes, changes, go_on))
+    }
+
+    /// The walks to draw: that of its ray, or of all rays that the slide's beats are told on.
+    fn sessions<'a>(&self, ground: &'a Ground<'a>, all: bool) -> Vec<Session<'a>> {
+        match self.playback.view.ray {
+            RayChoice::Own(ray) if self.playback.play.tape.ray().is_some() => Session::of_own_ray(ground, ray),
+            RayChoice::Named(index) if !all => {
+                Session::of_rays(ground, &ground.stage.rays.get(index).into_iter().collect::<Vec<_>>())
+            }
+            _ => Session::of_rays(ground, &rays_of_beats(ground.slide, ground.stage)),
+        }
+    }
+
+    /// Writes files; says which.
+    fn write(&self, wish: &Wish, task: &Task) -> Result<String, Fault> {
+        let Wish { order, which, all_rays, folder } = wish;
+        let waits = || !task.is_stopped();
+        let ground = self.ground(&waits)?;
+        let sessions = self.sessions(&ground, *all_rays);
+        // A beat that is told on another ray is drawn where an own ray reaches it.
+        let own = matches!(self.playback.view.ray, RayChoice::Own(_));
+        let which = if own && matches!(which, Which::Beats) { &Which::ReachedBeats } else { which };
+        let jobs = jobs(&sessions, which, order)?;
+        task.expect(pictures(&jobs));
+        let files = export::write(&jobs, order, folder, &|| {
+            task.count();
+            !task.is_stopped()
+        })?;
+        Ok(written(&files, folder))
+    }
+}
+
+/// Writes files beside the UI thread.
+pub(crate) fn write(errands: &mut Errands, window: Window, wish: Wish) {
+    let task = Task::new(format!("Writing to {}", wish.folder.display()), "pictures");
+    errands.run(task, move |task| match window.write(&wish, task) {
+        Ok(sentence) => News::Written(sentence),
+        Err(fault) => News::Failed(format!("Nothing was written: {fault}.")),
+    });
+}
+
+/// Puts the picture of space on the clipboard, as it would be exported.
+pub(crate) fn copy(
+    errands: &mut Errands,
+    window: Result<Window, Fault>,
+    step: usize,
+    size: glam::Vec2,
+    theme: &'static Theme,
+) {
+    errands.run(Task::new("Drawing the picture", ""), move |task| {
+        match window.and_then(|window| picture(&window, step, size, theme, task)) {
+            Ok(image) => News::Copied(image),
+            Err(fault) => News::Failed(fault.to_string()),
+        }
+    });
+}
+
+fn picture(
+    window: &Window,
+    step: usize,
+    size: glam::Vec2,
+    theme: &'static Theme,
+    task: &Task,
+) -> Result<egui::ColorImage, Fault> {
+    let waits = || !task.is_stopped();
+    let ground = window.ground(&waits)?;
+    let sessions = window.sessions(&ground, false);
+    let session = sessions.first().ok_or_else(|| Fault::new("There is no picture yet."))?;
+    let size = size.clamp(glam::Vec2::splat(64.0), glam::Vec2::splat(4096.0));
+    let (figure, scale) = session.figure(View::Space, step, None, size, theme)?;
+    let png = raystep_print::png(&raystep_print::svg(&figure, theme), scale);
+    let png = png.map_err(|error| Fault::new(error.to_string()))?;
+    decoded(&png).ok_or_else(|| Fault::new("The picture cannot be made."))
+}
+
+/// Which files are there now.
+fn written(files: &[String], folder: &Path) -> String {
+    let folder = folder.display();
+    match files {
+        [] => format!("There was nothing to write to {folder}."),
+        [only] => format!("{only} is in {folder}."),
+        [first, second] => format!("{first} and {second} are in {folder}."),
+        [first, .., last] => format!("{} files are in {folder}: {first} to {last}.", files.len()),
+    }
+}

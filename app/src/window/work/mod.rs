@@ -1,0 +1,11 @@
+//! What is done beside the UI thread: walks being made, meshes being read, pictures being written.
+
+mod bench;
+pub(super) mod errands;
+pub(super) mod exporting;
+mod second;
+pub(super) mod task;
+mod underway;
+mod workshop;
+
+pub(super) use underway::Underway;

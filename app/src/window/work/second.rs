@@ -1,0 +1,176 @@
+//! The walk beside the walk: through another structure, or with a mistake made.
+
+use std::sync::Arc;
+
+use raystep_accel::{Cancelled, Primitives, Ray, Rule};
+use raystep_lesson::Plays;
+
+use super::bench::Bench;
+use super::task::Task;
+use super::workshop::{Failure, build, builds_quickly, walks_quickly};
+use crate::shown::beside::Beside;
+use crate::shown::playback::{Built, Playback};
+use crate::shown::state::State;
+use crate::shown::view::{RayChoice, View};
+
+/// The second walk, and the search for a ray on which a mistake shows.
+pub(crate) struct Second {
+    shown: Option<Arc<Playback>>,
+    bench: Bench<(View, Beside), Result<Playback, Failure>>,
+    search: Bench<usize, Result<Shows, Cancelled>>,
+}
+
+/// Where a mistake shows.
+enum Shows {
+    /// On the ray that walks.
+    Here,
+    /// On a ray of the slide, by its place.
+    Ray(usize),
+    /// On none of them.
+    Elsewhere,
+}
+
+impl Second {
+    pub(crate) fn new(context: &egui::Context) -> Second {
+        Second { shown: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()) }
+    }
+
+    /// The second walk, once it is there.
+    pub(crate) fn shown(&self) -> Option<&Arc<Playback>> {
+        self.shown.as_ref()
+    }
+
+    /// What is being made.
+    pub(crate) fn task(&self) -> Option<&Arc<Task>> {
+        self.bench.task().or(self.search.task())
+    }
+
+    /// Gives up what is being made. Returns whether there was anything.
+    pub(crate) fn cancel(&mut self) -> bool {
+        self.bench.cancel() | self.search.cancel()
+    }
+
+    /// Makes the walk that is shown beside the other, if one is wanted. Says what went wrong.
+    pub(crate) fn catch_up(&mut self, state: &mut State) -> Option<String> {
+        while let Some((index, Ok(shows))) = self.search.collect() {
+            found(state, index, &shows);
+        }
+        let wrong = self.arrive(state);
+        let beside = state.beside;
+        let Some(playback) = state.playback().filter(|_| beside != Beside::Nothing).cloned() else {
+            self.shown = None;
+            self.bench.cancel();
+            return wrong;
+        };
+        let fits = |view: &View, kind: Beside| kind == beside && view.same_walk(&playback.view);
+        if self.shown.as_ref().is_some_and(|shown| fits(&shown.view, shown.kind))
+            || self.bench.wanted().is_some_and(|(view, kind)| fits(view, *kind))
+        {
+            return wrong;
+        }
+        // A second ray through a structure that stands already only walks.
+        let over =
+            |shown: &&Arc<Playback>| shown.kind == beside && Arc::ptr_eq(&shown.play.scene, &playback.play.scene);
+        let stands = self.shown.as_ref().filter(over).map(|shown| shown.built());
+        let prims = playback.play.scene.prims.len();
+        let at_once = match (&stands, beside) {
+            (Some(built), _) => walks_quickly(&built.structure, prims),
+            (None, Beside::Mistake(_)) => walks_quickly(&playback.play.structure, prims),
+            (None, _) => builds_quickly(prims),
+        };
+        self.shown.take_if(|_| stands.is_none());
+        let task = Task::new("Walking beside", "references");
+        let key = (playback.view.clone(), beside);
+        self.bench.begin(key, task, at_once, move |task| made(&playback, beside, stands, task));
+        self.arrive(state)
+    }
+
+    /// Takes the walk that was made. Says what went wrong.
+    fn arrive(&mut self, state: &mut State) -> Option<String> {
+        match self.bench.collect()? {
+            (_, Ok(made)) => {
+                self.shown = Some(Arc::new(made));
+                None
+            }
+            (_, Err(failure)) => {
+                state.beside = Beside::Nothing;
+                match failure {
+                    Failure::Wrong(sentence) => Some(sentence),
+                    Failure::Cancelled => None,
+                }
+            }
+        }
+    }
+
+    /// Looks for a ray on which a mistake shows, to show it beside the walk; or shows none. Says what to expect.
+    pub(crate) fn break_it(&mut self, state: &mut State, mistake: Option<usize>) -> Option<String> {
+        state.beside = Beside::Nothing;
+        self.search.cancel();
+        let (index, playback) = (mistake?, state.playback()?.clone());
+        let Some(mistake) = playback.mistakes.get(index) else {
+            return Some("There is nothing to break in this structure.".to_owned());
+        };
+        let consequence = mistake.consequence().to_owned();
+        let elsewhere = playback.view.is_elsewhere();
+        let rays: Vec<Ray> = match state.stage() {
+            Some(stage) if !elsewhere => stage.rays.iter().map(|named| named.ray).collect(),
+            _ => Vec::new(),
+        };
+        let quick = walks_quickly(&playback.play.structure, playback.play.scene.prims.len());
+        let task = Task::new("Looking for a ray that shows it", "");
+        self.search.begin(index, task, quick, move |task| search(&playback, index, &rays, task));
+        Some(consequence)
+    }
+}
+
+/// Goes to where a mistake shows.
+fn found(state: &mut State, index: usize, shows: &Shows) {
+    let mistake = state.playback().and_then(|playback| playback.mistakes.get(index).copied());
+    match (shows, mistake) {
+        (Shows::Here, _) => {}
+        (Shows::Ray(ray), _) => state.show_ray(RayChoice::Named(*ray), false),
+        (Shows::Elsewhere, Some(mistake)) => state.show_example(mistake),
+        (Shows::Elsewhere, None) => return,
+    }
+    state.beside = Beside::Mistake(index);
+}
+
+/// The walk beside.
+fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task) -> Result<Playback, Failure> {
+    match beside {
+        Beside::Mistake(index) => {
+            let wrong = || Failure::Wrong("There is nothing to break in this structure.".to_owned());
+            playback.mistaken(index).ok_or_else(wrong)
+        }
+        Beside::Nothing => Err(Failure::Cancelled),
+        Beside::Structure(kind) => {
+            let built = match stands {
+                Some(built) => built,
+                None => {
+                    let rule = Rule::default_for(kind).map_err(|error| Failure::Wrong(error.to_string()))?;
+                    let scene = playback.play.scene.clone();
+                    let rule = if scene.flat { rule.flat() } else { rule };
+                    build(scene, rule, Plays::Walk, task)?
+                }
+            };
+            let none = || Failure::Wrong("A build has no ray to compare: go to a slide on which one walks.".to_owned());
+            playback.through(built).ok_or_else(none)
+        }
+    }
+}
+
+/// Where a mistake shows: on the ray that walks, on another of these, or on none.
+fn search(playback: &Playback, index: usize, rays: &[Ray], task: &Task) -> Result<Shows, Cancelled> {
+    if playback.play.tape.ray().is_some_and(|ray| playback.shows(index, &ray)) {
+        return Ok(Shows::Here);
+    }
+    for (ray, named) in rays.iter().enumerate() {
+        if task.is_stopped() {
+            return Err(Cancelled);
+        }
+        if playback.shows(index, named) {
+            return Ok(Shows::Ray(ray));
+        }
+    }
+    Ok(Shows::Elsewhere)
+}

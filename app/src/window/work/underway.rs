@@ -1,0 +1,148 @@
+//! All that is under way beside the UI thread.
+
+use std::sync::Arc;
+
+use raystep_paint::Mesh;
+
+use super::errands::Errands;
+use super::second::Second;
+use super::task::Task;
+use super::workshop::{Failure, Made, Workshop};
+use crate::shown::beside::Beside;
+use crate::shown::playback::Playback;
+use crate::shown::state::State;
+
+/// Where walks are made for the state, and errands run.
+pub(crate) struct Underway {
+    workshop: Workshop,
+    second: Second,
+    mesh: Option<Arc<Mesh>>,
+    /// What happens outside the window.
+    pub(crate) errands: Errands,
+}
+
+impl Underway {
+    pub(crate) fn new(context: &egui::Context) -> Underway {
+        Underway {
+            workshop: Workshop::new(context.clone()),
+            second: Second::new(context),
+            mesh: None,
+            errands: Errands::new(context.clone()),
+        }
+    }
+
+    /// Uploads solid scenes to this device from now on.
+    pub(crate) fn upload_to(&mut self, device: &wgpu::Device) {
+        self.workshop.upload_to(device);
+    }
+
+    /// The solid scene of the walk that is shown, on the GPU, where there is one.
+    pub(crate) fn mesh(&self) -> Option<&Arc<Mesh>> {
+        self.mesh.as_ref()
+    }
+
+    /// The walk beside, once it is there.
+    pub(crate) fn beside(&self) -> Option<&Arc<Playback>> {
+        self.second.shown()
+    }
+
+    /// Whether a walk is being made.
+    pub(crate) fn is_making(&self) -> bool {
+        self.workshop.task().is_some()
+    }
+
+    /// Whether nothing is built any more, not even what was given up.
+    pub(crate) fn is_idle(&self) -> bool {
+        self.workshop.is_idle()
+    }
+
+    /// Makes the walk that the state asks for, as far as it is not there. Says what went wrong.
+    pub(crate) fn catch_up(&mut self, state: &mut State) -> Option<String> {
+        let wrong = self.collect(state);
+        match state.wanted() {
+            Some(wanted) => {
+                self.workshop.ask(wanted, &state.library);
+                self.collect(state)
+            }
+            None => {
+                self.workshop.cancel();
+                wrong
+            }
+        }
+    }
+
+    /// Takes the walk that was made. Says what went wrong.
+    fn collect(&mut self, state: &mut State) -> Option<String> {
+        match self.workshop.collect()? {
+            Ok(Made { playback, mesh }) => {
+                if state.arrive(Arc::new(playback)) {
+                    self.mesh = mesh;
+                }
+                None
+            }
+            Err(failure) => {
+                state.refuse();
+                match failure {
+                    Failure::Wrong(sentence) => Some(sentence),
+                    Failure::Cancelled => None,
+                }
+            }
+        }
+    }
+
+    /// Makes the walk that is shown beside the other, if one is wanted. Says what went wrong.
+    pub(crate) fn catch_up_beside(&mut self, state: &mut State) -> Option<String> {
+        self.second.catch_up(state)
+    }
+
+    /// Looks for a ray on which a mistake shows, to show it beside the walk; or shows none. Says what to expect.
+    pub(crate) fn break_it(&mut self, state: &mut State, mistake: Option<usize>) -> Option<String> {
+        self.second.break_it(state, mistake)
+    }
+
+    /// Everything that is under way.
+    pub(crate) fn tasks(&mut self) -> Vec<Arc<Task>> {
+        let mut tasks = self.errands.tasks().to_vec();
+        tasks.extend(self.workshop.task().into_iter().chain(self.second.task()).cloned());
+        tasks
+    }
+
+    /// Gives up one piece of work.
+    pub(crate) fn stop(&mut self, task: &Arc<Task>, state: &mut State) {
+        let is = |other: Option<&Arc<Task>>| other.is_some_and(|other| Arc::ptr_eq(other, task));
+        let (making, beside) = (is(self.workshop.task()), is(self.second.task()));
+        if making {
+            self.stop_making(state);
+        }
+        if beside {
+            self.stop_beside(state);
+        }
+        task.stop();
+    }
+
+    /// Gives up everything that is under way: what is shown stays.
+    pub(crate) fn stop_all(&mut self, state: &mut State) {
+        for task in self.errands.tasks() {
+            task.stop();
+        }
+        self.stop_making(state);
+        self.stop_beside(state);
+    }
+
+    fn stop_making(&mut self, state: &mut State) {
+        if self.workshop.cancel() {
+            state.refuse();
+        }
+    }
+
+    fn stop_beside(&mut self, state: &mut State) {
+        if self.second.cancel() {
+            state.beside = Beside::Nothing;
+        }
+    }
+
+    /// Other lessons: what is being made is made for them.
+    pub(crate) fn renew(&mut self) {
+        self.workshop.cancel();
+    }
+}

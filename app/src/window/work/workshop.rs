@@ -1,0 +1,285 @@
+//! Where structures are built and rays walk: small ones at once, large ones beside the UI thread.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use glam::Vec3;
+use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
+use raystep_figure::Nodes;
+use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
+use raystep_paint::Mesh;
+use raystep_scene::Scene;
+
+use super::bench::Bench;
+use super::task::Task;
+use crate::shown::playback::{Built, Playback};
+use crate::shown::view::{RayChoice, View};
+
+/// Scenes with at most so many primitives are built at once.
+const SMALL: usize = 512;
+/// Brute force over at most so many primitives is walked at once.
+const FEW: usize = 4000;
+/// A structure over at most so many primitives is walked at once.
+const SHORT: usize = 100_000;
+/// Structures are kept while all together have at most so many bytes.
+const MOST_BYTES: usize = 1 << 28;
+
+/// A view to be made into a walk.
+struct Order {
+    view: View,
+    library: Arc<Library>,
+    stands: Option<Stands>,
+    /// What was built before over the same scene.
+    scene: Option<Stands>,
+    device: Option<wgpu::Device>,
+}
+
+/// A structure that was built, and its solid scene on the GPU, where there is one.
+#[derive(Clone)]
+struct Stands {
+    built: Built,
+    mesh: Option<Arc<Mesh>>,
+}
+
+/// A walk that was made.
+pub(crate) struct Made {
+    /// The walk.
+    pub(crate) playback: Playback,
+    /// Its solid scene on the GPU, where there is one.
+    pub(crate) mesh: Option<Arc<Mesh>>,
+}
+
+/// Why there is no walk.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Failure {
+    /// It was given up.
+    Cancelled,
+    /// It cannot be made: a sentence.
+    Wrong(String),
+}
+
+/// Makes walks of views.
+pub(crate) struct Workshop {
+    bench: Bench<Wanted, Result<Made, Failure>>,
+    kept: Vec<Stands>,
+    device: Option<wgpu::Device>,
+}
+
+/// What is being made.
+struct Wanted {
+    view: View,
+    /// Whether its structure stands already, so that only a ray walks.
+    stands: bool,
+}
+
+impl Workshop {
+    pub(crate) fn new(context: egui::Context) -> Workshop {
+        Workshop { bench: Bench::new(context), kept: Vec::new(), device: None }
+    }
+
+    /// Uploads solid scenes to this device from now on.
+    pub(crate) fn upload_to(&mut self, device: &wgpu::Device) {
+        self.device = Some(device.clone());
+    }
+
+    /// Asks for the walk of a view. It may be there at once; else it arrives some frames later.
+    pub(crate) fn ask(&mut self, view: &View, library: &Arc<Library>) {
+        // A ray that is being dragged waits for the one before it to arrive: so it is seen to move.
+        let busy = |wanted: &Wanted| wanted.view.same_walk(view) || wanted.stands && wanted.view.same_but_own_ray(view);
+        if self.bench.wanted().is_some_and(busy) {
+            return;
+        }
+        let stands = self.kept.iter().find(|kept| fits(&kept.built, view, library)).cloned();
+        let wanted = Wanted { view: view.clone(), stands: stands.is_some() };
+        let task = match wanted.stands {
+            true => Task::new("Walking the ray", ""),
+            false => Task::new("Building the structure", "references"),
+        };
+        let scene = self.kept.iter().find(|kept| is_over(&kept.built, view, library)).cloned();
+        let order = Order { view: view.clone(), library: library.clone(), stands, scene, device: self.device.clone() };
+        let quick = is_quick(&order);
+        self.bench.begin(wanted, task, quick, move |task| make(order, task));
+    }
+
+    /// What has arrived since the last call.
+    pub(crate) fn collect(&mut self) -> Option<Result<Made, Failure>> {
+        let (_, made) = self.bench.collect()?;
+        if let Ok(made) = &made {
+            let built = made.playback.built();
+            self.kept.retain(|kept| !same(&kept.built, &built));
+            self.kept.insert(0, Stands { built, mesh: made.mesh.clone() });
+            let mut bytes = 0;
+            let many = self.kept.iter().position(|kept| {
+                bytes += kept.built.structure.bytes();
+                bytes > MOST_BYTES
+            });
+            self.kept.truncate(many.unwrap_or(8).clamp(1, 8));
+        }
+        Some(made)
+    }
+
+    /// What is being made.
+    pub(crate) fn task(&self) -> Option<&Arc<Task>> {
+        self.bench.task()
+    }
+
+    /// Whether no thread is at work any more.
+    pub(crate) fn is_idle(&self) -> bool {
+        self.bench.is_idle()
+    }
+
+    /// Gives up what is being made. Returns whether there was anything.
+    pub(crate) fn cancel(&mut self) -> bool {
+        self.bench.cancel()
+    }
+}
+
+/// The ray that a view asks for; a build needs none.
+pub(crate) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option<Ray>, String> {
+    match (&view.ray, slide.plays) {
+        (_, Plays::Build) => Ok(None),
+        (RayChoice::Own(ray), _) => Ok(Some(*ray)),
+        (RayChoice::Named(index), _) => {
+            let named = stage.rays.get(*index).ok_or("The slide has no such ray.")?;
+            Ok(Some(named.ray))
+        }
+    }
+}
+
+/// The rule that a view asks for, over a scene that is flat or not.
+pub(crate) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, String> {
+    let mut rule = match view.example {
+        Some(mistake) => mistake.example().rule,
+        None => stage.plan.rule(flat).map_err(|error| error.to_string())?,
+    };
+    for (key, value) in &view.settings {
+        rule.set(key, value).map_err(|error| error.to_string())?;
+    }
+    Ok(rule)
+}
+
+/// Whether the making takes less time than a frame.
+fn is_quick(order: &Order) -> bool {
+    let flat = |stage: &Stage| stage.scene.starts_with("flat");
+    match (&order.stands, &order.view.mesh) {
+        (Some(Stands { built, .. }), _) => walks_quickly(&built.structure, built.scene.prims.len()),
+        (None, Some(mesh)) => mesh.prims.len() <= SMALL,
+        (None, None) => order.view.example.is_some() || order.stage().is_none_or(flat),
+    }
+}
+
+/// Whether a ray walks through so many primitives in less time than a frame takes.
+pub(crate) fn walks_quickly(structure: &Structure, prims: usize) -> bool {
+    let all = matches!(structure, Structure::List(_));
+    prims <= if all { FEW } else { SHORT }
+}
+
+/// Whether such a structure is built and walked in less time than a frame takes.
+pub(crate) fn builds_quickly(prims: usize) -> bool {
+    prims <= SMALL
+}
+
+impl Order {
+    fn stage(&self) -> Option<&Stage> {
+        slide_and_stage(&self.view, &self.library).map(|(_, stage)| stage)
+    }
+}
+
+fn make(order: Order, task: &Task) -> Result<Made, Failure> {
+    let wrong = |sentence: String| Failure::Wrong(sentence);
+    let library = order.library.clone();
+    let slide = library.slides.get(order.view.slide).ok_or_else(|| wrong("There is no such slide.".to_owned()))?;
+    let stage = order.stage().cloned().ok_or_else(|| wrong("The slide has no stage.".to_owned()))?;
+    let ray = ray_of(&order.view, slide, &stage).map_err(wrong)?;
+    let Stands { built, mesh } = match &order.stands {
+        Some(stands) => stands.clone(),
+        None => {
+            let scene = match (&order.scene, &order.view.mesh, order.view.example) {
+                (Some(stands), ..) => stands.built.scene.clone(),
+                (None, _, Some(mistake)) => Arc::new(scene_of(mistake)),
+                (None, Some(mesh), None) => mesh.clone(),
+                (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
+            };
+            let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
+            let built = build(scene, rule, slide.plays, task)?;
+            let mesh = mesh(&order, &built.scene, task);
+            Stands { built, mesh }
+        }
+    };
+    if task.is_stopped() {
+        return Err(Failure::Cancelled);
+    }
+    let playback = Playback::new(order.view, built, ray, slide, &stage);
+    let playback = playback.ok_or_else(|| wrong("The slide has no ray.".to_owned()))?;
+    Ok(Made { playback, mesh })
+}
+
+/// A solid scene on the GPU; once for all structures over it.
+fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
+    let device = order.device.as_ref().filter(|_| !scene.flat)?;
+    let known = order.scene.as_ref().and_then(|stands| stands.mesh.clone());
+    known.or_else(|| Mesh::new(device, &scene.prims, &|| !task.is_stopped()).map(Arc::new))
+}
+
+/// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played.
+pub(crate) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) -> Result<Built, Failure> {
+    let start = Instant::now();
+    let built = BuildTape::record(plays, &scene, &rule, &mut Watch(task));
+    let (structure, growth) = built.map_err(|Cancelled| Failure::Cancelled)?;
+    let seconds = start.elapsed().as_secs_f32();
+    let nodes = Arc::new(Nodes::of(&structure));
+    Ok(Built { scene, rule, structure: Arc::new(structure), nodes, growth, seconds })
+}
+
+/// The small scene in which a mistake shows.
+fn scene_of(mistake: Mistake) -> Scene {
+    let prims = Prims::Few(mistake.example().shapes);
+    let bounds = (0..prims.len() as u32).fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(PrimId(prim))));
+    let view = raystep_scene::View::fitting(&bounds, Vec3::Z, Vec3::Y);
+    let (name, title) = (mistake.name().to_owned(), mistake.title().to_owned());
+    Scene { name, title, prims, flat: true, view, note: String::new() }
+}
+
+/// Counts what a builder has settled and asks it to give up.
+struct Watch<'a>(&'a Task);
+
+impl Observer<Grow> for Watch<'_> {
+    fn on(&mut self, event: Grow) {
+        if let Grow::Settle { .. } = event {
+            self.0.count();
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        self.0.is_stopped()
+    }
+}
+
+/// Whether a kept structure is the one that a view asks for.
+fn fits(built: &Built, view: &View, library: &Library) -> bool {
+    let Some((slide, stage)) = slide_and_stage(view, library) else { return false };
+    // How it was built is kept only where it is played.
+    built.growth.is_some() == (slide.plays == Plays::Build)
+        && is_over(built, view, library)
+        && rule_of(view, stage, built.scene.flat).is_ok_and(|rule| rule == built.rule)
+}
+
+/// Whether a kept structure stands over the scene that a view asks for.
+fn is_over(built: &Built, view: &View, library: &Library) -> bool {
+    match (&view.mesh, view.example) {
+        (_, Some(mistake)) => built.scene.name == mistake.name(),
+        (Some(mesh), None) => Arc::ptr_eq(mesh, &built.scene),
+        (None, None) => slide_and_stage(view, library).is_some_and(|(_, stage)| built.scene.name == stage.scene),
+    }
+}
+
+fn slide_and_stage<'a>(view: &View, library: &'a Library) -> Option<(&'a Slide, &'a Stage)> {
+    let slide = library.slides.get(view.slide)?;
+    Some((slide, slide.stage(view.stage).or(slide.stages.first())?))
+}
+
+fn same(a: &Built, b: &Built) -> bool {
+    a.rule == b.rule
+        && a.growth.is_some() == b.growth.is_some()
+        && (Arc::ptr_eq(&a.scene, &b.scene) || a.scene.name == b.scene.name)
+}
