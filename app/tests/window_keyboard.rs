@@ -94,6 +94,72 @@ fn nothing_is_cut_off_in_a_small_window() {
 }
 
 #[test]
+fn a_beat_is_heard_before_the_question_behind_it() {
+    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let playback = harness.state().state.playback().unwrap().clone();
+    let speaks = |step| playback.play.beats.contains(&Some(step));
+    let posed = playback.posed.iter().find(|posed| speaks(posed.before)).expect("a question right behind a beat");
+    press(&mut harness, Key::Home);
+    while harness.state().state.view.step < posed.before {
+        press(&mut harness, Key::ArrowRight);
+        if harness.state().state.question().is_some() && harness.state().state.view.step < posed.before {
+            press(&mut harness, Key::Enter);
+        }
+    }
+    let asks =
+        |harness: &Harness<'static, App>| (harness.state().state.view.step, harness.state().state.question().is_some());
+    assert_eq!(asks(&harness), (posed.before, false), "first what is said at this step");
+    press(&mut harness, Key::ArrowRight);
+    assert_eq!(asks(&harness), (posed.before, true), "then the question");
+    press(&mut harness, Key::ArrowLeft);
+    assert_eq!(asks(&harness), (posed.before, false), "and back");
+    press(&mut harness, Key::ArrowRight);
+    press(&mut harness, Key::ArrowRight);
+    assert_eq!(asks(&harness).0, posed.step);
+}
+
+#[test]
+fn stepping_stops_at_every_beat_of_every_slide() {
+    let library = Library::embedded();
+    for slide in library.slides.iter().map(raystep_lesson::Slide::id) {
+        let mut harness = window(Some(&slide), [1600.0, 1000.0]);
+        harness.state_mut().state.predict = false;
+        harness.state_mut().state.grain = Grain::Visit;
+        press(&mut harness, Key::Home);
+        let playback = harness.state().state.playback().unwrap().clone();
+        let mut stood = vec![0];
+        while *stood.last().unwrap() < playback.steps().last() {
+            press(&mut harness, Key::ArrowRight);
+            stood.push(harness.state().state.view.step);
+        }
+        for beat in playback.play.beats.iter().flatten() {
+            assert!(stood.contains(beat), "slide {slide} jumps over the beat at step {beat}");
+        }
+    }
+}
+
+#[test]
+fn playing_follows_the_clock_however_long_a_frame_takes() {
+    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let state = &mut harness.state_mut().state;
+    state.predict = false;
+    state.go(0);
+    for (speed, seconds, steps) in [(4, 1.0, 3), (4, 20.0, 3), (1, 1.0, 0), (1, 4.0, 3), (36, 0.11, 3)] {
+        state.go(0);
+        state.speed = speed;
+        state.playing = false;
+        state.apply(raystep::shown::command::Command::Play);
+        let mut stood = Vec::new();
+        for _ in 0..3 {
+            let before = state.view.step;
+            state.tick(seconds);
+            stood.extend((state.view.step != before).then_some(state.view.step));
+        }
+        assert_eq!(stood.len(), steps, "speed {speed}, {seconds} s a frame");
+    }
+}
+
+#[test]
 fn a_question_is_asked_before_its_step_and_answered_by_key() {
     let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
     let posed = harness.state().state.playback().unwrap().posed[0].clone();

@@ -23,7 +23,7 @@ pub enum Command {
     NextSlide,
     /// To the slide before.
     PreviousSlide,
-    /// Play so many times as fast.
+    /// Play at so many quarters of the usual speed.
     Speed(u8),
     /// Stop at steps of this grain.
     Grain(Grain),
@@ -94,6 +94,9 @@ const fn entry(command: Command, name: &'static str, keys: &'static [&'static st
     Entry { command, name, keys }
 }
 
+/// How many quarters the usual speed has.
+pub(crate) const QUARTERS: u8 = 4;
+
 /// Every command.
 pub const ENTRIES: &[Entry] = &[
     entry(Command::Play, "Play or pause", &["Space"]),
@@ -105,15 +108,17 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Last, "Last step", &["End"]),
     entry(Command::NextSlide, "Next slide", &["Page down"]),
     entry(Command::PreviousSlide, "Previous slide", &["Page up"]),
-    entry(Command::Speed(1), "Speed 1×", &["1"]),
-    entry(Command::Speed(2), "Speed 2×", &["2"]),
-    entry(Command::Speed(3), "Speed 3×", &["3"]),
-    entry(Command::Speed(4), "Speed 4×", &["4"]),
-    entry(Command::Speed(5), "Speed 5×", &["5"]),
-    entry(Command::Speed(6), "Speed 6×", &["6"]),
-    entry(Command::Speed(7), "Speed 7×", &["7"]),
-    entry(Command::Speed(8), "Speed 8×", &["8"]),
-    entry(Command::Speed(9), "Speed 9×", &["9"]),
+    entry(Command::Speed(1), "Speed ¼×", &[]),
+    entry(Command::Speed(2), "Speed ½×", &[]),
+    entry(Command::Speed(QUARTERS), "Speed 1×", &["1"]),
+    entry(Command::Speed(2 * QUARTERS), "Speed 2×", &["2"]),
+    entry(Command::Speed(3 * QUARTERS), "Speed 3×", &["3"]),
+    entry(Command::Speed(4 * QUARTERS), "Speed 4×", &["4"]),
+    entry(Command::Speed(5 * QUARTERS), "Speed 5×", &["5"]),
+    entry(Command::Speed(6 * QUARTERS), "Speed 6×", &["6"]),
+    entry(Command::Speed(7 * QUARTERS), "Speed 7×", &["7"]),
+    entry(Command::Speed(8 * QUARTERS), "Speed 8×", &["8"]),
+    entry(Command::Speed(9 * QUARTERS), "Speed 9×", &["9"]),
     entry(Command::Grain(Grain::Arithmetic), "Step by arithmetic", &[]),
     entry(Command::Grain(Grain::Decision), "Step by decision", &[]),
     entry(Command::Grain(Grain::Visit), "Step by visit", &[]),

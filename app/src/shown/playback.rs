@@ -175,7 +175,7 @@ impl Playback {
 
     /// The steps.
     pub fn steps(&self) -> Steps<'_> {
-        Steps { tape: &self.play.tape, flat: self.play.scene.flat }
+        Steps { tape: &self.play.tape, flat: self.play.scene.flat, beats: &self.play.beats }
     }
 
     /// The event that a step shows.

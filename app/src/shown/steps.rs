@@ -10,6 +10,8 @@ pub struct Steps<'a> {
     pub tape: &'a Tape,
     /// Whether events that concern z are passed over.
     pub flat: bool,
+    /// The steps of the slide's beats: every grain stops there, since something is said there.
+    pub beats: &'a [Option<usize>],
 }
 
 impl Steps<'_> {
@@ -20,7 +22,7 @@ impl Steps<'_> {
 
     /// Whether stepping by this grain stops at a step. The two ends always count.
     pub fn stops(&self, step: usize, grain: Grain) -> bool {
-        if step == 0 || step == self.last() {
+        if step == 0 || step == self.last() || self.beats.contains(&Some(step)) {
             return true;
         }
         self.tape.event(step - 1).is_some_and(|event| self.shown(&event) && event.grain() as u8 >= grain as u8)
@@ -84,7 +86,7 @@ mod tests {
     fn coarse_steps_pass_over_fine_ones_and_flat_scenes_over_z() {
         let tape = tape();
         let walk = |grain, flat| {
-            let steps = Steps { tape: &tape, flat };
+            let steps = Steps { tape: &tape, flat, beats: &[] };
             let mut at = vec![0];
             while *at.last().unwrap() < steps.last() {
                 at.push(steps.next(*at.last().unwrap(), grain));
@@ -98,9 +100,19 @@ mod tests {
     }
 
     #[test]
+    fn every_grain_stops_at_beats() {
+        let tape = tape();
+        let steps = Steps { tape: &tape, flat: true, beats: &[None, Some(1), Some(4)] };
+        let stops = |grain| (0..=5).filter(|&step| steps.stops(step, grain)).collect::<Vec<_>>();
+        assert_eq!(stops(Grain::Arithmetic), [0, 1, 3, 4, 5]);
+        assert_eq!(stops(Grain::Decision), [0, 1, 3, 4, 5]);
+        assert_eq!(stops(Grain::Visit), [0, 1, 3, 4, 5]);
+    }
+
+    #[test]
     fn back_is_the_way_forth() {
         let tape = tape();
-        let steps = Steps { tape: &tape, flat: true };
+        let steps = Steps { tape: &tape, flat: true, beats: &[Some(3), None] };
         for grain in [Grain::Arithmetic, Grain::Decision, Grain::Visit] {
             for step in (0..steps.last()).filter(|&step| steps.stops(step, grain)) {
                 assert_eq!(steps.previous(steps.next(step, grain), grain), step);

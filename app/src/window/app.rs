@@ -37,6 +37,8 @@ pub struct App {
     overlay: Overlay,
     remembered: Remembered,
     styled: Option<&'static str>,
+    /// When the last frame was drawn, in seconds.
+    played: Option<f64>,
 }
 
 impl App {
@@ -55,6 +57,7 @@ impl App {
             overlay: Overlay::default(),
             remembered,
             styled: None,
+            played: None,
         }
     }
 
@@ -342,8 +345,10 @@ impl eframe::App for App {
             }
         }
         self.catch_up(ui);
-        let seconds = ui.input(|input| input.stable_dt).min(0.1);
-        if let Some(wait) = self.state.tick(seconds) {
+        // Playing follows the clock, however long a frame takes.
+        let now = ui.input(|input| input.time);
+        let seconds = self.played.replace(now).filter(|_| self.state.playing).map_or(0.0, |then| now - then);
+        if let Some(wait) = self.state.tick(seconds as f32) {
             ui.ctx().request_repaint_after_secs(wait.min(0.1));
         }
         self.kept.pictures = Pictures::of(self.kept.pictures.take(), &self.state);

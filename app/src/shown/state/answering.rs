@@ -7,10 +7,25 @@ use super::{Answered, State};
 use crate::shown::playback::Posed;
 
 impl State {
-    /// The question that is open now: it is answered by the next step.
+    /// The question that is open now: it is answered by the next step. Where a beat speaks at this step it is heard
+    /// first, and the question opens when one goes on.
     pub fn question(&self) -> Option<&Posed> {
+        self.posed_here().filter(|_| self.asking || !self.speaks())
+    }
+
+    /// The question that waits until the beat of this step has been read.
+    pub(super) fn question_waits(&self) -> bool {
+        self.posed_here().is_some() && self.question().is_none()
+    }
+
+    fn posed_here(&self) -> Option<&Posed> {
         let playback = self.playback.as_ref().filter(|_| self.predict)?;
         playback.posed.iter().find(|posed| posed.before == self.view.step)
+    }
+
+    /// Whether a beat stands at this very step.
+    fn speaks(&self) -> bool {
+        self.playback.as_ref().is_some_and(|playback| playback.play.beats.contains(&Some(self.view.step)))
     }
 
     /// The question that was just answered by this step.
@@ -63,6 +78,7 @@ impl State {
         let (beat, step) = (posed.beat, posed.step);
         if right {
             self.view.step = step;
+            self.asking = false;
         }
         self.answered = Some(Answered { beat, choice, right });
     }

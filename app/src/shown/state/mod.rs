@@ -12,7 +12,7 @@ use raystep_lesson::{Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
 
 use super::beside::{Beside, Pace};
-use super::command::Command;
+use super::command::{Command, QUARTERS};
 use super::history::History;
 use super::playback::Playback;
 use super::steps::coarser;
@@ -27,7 +27,7 @@ pub struct State {
     pub view: View,
     /// Where playing and the arrow keys stop.
     pub grain: Grain,
-    /// How many times as fast playing is, 1 to 9.
+    /// How fast playing is, in quarters of the usual speed: 1 to 36.
     pub speed: u8,
     /// Whether the walk plays by itself.
     pub playing: bool,
@@ -43,6 +43,8 @@ pub struct State {
     pub pace: Pace,
     /// Whether the presenter's page is shown.
     pub present: bool,
+    /// Whether the question that waits behind the beat of this step has been called for.
+    asking: bool,
     /// The answer given to the question that is open, or was just answered.
     pub answered: Option<Answered>,
     /// The place that was clicked on last; it stays lit.
@@ -74,7 +76,7 @@ pub(crate) struct Stamp {
     camera: Option<Camera>,
     waits: bool,
     beside: (Beside, Pace),
-    modes: [bool; 4],
+    modes: [bool; 5],
     answered: Option<Answered>,
 }
 
@@ -100,7 +102,7 @@ impl State {
             wanted: Some(view.clone()),
             view,
             grain: Grain::Decision,
-            speed: 1,
+            speed: QUARTERS,
             playing: false,
             predict: true,
             locked: false,
@@ -108,6 +110,7 @@ impl State {
             rival: "list",
             pace: Pace::Event,
             present: false,
+            asking: false,
             answered: None,
             picked: None,
             playback: None,
@@ -141,7 +144,7 @@ impl State {
             camera: self.view.camera,
             waits: self.wanted.is_some(),
             beside: (self.beside, self.pace),
-            modes: [self.playing, self.predict, self.locked, self.present],
+            modes: [self.playing, self.predict, self.locked, self.present, self.asking],
             answered: self.answered,
         }
     }
@@ -165,7 +168,7 @@ impl State {
             Command::Last => self.go(usize::MAX),
             Command::NextSlide => self.show_slide(self.target().slide + 1),
             Command::PreviousSlide => self.show_slide(self.target().slide.wrapping_sub(1)),
-            Command::Speed(speed) => self.speed = speed.clamp(1, 9),
+            Command::Speed(speed) => self.speed = speed.clamp(1, 9 * QUARTERS),
             Command::Grain(grain) => self.grain = grain,
             Command::Predict => {
                 self.predict = !self.predict;

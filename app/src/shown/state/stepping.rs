@@ -4,6 +4,7 @@ use raystep_accel::Grain;
 
 use super::{Landing, State};
 use crate::shown::beside::Pace;
+use crate::shown::command::QUARTERS;
 use crate::shown::playback::{Playback, Posed};
 use crate::shown::view::View;
 
@@ -19,6 +20,7 @@ impl State {
         if let Some(playback) = &self.playback {
             self.view.step = step.min(playback.steps().last());
             self.answered = None;
+            self.asking = false;
         }
     }
 
@@ -27,7 +29,7 @@ impl State {
         if !self.playing {
             return None;
         }
-        let period = 0.9 / f32::from(self.speed);
+        let period = 0.9 * f32::from(QUARTERS) / f32::from(self.speed);
         self.waited += seconds;
         if self.waited >= period {
             self.waited = 0.0;
@@ -56,6 +58,10 @@ impl State {
     pub(super) fn forward(&mut self, grain: Grain) {
         let Some(playback) = &self.playback else { return };
         let step = self.view.step;
+        if self.question_waits() {
+            self.asking = true;
+            return;
+        }
         if let Some(posed) = self.question() {
             // The step that answers the question, whatever its grain.
             let answer = posed.step;
@@ -71,6 +77,12 @@ impl State {
     }
 
     pub(super) fn back(&mut self, grain: Grain) {
+        if self.asking {
+            // From the question back to what was said before it.
+            self.asking = false;
+            self.answered = None;
+            return;
+        }
         if let Some(playback) = &self.playback {
             let previous = playback.steps().previous(self.view.step, grain);
             self.go(previous);

@@ -29,6 +29,7 @@ impl State {
     pub(super) fn want(&mut self, view: View, landing: Landing) {
         self.playing = false;
         self.answered = None;
+        self.asking = false;
         self.waited = 0.0;
         match self.playback.clone().filter(|_| view.same_walk(&self.view)) {
             Some(playback) => {
@@ -55,6 +56,7 @@ impl State {
         self.view = View { step, camera, ..playback.view.clone() };
         self.playback = Some(playback);
         self.answered = None;
+        self.asking = false;
         if exactly {
             self.wanted = None;
         }

@@ -4,7 +4,7 @@ use egui::{Align, Button, ComboBox, Layout, RichText, Sense, Ui, vec2};
 use raystep_accel::{Grain, Place};
 use raystep_figure::{Look, Theme, Track, TreeView, short};
 
-use crate::shown::command::Command;
+use crate::shown::command::{Command, ENTRIES};
 use crate::shown::pictures::{Pane, Pictures};
 use crate::shown::state::State;
 use crate::shown::steps::grain_name;
@@ -73,12 +73,19 @@ fn grain(ui: &mut Ui, state: &State, asked: &mut Option<Asked>) {
     controls::name(&shown.response, "Grain of steps");
 }
 
+/// What a speed is called on its drop-down: the last word of its command.
+fn speed_name(speed: u8) -> &'static str {
+    Command::Speed(speed).name().rsplit(' ').next().unwrap_or_default()
+}
+
 fn speed(ui: &mut Ui, state: &State, asked: &mut Option<Asked>) {
-    let combo = ComboBox::from_id_salt("speed").width(52.0).selected_text(format!("{}×", state.speed));
+    let combo = ComboBox::from_id_salt("speed").width(52.0).selected_text(speed_name(state.speed));
     let shown = combo.show_ui(ui, |ui| {
-        for speed in 1..=9 {
-            if ui.selectable_label(speed == state.speed, format!("{speed}×")).clicked() {
-                *asked = Some(Asked::Command(Command::Speed(speed)));
+        for entry in ENTRIES {
+            if let Command::Speed(speed) = entry.command
+                && ui.selectable_label(speed == state.speed, speed_name(speed)).clicked()
+            {
+                *asked = Some(Asked::Command(entry.command));
             }
         }
     });

@@ -3,7 +3,7 @@
 use egui::{Grid, RichText, ScrollArea, Ui};
 use raystep_figure::{Face, Role, Theme};
 
-use crate::shown::command::{Command, Entry};
+use crate::shown::command::{Command, Entry, QUARTERS};
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::visuals::ink;
@@ -18,7 +18,7 @@ const COLUMNS: [&[Group]; 2] = [
             "The walk",
             &[
                 Command::Play,
-                Command::Speed(1),
+                Command::Speed(QUARTERS),
                 Command::Next,
                 Command::Previous,
                 Command::NextCoarse,
@@ -133,7 +133,7 @@ mod tests {
         let listed: Vec<&Command> = COLUMNS.iter().flat_map(|groups| groups.iter().flat_map(|(_, all)| *all)).collect();
         for entry in ENTRIES.iter().filter(|entry| !entry.keys.is_empty()) {
             let shown = match entry.command {
-                Command::Speed(_) => Command::Speed(1),
+                Command::Speed(_) => Command::Speed(QUARTERS),
                 Command::Answer(_) => Command::Answer(0),
                 other => other,
             };
