@@ -2,7 +2,7 @@
 
 use egui::{Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui};
 use raystep_figure::{Role, Theme};
-use raystep_lesson::Library;
+use raystep_lesson::{Library, Slide};
 
 use crate::shown::command::{Command, ENTRIES};
 use crate::window::look::visuals::ink;
@@ -26,7 +26,8 @@ impl Palette {
     pub(super) fn show(&mut self, ui: &Ui, library: &Library, theme: &Theme) -> (bool, Option<Choice>) {
         let mut chosen = None;
         let modal = Modal::new(Id::unique("palette")).show(ui.ctx(), |ui| {
-            ui.set_width(460.0);
+            let room = ui.ctx().content_rect().size();
+            ui.set_width((room.x * 0.5).clamp(360.0, 640.0));
             let (up, down, enter) = ui.input_mut(|input| {
                 let mut take = |key| input.consume_key(Modifiers::NONE, key);
                 (take(Key::ArrowUp), take(Key::ArrowDown), take(Key::Enter))
@@ -49,7 +50,7 @@ impl Palette {
             if enter {
                 chosen = found.get(self.chosen).map(|(choice, ..)| *choice);
             }
-            ScrollArea::vertical().max_height(380.0).auto_shrink(false).show(ui, |ui| {
+            ScrollArea::vertical().max_height((room.y * 0.62).max(260.0)).auto_shrink(false).show(ui, |ui| {
                 for (index, (choice, name, keys)) in found.iter().enumerate() {
                     let button = egui::Button::selectable(index == self.chosen, name.as_str())
                         .shortcut_text(RichText::new(keys).color(ink(theme, Role::Quiet)))
@@ -78,14 +79,30 @@ fn found(library: &Library, typed: &str) -> Vec<(Choice, String, String)> {
         commands.map(|entry| (Choice::Command(entry.command), entry.name.to_owned(), entry.keys_text().to_owned()));
     let slides = library.slides.iter().enumerate();
     let slides = slides.map(|(index, slide)| (Choice::Slide(index), slide.title.clone(), slide.numbers_text()));
-    let typed = typed.to_lowercase();
-    let fits = |(_, name, more): &(Choice, String, String)| {
-        let text = format!("{name} {more}").to_lowercase();
+    let typed = typed.trim().to_lowercase();
+    // A slide is also found by its id, its section and the structures on its stages.
+    let hidden = |choice: &Choice| match choice {
+        Choice::Slide(index) => about(&library.slides[*index]),
+        Choice::Command(_) => String::new(),
+    };
+    let fits = |(choice, name, more): &(Choice, String, String)| {
+        let text = format!("{name} {more} {}", hidden(choice)).to_lowercase();
         typed.split_whitespace().all(|word| text.contains(word))
     };
     let mut found: Vec<_> = slides.chain(commands).filter(fits).collect();
-    found.sort_by_key(|(_, name, _)| !name.to_lowercase().starts_with(&typed));
+    found.sort_by_key(|(choice, name, _)| match choice {
+        Choice::Slide(index) if library.slides[*index].id() == typed => 0,
+        _ if name.to_lowercase().starts_with(&typed) => 1,
+        _ => 2,
+    });
     found
+}
+
+/// What a slide is found by besides its title and its numbers.
+fn about(slide: &Slide) -> String {
+    let section = slide.section_title();
+    let kinds: Vec<_> = slide.stages.iter().map(|stage| stage.plan.kind.as_str()).collect();
+    format!("{} {section} {}", slide.id(), kinds.join(" "))
 }
 
 #[cfg(test)]
@@ -98,5 +115,20 @@ mod tests {
         assert_eq!(found(&library, "undo")[0].0, Choice::Command(Command::Undo));
         assert_eq!(found(&library, "step next")[0].0, Choice::Command(Command::Next));
         assert!(found(&library, "no such thing").is_empty());
+    }
+
+    #[test]
+    fn a_slide_is_found_by_id_section_and_structure() {
+        let library = Library::embedded();
+        let first = |typed: &str| match found(&library, typed).first() {
+            Some((Choice::Slide(index), ..)) => library.slides[*index].id(),
+            other => panic!("{typed}: {other:?}"),
+        };
+        for slide in &library.slides {
+            assert_eq!(first(&slide.id()), slide.id());
+        }
+        for typed in ["kd", "bvh", "grid", "kd-trees", "5/3"] {
+            first(typed);
+        }
     }
 }
