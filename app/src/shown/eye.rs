@@ -93,6 +93,32 @@ pub(crate) fn nearer(camera: &Camera, factor: f32, pointer: Vec2, size: Vec2) ->
     }
 }
 
+/// The nearest and the furthest that a camera may come, in parts of the diagonal of what it looks at: nearer, single
+/// precision shows; further, there is nothing to see.
+const NEAREST: f32 = 2e-5;
+const FURTHEST: f32 = 50.0;
+
+/// The camera that is wanted, unless it comes too near to what it looks at or goes too far: then the one of before.
+pub(crate) fn bounded(now: &Camera, wanted: Camera, around: &Aabb) -> Camera {
+    let diagonal = around.extent().length();
+    if !(diagonal > 0.0 && diagonal.is_finite()) {
+        return wanted;
+    }
+    let reach = |camera: &Camera| match *camera {
+        Camera::Flat { half_height, .. } => half_height,
+        Camera::Solid { eye, target, .. } => eye.distance(target),
+    };
+    let away = |camera: &Camera| match *camera {
+        Camera::Flat { center, .. } => center.distance(around.center().truncate()),
+        Camera::Solid { target, .. } => target.distance(around.center()),
+    };
+    let (from, to) = (reach(now), reach(&wanted));
+    let near = to < from && to < diagonal * NEAREST;
+    let far = to > from && to > diagonal * FURTHEST;
+    let lost = away(&wanted) > away(now) && away(&wanted) > diagonal * FURTHEST;
+    if near || far || lost || !to.is_finite() { *now } else { wanted }
+}
+
 /// The point under the pointer on the plane through `through` that faces the camera.
 pub(crate) fn on_plane(camera: &Camera, pointer: Vec2, size: Vec2, through: Vec3) -> Vec3 {
     let Ok(sight) = camera.ray(pointer, size) else { return through };
@@ -135,6 +161,25 @@ mod tests {
         let at = on_plane(&camera, pointer, SIZE, Vec3::ZERO);
         let (page, _) = nearer(&camera, 1.7, pointer, SIZE).project(at, SIZE).unwrap();
         assert!(page.distance(pointer) < 0.1);
+    }
+
+    #[test]
+    fn zooming_ends_before_numbers_do() {
+        let around = Aabb { min: Vec3::ZERO, max: Vec3::new(10.0, 6.0, 0.0) };
+        for factor in [1.3, 1.0 / 1.3] {
+            for mut camera in [Camera::Flat { center: Vec2::new(1.0, 2.0), half_height: 3.0 }, solid()] {
+                for _ in 0..1000 {
+                    camera = bounded(&camera, nearer(&camera, factor, Vec2::new(100.0, 500.0), SIZE), &around);
+                }
+                let reach = match camera {
+                    Camera::Flat { half_height, .. } => half_height,
+                    Camera::Solid { eye, target, .. } => eye.distance(target),
+                };
+                assert!((1e-4..1000.0).contains(&reach), "{reach}");
+                let back = nearer(&camera, 1.0 / factor, Vec2::new(100.0, 500.0), SIZE);
+                assert_eq!(bounded(&camera, back, &around), back, "the way back is open");
+            }
+        }
     }
 
     #[test]

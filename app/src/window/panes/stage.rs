@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
-use raystep_accel::{Cost, Place};
+use raystep_accel::{Aabb, Cost, Place};
 use raystep_figure::{Camera, Face, Look, Role};
 
 use super::page::{Asked, Kept, Page};
@@ -12,6 +12,7 @@ use super::sight::Sight;
 use super::space::{Happened, Hold, Picture, glam_size};
 use crate::shown::beside::Beside;
 use crate::shown::camera::Seen;
+use crate::shown::eye;
 use crate::shown::pictures::{Drawn, Pane, drawn};
 use crate::shown::playback::{Playback, cost};
 use crate::shown::state::State;
@@ -177,7 +178,9 @@ fn take(state: &State, sight: &mut Sight, happened: &Happened, camera: Camera, a
         sight.still = ray.then_some(camera);
     }
     let aspect = sight.size.x / sight.size.y.max(1.0);
-    asked.extend(happened.camera.map(|camera| Asked::Turn(Seen { camera, aspect })));
+    let around = state.playback().map_or(Aabb::EMPTY, |playback| playback.play.structure.bounds());
+    let turned = happened.camera.map(|wanted| eye::bounded(&camera, wanted, &around));
+    asked.extend(turned.map(|camera| Asked::Turn(Seen { camera, aspect })));
     asked.extend(happened.ray.map(Asked::Ray));
     asked.extend(happened.clicked.map(Asked::Pick));
 }

@@ -2,6 +2,7 @@
 
 mod camera;
 mod controls;
+mod crop;
 mod labels;
 mod lens;
 mod shaded;
@@ -48,6 +49,7 @@ pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery:
     for mark in &space.marks {
         stage.form(&mark.form, mark.role, mark.place, prims);
     }
+    crop::crop(&mut stage.figure);
     labels::place(space, &stage.lens, &mut stage.figure);
     stage.figure
 }
