@@ -150,6 +150,7 @@ fn a_mesh_that_is_dropped_is_opened_and_walked() {
 fn cancel_keeps_the_old_structure() {
     let mut harness = dropped("cancel", 160);
     let old = harness.state().state.playback().unwrap().clone();
+    harness.state_mut().state.keep();
     harness.state_mut().state.set("max_depth", "30");
     harness.run_steps(1);
     assert!(!harness.state().state.is_current(), "a large structure is built beside the window");

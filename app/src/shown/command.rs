@@ -35,6 +35,8 @@ pub enum Command {
     Skip,
     /// Whether → waits at an open question.
     Lock,
+    /// Show or hide what can be set by hand: parameters, and the ray in numbers.
+    ByHand,
     /// Back to the slide's own ray, parameters and view.
     Restore,
     /// Take back the last change.
@@ -129,6 +131,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Answer(3), "Answer D", &["D"]),
     entry(Command::Skip, "Skip the question", &["Enter"]),
     entry(Command::Lock, "Next step waits at an open question", &[]),
+    entry(Command::ByHand, "Set parameters and ray by hand", &["S"]),
     entry(Command::Restore, "Back to the slide's own ray and view", &["Backspace"]),
     entry(Command::Undo, "Undo", &["Ctrl+Z"]),
     entry(Command::Redo, "Redo", &["Ctrl+Shift+Z", "Ctrl+Y"]),

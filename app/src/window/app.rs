@@ -251,7 +251,6 @@ impl App {
             Some(top::Asked::Command(command)) => self.run(ui, command),
             Some(top::Asked::Slide(slide)) => self.state.show_slide(slide),
             Some(top::Asked::Ray(ray)) => self.state.show_ray(RayChoice::Named(ray), false),
-            Some(top::Asked::Set(key, value)) => self.state.set(&key, &value),
             Some(top::Asked::Mistake(mistake)) => self.break_it(ui, mistake),
             Some(top::Asked::Theme(theme)) => self.set_theme(theme),
             None => {}
@@ -299,6 +298,8 @@ impl App {
                     self.state.turn(seen.camera);
                 }
                 panes::Asked::Ray(ray) => self.state.show_ray(RayChoice::Own(ray), true),
+                panes::Asked::Set(key, value) => self.state.set(key, &value),
+                panes::Asked::Say(sentence) => self.overlay.say(ui, sentence),
                 panes::Asked::Compare(kind) => self.state.compare(kind),
                 panes::Asked::Pace(pace) => self.state.pace = pace,
             }

@@ -6,7 +6,7 @@ mod wanting;
 
 use std::sync::Arc;
 
-use raystep_accel::{Grain, Mistake, Place};
+use raystep_accel::{Grain, Mistake, Place, Rule};
 use raystep_figure::Camera;
 use raystep_lesson::{Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
@@ -41,6 +41,8 @@ pub struct State {
     pub rival: &'static str,
     /// How the walk beside keeps in step.
     pub pace: Pace,
+    /// Whether what can be set by hand stands below the lesson.
+    pub by_hand: bool,
     /// Whether the presenter's page is shown.
     pub present: bool,
     /// Whether the question that waits behind the beat of this step has been called for.
@@ -109,6 +111,7 @@ impl State {
             beside: Beside::Nothing,
             rival: "list",
             pace: Pace::Event,
+            by_hand: false,
             present: false,
             asking: false,
             answered: None,
@@ -186,6 +189,7 @@ impl State {
                 let on = matches!(self.beside, Beside::Structure(_));
                 self.beside = if on { Beside::Nothing } else { Beside::Structure(self.rival) };
             }
+            Command::ByHand => self.by_hand = !self.by_hand,
             Command::Present => self.present = !self.present,
             Command::ResetCamera => self.look(None),
             _ => {}
@@ -225,9 +229,21 @@ impl State {
         self.want(View { ray, ..self.target().clone() }, landing);
     }
 
-    /// A parameter of the structure.
+    /// How the structure is built that is shown, or asked for over the same scene.
+    pub fn rule(&self) -> Option<Rule> {
+        let mut rule = self.playback.as_ref()?.rule;
+        let target = self.target();
+        if target.same_scene(&self.view) {
+            for (key, value) in &target.settings {
+                // What cannot be set is said when the structure is built.
+                let _ = rule.set(key, value);
+            }
+        }
+        Some(rule)
+    }
+
+    /// A parameter of the structure, as part of a change that is under way.
     pub fn set(&mut self, key: &str, value: &str) {
-        self.keep();
         let mut view = self.target().clone();
         view.settings.retain(|(known, _)| known != key);
         view.settings.push((key.to_owned(), value.to_owned()));

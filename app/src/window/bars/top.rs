@@ -22,8 +22,6 @@ pub(crate) enum Asked {
     Slide(usize),
     /// A ray of the slide, by its place.
     Ray(usize),
-    /// A parameter of the structure.
-    Set(String, String),
     /// A mistake, by its place, or none.
     Mistake(Option<usize>),
     /// A theme.
@@ -68,7 +66,7 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
             ui.add_space(4.0);
             stages(ui, state, theme, &mut asked);
             ui.add_space(4.0);
-            structure(ui, state, theme, &mut asked);
+            structure(ui, state, &mut asked);
             let room = ui.available_width();
             rays(ui, state, theme, (room - 8.0).clamp(60.0, 300.0), &mut asked);
         });
@@ -175,42 +173,18 @@ fn stages(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) 
     ui.spacing_mut().item_spacing.x = 6.0;
 }
 
-/// The structure's parameters, behind a button with its name.
-fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
-    let Some(playback) = state.playback() else { return };
-    let target = state.target();
-    let mut rule = playback.rule;
-    if target.same_scene(&state.view) {
-        for (key, value) in &target.settings {
-            // What cannot be set is said when the structure is built.
-            let _ = rule.set(key, value);
-        }
+/// The structure's name: a button that docks what can be set by hand below the lesson.
+fn structure(ui: &mut Ui, state: &State, asked: &mut Option<Asked>) {
+    let Some(rule) = state.rule() else { return };
+    let changed = if state.target().settings.is_empty() { "" } else { " *" };
+    let button = Button::new(format!("{}{changed}", kind_name(rule.kind()))).selected(state.by_hand);
+    let button = if state.by_hand { button.stroke(ui.visuals().selection.stroke) } else { button };
+    let response = ui.add(button).on_hover_text(Command::ByHand.tip());
+    let name = format!("Structure: {}", kind_name(rule.kind()));
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
+    if response.clicked() {
+        *asked = Some(Asked::Command(Command::ByHand));
     }
-    let parameters = rule.parameters();
-    if parameters.is_empty() {
-        return;
-    }
-    let changed = if target.settings.is_empty() { "" } else { " *" };
-    let title = format!("{}{changed}", kind_name(playback.rule.kind()));
-    let menu = ui.menu_button(title, |ui| {
-        // Its fields look like fields, not like a menu's rows.
-        ui.set_style(style(theme));
-        ui.set_width(330.0);
-        ui.label(RichText::new("How it is built").font(font(Face::Bold, 13.5)));
-        for parameter in &parameters {
-            if let Some(value) = controls::parameter(ui, parameter, theme) {
-                *asked = Some(Asked::Set(parameter.key.to_owned(), value));
-            }
-        }
-        if !target.settings.is_empty() {
-            ui.add_space(4.0);
-            if ui.button("The slide's own parameters").clicked() {
-                *asked = Some(Asked::Command(Command::Restore));
-                ui.close();
-            }
-        }
-    });
-    controls::name(&menu.response, &format!("Structure: {}", kind_name(playback.rule.kind())));
 }
 
 /// What is needed more rarely.
@@ -222,6 +196,7 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
         let commands = [
             (Command::Undo, undo),
             (Command::Redo, redo),
+            (Command::ByHand, true),
             (Command::Restore, true),
             (Command::Frame, true),
             (Command::ResetCamera, true),

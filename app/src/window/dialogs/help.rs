@@ -35,6 +35,7 @@ const COLUMNS: [&[Group]; 2] = [
         (
             "The window",
             &[
+                Command::ByHand,
                 Command::Present,
                 Command::FullScreen,
                 Command::Open,

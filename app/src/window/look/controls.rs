@@ -21,8 +21,23 @@ pub(crate) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R)
     .inner
 }
 
+/// Whether a change is one of its own, or goes on with a drag: undo takes a whole drag back at once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Change {
+    /// A click, typing, or the first step of a drag.
+    Begins,
+    /// A further step of a drag.
+    GoesOn,
+}
+
+/// How a field was changed, if it was.
+pub(crate) fn change(response: &Response) -> Option<Change> {
+    let dragged = response.dragged() && !response.drag_started();
+    response.changed().then_some(if dragged { Change::GoesOn } else { Change::Begins })
+}
+
 /// A control for one parameter; returns its new value as text when it was changed.
-pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<String> {
+pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<(String, Change)> {
     let mut changed = None;
     let label = parameter.key.replace('_', " ");
     ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
@@ -39,13 +54,13 @@ pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Op
     changed
 }
 
-fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<String> {
+fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<(String, Change)> {
     match parameter.allowed {
         Allowed::Flag => {
             let mut on = parameter.value == "true";
             let response = ui.add(Checkbox::without_text(&mut on));
             response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, label));
-            response.changed().then(|| on.to_string())
+            response.changed().then(|| (on.to_string(), Change::Begins))
         }
         Allowed::Words(words) => {
             let mut chosen = None;
@@ -58,19 +73,21 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<String> {
                 }
             });
             name(&shown.response, label);
-            chosen
+            chosen.map(|word| (word, Change::Begins))
         }
         Allowed::Count { min, max } => {
             let mut count: u32 = parameter.value.parse().unwrap_or(min);
-            let response = ui.add(DragValue::new(&mut count).range(min..=max).speed(0.05));
+            let response = ui.add(DragValue::new(&mut count).range(min..=max).speed(0.05).update_while_editing(false));
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));
-            response.changed().then(|| count.to_string())
+            change(&response).map(|change| (count.to_string(), change))
         }
         Allowed::Real { min, max } => {
             let mut number: f32 = parameter.value.parse().unwrap_or(min);
-            let response = ui.add(DragValue::new(&mut number).range(min..=max).speed((max - min) * 0.002));
+            let speed = (max - min) * 0.002;
+            let field = DragValue::new(&mut number).range(min..=max).speed(speed).update_while_editing(false);
+            let response = ui.add(field);
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));
-            response.changed().then(|| number.to_string())
+            change(&response).map(|change| (number.to_string(), change))
         }
     }
 }

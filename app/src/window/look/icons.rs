@@ -14,6 +14,7 @@ pub(crate) enum Icon {
     Left,
     Right,
     More,
+    Close,
 }
 
 /// A square button with a drawn face; `name` is what a screen reader says and a tooltip shows.
@@ -64,6 +65,12 @@ fn draw(painter: &Painter, icon: Icon, at: Pos2, unit: f32, color: egui::Color32
         }
         Icon::Right => chevron(unit * 0.35),
         Icon::Left => chevron(-unit * 0.35),
+        Icon::Close => {
+            for y in [-0.7, 0.7] {
+                let line = [at + vec2(-unit * 0.7, unit * y), at + vec2(unit * 0.7, -unit * y)];
+                painter.line_segment(line, Stroke::new(unit * 0.3, color));
+            }
+        }
         Icon::More => {
             for x in [-1.0, 0.0, 1.0] {
                 painter.circle_filled(at + vec2(x * unit * 0.95, 0.0), unit * 0.24, color);

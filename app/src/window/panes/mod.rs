@@ -1,5 +1,6 @@
 //! The panes: the lesson, space, and the figures around it, as a study page or as the presenter's.
 
+mod by_hand;
 mod columns;
 mod lesson;
 mod page;

@@ -44,6 +44,10 @@ pub(crate) enum Asked {
     Turn(Seen),
     /// A ray of the user's own, as part of that change.
     Ray(Ray),
+    /// A parameter of the structure, as part of that change.
+    Set(&'static str, String),
+    /// A sentence for the user.
+    Say(String),
     /// Another structure beside the walk.
     Compare(&'static str),
     /// How the walk beside keeps in step.

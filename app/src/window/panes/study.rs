@@ -4,6 +4,7 @@ use egui::{CentralPanel, Frame, Panel, Ui};
 use raystep_accel::Place;
 use raystep_figure::Role;
 
+use super::by_hand;
 use super::columns;
 use super::lesson;
 use super::page::{Asked, Kept, Page};
@@ -25,7 +26,15 @@ pub(crate) fn page(
     let dragged = sizes.lesson;
     let left = Panel::left(columns::salt("lesson", dragged, width)).frame(ground);
     let left = left.default_size(dragged.unwrap_or(usual).min(widest)).size_range(220.0..=widest);
-    let shown = left.show(ui, |ui| lesson::pane(ui, page.state, page.theme, &mut kept.formulas));
+    let shown = left.show(ui, |ui| {
+        if page.state.by_hand {
+            let height = ui.available_height();
+            let below = Panel::bottom("by hand").frame(Frame::new()).default_size(height * 0.46);
+            let below = below.size_range(120.0..=height * 0.7);
+            below.show(ui, |ui| by_hand::pane(ui, page.state, page.theme, asked));
+        }
+        lesson::pane(ui, page.state, page.theme, &mut kept.formulas)
+    });
     columns::note(ui, &mut sizes.lesson, shown.response.rect.width(), usual);
     asked.extend(shown.inner.map(Asked::Command));
     let under = columns::right(ui, page, kept, sizes, asked);

@@ -1,0 +1,104 @@
+//! What can be set by hand: the structure's parameters and the ray in numbers, docked below the lesson.
+
+use egui::{DragValue, Frame, Margin, Response, RichText, ScrollArea, Ui, WidgetInfo};
+use raystep_accel::Ray;
+use raystep_figure::{Face, Role, Theme};
+
+use super::page::Asked;
+use crate::shown::command::Command;
+use crate::shown::state::State;
+use crate::shown::view::RayChoice;
+use crate::shown::words::kind_name;
+use crate::window::look::controls::{self, Change};
+use crate::window::look::fonts::font;
+use crate::window::look::icons::{Icon, icon_button};
+use crate::window::look::visuals::ink;
+
+/// Shows the panel in all the room there is.
+pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<Asked>) {
+    Frame::new().inner_margin(Margin { left: 22, right: 14, top: 8, bottom: 6 }).show(ui, |ui| {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new("Set by hand").font(font(Face::Bold, 13.5)));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let close = icon_button(ui, Icon::Close, "Close", &Command::ByHand.tip(), false, 24.0);
+                if close.clicked() {
+                    asked.push(Asked::Command(Command::ByHand));
+                }
+            });
+        });
+        ScrollArea::vertical().id_salt("by hand").auto_shrink(false).show(ui, |ui| {
+            ui.set_width(ui.available_width() - 8.0);
+            ray(ui, state, theme, asked);
+            structure(ui, state, theme, asked);
+        });
+    });
+}
+
+fn heading(ui: &mut Ui, text: &str, theme: &Theme) {
+    ui.add_space(4.0);
+    ui.label(RichText::new(text).font(font(Face::Medium, 12.5)).color(ink(theme, Role::Quiet)));
+}
+
+/// The structure's parameters.
+fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<Asked>) {
+    let Some(rule) = state.rule() else { return };
+    let parameters = rule.parameters();
+    if parameters.is_empty() {
+        return;
+    }
+    heading(ui, &format!("{}: how it is built", kind_name(rule.kind())), theme);
+    for parameter in &parameters {
+        if let Some((value, change)) = controls::parameter(ui, parameter, theme) {
+            asked.extend((change == Change::Begins).then_some(Asked::Keep));
+            asked.push(Asked::Set(parameter.key, value));
+        }
+    }
+    if !state.target().settings.is_empty() {
+        ui.add_space(4.0);
+        if ui.button("The slide's own parameters").clicked() {
+            asked.push(Asked::Command(Command::Restore));
+        }
+    }
+}
+
+/// The ray's origin and direction, two numbers each in the plane.
+fn ray(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<Asked>) {
+    let Some(playback) = state.playback() else { return };
+    let shown = match &state.target().ray {
+        RayChoice::Own(ray) => Some(*ray),
+        RayChoice::Named(_) => playback.play.tape.ray(),
+    };
+    let Some(ray) = shown else { return };
+    let axes = if playback.play.scene.flat { 2 } else { 3 };
+    let reach = playback.play.structure.bounds().extent().max_element();
+    heading(ui, "The ray: from o, along d", theme);
+    let (mut o, mut d) = (ray.o, ray.d);
+    let mut change = None;
+    for (name, vector, speed) in [("o", &mut o, reach * 0.002), ("d", &mut d, 0.005)] {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(name).font(font(Face::Mono, 13.5)));
+            for axis in 0..axes {
+                let letter = ["x", "y", "z"][axis];
+                let response = number(ui, &mut vector[axis], speed, &format!("{name}.{letter}"));
+                change = controls::change(&response).or(change);
+            }
+        });
+    }
+    if let Some(change) = change {
+        let own = Ray::new(o, d).and_then(|own| own.within(ray.t_min, ray.t_max));
+        match own {
+            Ok(own) => {
+                asked.extend((change == Change::Begins).then_some(Asked::Keep));
+                asked.push(Asked::Ray(own));
+            }
+            Err(error) => asked.push(Asked::Say(format!("This is no ray: {error}."))),
+        }
+    }
+}
+
+fn number(ui: &mut Ui, value: &mut f32, speed: f32, name: &str) -> Response {
+    let field = DragValue::new(value).speed(speed).max_decimals(6).update_while_editing(false);
+    let response = ui.add_sized([62.0, 24.0], field);
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, name));
+    response
+}
