@@ -168,7 +168,7 @@ impl<'a> Session<'a> {
         let (heading, caption) = self.said(event.as_ref(), step, beat);
         let played = self.ray.as_ref().map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {ray}"));
         let about = format!("{} · {played}", self.ground.about);
-        let listing = lines(self.ground.library.listing(&slide.listing), event);
+        let listing = lines(self.ground.library.listing(&slide.listing), event, None);
         let mut below: Vec<Below> = slide.show.iter().filter_map(below).collect();
         below.dedup();
         let sheet = Plate {

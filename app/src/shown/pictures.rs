@@ -4,10 +4,11 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Event, Grow, Primitives};
+use raystep_accel::{Cost, Event, Grow, Mistake, Primitives};
 use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, TreeView, stage};
 use raystep_lesson::{Choice, Listing, Show};
 
+use super::beside::Beside;
 use super::playback::{Playback, cost};
 use super::reel::lines;
 use super::state::State;
@@ -33,6 +34,8 @@ struct Key {
     playback: usize,
     step: usize,
     asking: bool,
+    /// The mistake that is made in the walk beside.
+    mistake: Option<Mistake>,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -83,7 +86,11 @@ impl Pictures {
     pub(crate) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
         let playback = state.playback()?.clone();
         let asking = state.question().is_some();
-        let key = Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, asking };
+        let mistake = match state.beside {
+            Beside::Mistake(index) => playback.mistakes.get(index).copied(),
+            _ => None,
+        };
+        let key = Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, asking, mistake };
         if let Some(kept) = kept
             && kept.key == key
         {
@@ -110,7 +117,7 @@ impl Pictures {
         let extra =
             beside.map_or(0, |(_, tests)| tests + 1) ^ (view.focus.map_or(0, |node| u64::from(node.0) + 1) << 20);
         let sized = [size.x as u32, size.y as u32];
-        let asking = self.key.asking;
+        let Key { asking, mistake, .. } = self.key;
         let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32, extra };
         let Pictures { playback, instant, space, figures, .. } = self;
         figures.entry(key).or_insert_with(|| {
@@ -123,7 +130,7 @@ impl Pictures {
                 Pane::Cells => still.cells(asking, size, look),
                 Pane::Slabs => still.slabs(size, look),
                 Pane::Bytes => still.bytes(size, look),
-                Pane::Walk => still.listing(&lines(code, still.event()), size, look),
+                Pane::Walk => still.listing(&lines(code, still.event(), mistake), size, look),
                 Pane::Stack => still.stack(false, size, look),
                 Pane::StackHere => still.stack(true, size, look),
                 Pane::Work => still.work(beside, size, look),

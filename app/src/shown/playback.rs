@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Accel, Cost, Event, Mistake, Ray, Rule, Structure, Trace, Visit};
+use raystep_accel::{Accel, Cost, Event, Hit, Mistake, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Nodes, Reel};
 use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
 use raystep_scene::Scene;
@@ -166,6 +166,14 @@ impl Playback {
     /// What a walk has cost after so many events.
     pub fn cost(&self, step: usize) -> Option<Cost> {
         cost(&self.instant(step))
+    }
+
+    /// What a walk ends with: the answer's t and primitive, or nothing. A build has no answer.
+    pub fn answer(&self) -> Option<Option<Hit>> {
+        match &self.play.tape {
+            Tape::Walk(walk) => Some(walk.hit),
+            Tape::Build(_) => None,
+        }
     }
 
     /// How many primitives a walk has tested after so many events.

@@ -1,6 +1,6 @@
 //! What lessons play, as the figures take it.
 
-use raystep_accel::Event;
+use raystep_accel::{Event, Mistake};
 use raystep_figure::{Build, ListingLine, Nodes, Reel, Walk};
 use raystep_lesson::{Listing, Play, Plays, Tape};
 
@@ -23,9 +23,13 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
     }
 }
 
-/// The lines of a listing, the one marked that shows the event.
-pub(crate) fn lines(code: Option<&Listing>, event: Option<Event>) -> Vec<ListingLine<'_>> {
+/// The lines of a listing, the one marked that shows the event, and the one where a mistake is made beside.
+pub(crate) fn lines(code: Option<&Listing>, event: Option<Event>, mistake: Option<Mistake>) -> Vec<ListingLine<'_>> {
     let Some(code) = code else { return Vec::new() };
+    let made = mistake.and_then(|mistake| {
+        let (event, instead) = mistake.instead();
+        Some((code.line_of(event)?, instead))
+    });
     let current = event.and_then(|event| code.line_of(event.name()));
     let lines = code.lines.iter().enumerate();
     lines
@@ -34,6 +38,7 @@ pub(crate) fn lines(code: Option<&Listing>, event: Option<Event>) -> Vec<Listing
             text: &line.text,
             current: Some(index) == current,
             values: line.values.as_deref(),
+            instead: made.filter(|(line, _)| *line == index).map(|(_, instead)| instead),
         })
         .collect()
 }

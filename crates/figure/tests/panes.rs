@@ -116,6 +116,7 @@ fn the_line_of_the_event_is_marked_with_its_numbers() {
     let values = Some("({{plane}} − {{o}}) / {{d}} = {{t}}");
     let lines: Vec<ListingLine<'_>> = (0..20)
         .map(|index| ListingLine {
+            instead: None,
             indent: index % 3,
             text: "a line",
             current: index == 12,

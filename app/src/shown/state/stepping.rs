@@ -43,14 +43,14 @@ impl State {
         self.playing.then_some(period - self.waited)
     }
 
-    /// The step of a walk beside that goes with the step of the walk shown.
+    /// The step of a walk beside that goes with the step of the walk shown: when one is over, so is the other. While a
+    /// question is open the walk beside waits at its beginning, since it may know the answer.
     pub fn beside_step(&self, beside: &Playback) -> usize {
         let (step, last) = (self.view.step, beside.steps().last());
-        match (self.pace, self.playback()) {
-            (Pace::T, Some(playback)) if step > 0 => {
-                let at = beside.step_at(playback.reached(step));
-                if step == playback.steps().last() { last } else { at }
-            }
+        match self.playback() {
+            _ if self.question().is_some() => 0,
+            Some(playback) if step == playback.steps().last() => last,
+            Some(playback) if self.pace == Pace::T && step > 0 => beside.step_at(playback.reached(step)),
             _ => step.min(last),
         }
     }

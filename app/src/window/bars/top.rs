@@ -63,6 +63,9 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                     asked = Some(Asked::Command(command));
                 }
             }
+            if width > 1240.0 {
+                broken(ui, state, theme, &mut asked);
+            }
             ui.add_space(4.0);
             stages(ui, state, theme, &mut asked);
             ui.add_space(4.0);
@@ -232,6 +235,22 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
                 }
             }
         });
+        ui.separator();
+        mistakes(ui, state, theme, asked);
+    });
+}
+
+/// A button with the mistakes that can be made in this structure.
+fn broken(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
+    if state.playback().is_none_or(|playback| playback.mistakes.is_empty()) {
+        return;
+    }
+    let on = matches!(state.beside, Beside::Mistake(_));
+    let button = Button::new(Command::Break.name()).selected(on);
+    let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };
+    let response = ui.add(button).on_hover_text("Make a common mistake, beside the right walk");
+    egui::Popup::menu(&response).show(|ui| {
+        ui.set_width(310.0);
         mistakes(ui, state, theme, asked);
     });
 }
@@ -239,7 +258,6 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
 /// The mistakes that can be played beside the right walk.
 fn mistakes(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
     let Some(playback) = state.playback().filter(|playback| !playback.mistakes.is_empty()) else { return };
-    ui.separator();
     ui.label(RichText::new(Command::Break.name()).color(ink(theme, Role::Quiet)));
     for (index, mistake) in playback.mistakes.iter().enumerate() {
         let on = state.beside == Beside::Mistake(index);

@@ -195,7 +195,11 @@ pub(super) fn figure(
     let Kept { pictures, tree, .. } = kept;
     let code = state.slide().and_then(|slide| state.library.listing(&slide.listing));
     let tests = page.beside.filter(|_| state.beside == Beside::Structure("list"));
-    let tests = tests.map(|beside| ("brute force", beside.tests(state.beside_step(beside))));
+    let tests = tests.map(|beside| {
+        let step = state.beside_step(beside);
+        let name = if step < beside.steps().last() { "brute force, so far" } else { "brute force" };
+        (name, beside.tests(step))
+    });
     let drawn = pictures.as_mut()?.pane(pane, glam_size(rect), look, code, tree, tests);
     paint_figure(&ui.painter_at(rect), rect.min, drawn, theme, lit);
     let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);

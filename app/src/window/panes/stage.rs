@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
-use raystep_accel::{Aabb, Cost, Place};
+use raystep_accel::{Aabb, Cost, Event, Place, Structure, Verdict, Visit};
 use raystep_figure::{Camera, Face, Look, Role};
 
 use super::page::{Asked, Kept, Page};
@@ -27,9 +27,7 @@ pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut V
     if page.state.beside == Beside::Nothing {
         return stage(ui, page, kept, rect, true, 1.0, asked);
     }
-    let half = (rect.width() * 0.5).floor();
-    let left = Rect::from_min_size(rect.min, vec2(half, rect.height()));
-    let right = Rect::from_min_max(rect.min + vec2(half, 0.0), rect.max);
+    let (left, right) = halves(page.state, rect);
     let (name, picture) = strip(left, STRIP);
     let mut under = None;
     if let Some(playback) = page.state.playback() {
@@ -44,8 +42,26 @@ pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut V
         Some(beside) => under = second(ui, page, kept, picture, beside).or(under),
         None => waiting(ui, page, picture),
     }
-    ui.painter().vline(right.left(), rect.y_range(), line(page.theme, Role::Panel));
+    if right.left() > rect.left() {
+        ui.painter().vline(right.left(), rect.y_range(), line(page.theme, Role::Panel));
+    } else {
+        ui.painter().hline(rect.x_range(), right.top(), line(page.theme, Role::Panel));
+    }
     under
+}
+
+/// Two pictures side by side, or one over the other where that makes them larger.
+fn halves(state: &State, rect: Rect) -> (Rect, Rect) {
+    let extent = state.playback().map_or(glam::Vec3::ONE, |playback| playback.play.structure.bounds().extent());
+    // In space it depends on the camera how wide a scene looks: about as wide as high.
+    let flat = state.playback().is_some_and(|playback| playback.play.scene.flat);
+    let shape = if flat { vec2(extent.x, extent.y) } else { vec2(1.0, 1.0) };
+    let fits = |width: f32, height: f32| (width / shape.x.max(1e-9)).min((height - STRIP) / shape.y.max(1e-9));
+    if fits(rect.width() * 0.5, rect.height()) >= fits(rect.width(), rect.height() * 0.5) {
+        rect.split_left_right_at_fraction(0.5)
+    } else {
+        rect.split_top_bottom_at_fraction(0.5)
+    }
 }
 
 /// What the stage stands on: in the study a pane, before a class the page itself.
@@ -124,7 +140,13 @@ fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc
     let space = &shown.space;
     let camera = sight.camera(page.state, space, glam_size(rect));
     let solid = !space.flat && sight.solid_beside.is_there();
-    let figure = drawn(space, beside, &camera, glam_size(rect), solid);
+    let mut figure = drawn(space, beside, &camera, glam_size(rect), solid);
+    if verdict(page.state, beside).is_some_and(|(_, role)| role == Role::Wrong) {
+        // A hit that is not the answer does not look like one.
+        for mark in figure.marks.iter_mut().filter(|mark| matches!(mark.role, Role::Hit | Role::Best)) {
+            mark.role = Role::Wrong;
+        }
+    }
     if solid {
         let (prims, ground) = (&beside.play.scene.prims, ground(page.state));
         sight.solid_beside.show(ui, rect, space, prims, page.mesh, &camera, page.theme, ground, page.lit);
@@ -158,11 +180,57 @@ fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<C
         (0, cells) => says.push_str(&format!(" · {cells} {}", if cells == 1 { "cell" } else { "cells" })),
         (nodes, _) => says.push_str(&format!(" · {nodes} {}", if nodes == 1 { "node" } else { "nodes" })),
     }
+    let beside = playback.kind != Beside::Nothing;
+    let step = if beside { page.state.beside_step(playback) } else { page.state.view.step };
+    let over = step == playback.steps().last();
+    if page.state.question().is_some() && beside {
+        says = "waits for your answer".to_owned();
+    } else if !over {
+        says.push_str(" · not finished");
+    }
     if structure.node_count() > 0 || structure.grid().is_some() {
         says.push_str(&format!(" · built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
     }
     let at = rect.left_bottom() + vec2(14.0, -16.0);
     caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, page.theme);
+    if let Some((verdict, role)) = verdict(page.state, playback).filter(|_| over) {
+        let at = at - vec2(0.0, 20.0);
+        caption(ui.painter(), at, Align2::LEFT_CENTER, &verdict, Face::Bold, 13.5, role, page.theme);
+    }
+}
+
+/// What a mistaken walk comes to in the end, against the right one.
+fn verdict(state: &State, beside: &Playback) -> Option<(String, Role)> {
+    let Beside::Mistake(_) = beside.kind else { return None };
+    let right = state.playback()?;
+    let said = |hit: Option<raystep_accel::Hit>| match hit {
+        Some(hit) => format!("primitive {} at t = {}", hit.prim.0, raystep_figure::number(hit.t)),
+        None => "no hit".to_owned(),
+    };
+    let verdicts = (box_verdict(right), box_verdict(beside));
+    let (answer, wrong) = (right.answer()?, beside.answer()?);
+    let last = |playback: &Playback| playback.cost(playback.steps().last());
+    Some(match verdicts {
+        (Some(met), Some(claimed)) if met != claimed => {
+            let words = |met| if met { "met" } else { "missed" };
+            (format!("Wrong: it says {}; the box is {}.", words(claimed), words(met)), Role::Wrong)
+        }
+        _ if answer != wrong => (format!("Wrong: {}; right is {}.", said(wrong), said(answer)), Role::Wrong),
+        _ if last(right) == last(beside) => {
+            ("No difference on this ray: the same answer after the same work.".to_owned(), Role::Text)
+        }
+        _ => ("The same answer, with other work.".to_owned(), Role::Text),
+    })
+}
+
+/// Whether the last volume that was tested was met, where a walk tests nothing else.
+fn box_verdict(playback: &Playback) -> Option<bool> {
+    let Structure::Slab(_) = &*playback.play.structure else { return None };
+    let steps = 1..=playback.steps().last();
+    steps.rev().find_map(|step| match playback.event(step) {
+        Some(Event::Walk(Visit::Volume { verdict, .. })) => Some(verdict == Verdict::Hit),
+        _ => None,
+    })
 }
 
 /// Turns what happened in the picture into what is asked for.

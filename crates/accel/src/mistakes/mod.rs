@@ -100,6 +100,21 @@ impl Mistake {
         }
     }
 
+    /// Where it is made: the event that the wrong line tells of, and what stands in its place.
+    pub fn instead(self) -> (&'static str, &'static str) {
+        match self {
+            Mistake::SlabNoSwap => ("slab.order", "t1 and t2 stay as they are"),
+            Mistake::SlabStrict => ("volume", "met if t_near < t_far"),
+            Mistake::SlabBehind => ("slab", "[t_near, t_far] ← [−∞, ∞]"),
+            Mistake::GridStopsEarly => ("beyond", "stop here as well"),
+            Mistake::GridForgets => ("beyond", "forget the hit, go on"),
+            Mistake::KdLeftFirst => ("plane", "near ← the left child"),
+            Mistake::KdAnyHit => ("pop", "return the hit, if there is one"),
+            Mistake::BvhUnordered => ("split", "near ← the left child"),
+            Mistake::BvhNoCut => ("drop", "open it, whatever t_best is"),
+        }
+    }
+
     /// What goes wrong, in a sentence.
     pub fn consequence(self) -> &'static str {
         match self {

@@ -18,6 +18,8 @@ pub struct ListingLine<'a> {
     pub current: bool,
     /// A template for the line's numbers: `({{plane}} − {{o}}) / {{d}} = {{t}}`.
     pub values: Option<&'a str>,
+    /// What stands here by mistake, in the walk beside.
+    pub instead: Option<&'a str>,
 }
 
 /// The lines, with the one marked that shows `event`. Of a long listing, the part around it. In a flat scene
@@ -41,7 +43,8 @@ pub fn listing<E: Fact>(
     // As many rows as fit, the current line a third from the top of them; one row more for its numbers.
     let row = look.line();
     let rows = (((size.y - top - look.margin() * 0.5) / row) as usize).max(1);
-    let room = rows.saturating_sub(usize::from(values.is_some())).max(1);
+    let extra = usize::from(values.is_some()) + lines.iter().filter(|line| line.instead.is_some()).count();
+    let room = rows.saturating_sub(extra).max(1);
     let first = current.map_or(0, |line| line.saturating_sub(room / 3)).min(lines.len().saturating_sub(room));
     let shown = first..lines.len().min(first + room);
 
@@ -80,6 +83,11 @@ pub fn listing<E: Fact>(
             put(&mut figure, Role::Text, None, y, &text, letters, Face::Mono);
         }
         y += row;
+        if let Some(instead) = line.instead {
+            let instead = indented(line.indent, &format!("≠ {instead}"));
+            put(&mut figure, Role::Wrong, None, y, &instead, fitting(&instead, letters), Face::MonoMedium);
+            y += row;
+        }
     }
     figure
 }
