@@ -49,6 +49,19 @@ pub(crate) fn framed(camera: &Camera, bounds: &Aabb, size: Vec2) -> Camera {
     }
 }
 
+/// A camera, unless another one sees more from nearer by: then that one. Framing never makes a scene smaller.
+pub(crate) fn no_further(camera: Camera, home: Camera) -> Camera {
+    match (camera, home) {
+        (Camera::Solid { eye, target, .. }, Camera::Solid { eye: own_eye, target: own_target, .. })
+            if eye.distance(target) > own_eye.distance(own_target) =>
+        {
+            home
+        }
+        (Camera::Flat { half_height, .. }, Camera::Flat { half_height: own, .. }) if half_height > own => home,
+        _ => camera,
+    }
+}
+
 /// Turned around its target by a drag over so much of the picture; a flat camera is shifted.
 pub(crate) fn turned(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
     let Camera::Solid { eye, target, up, fov_degrees } = *camera else { return shifted(camera, drag, size) };

@@ -13,6 +13,7 @@ use crate::shown::state::State;
 pub(crate) struct Sight {
     pub(super) solid: Solid,
     pub(super) solid_beside: Solid,
+    pub(super) solid_inset: Solid,
     /// What the pointer has hold of.
     pub(super) hold: Option<Hold>,
     /// Where space is seen from while a ray is dragged.
@@ -30,6 +31,7 @@ impl Default for Sight {
         Sight {
             solid: Solid::default(),
             solid_beside: Solid::default(),
+            solid_inset: Solid::default(),
             hold: None,
             still: None,
             beside: None,
@@ -44,6 +46,7 @@ impl Sight {
     pub(crate) fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
         self.solid = Solid::new(state);
         self.solid_beside = self.solid.another();
+        self.solid_inset = self.solid.another();
     }
 
     /// Where the stage is seen from now, in a picture of this size.
@@ -55,6 +58,11 @@ impl Sight {
         if let Some(camera) = state.view.camera {
             return Seen { camera, aspect: self.aspect }.all_in(size);
         }
+        Sight::home(state, space, size)
+    }
+
+    /// The slide's own view.
+    fn home(state: &State, space: &Space, size: glam::Vec2) -> Camera {
         let look = state.stage().and_then(|stage| stage.camera.as_ref()).filter(|_| !state.view.is_elsewhere());
         match state.playback() {
             Some(playback) => eye::home(look, &playback.play.scene, &space.bounds, size),
@@ -71,7 +79,8 @@ impl Sight {
             return None;
         }
         let size = glam::Vec2::new(800.0, 600.0);
-        let camera = eye::framed(&self.camera(state, &pictures.space, size), &bounds, size);
+        let own = Sight::home(state, &pictures.space, size);
+        let camera = eye::no_further(eye::framed(&self.camera(state, &pictures.space, size), &bounds, size), own);
         Some(Seen { camera, aspect: size.x / size.y })
     }
 }

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Aabb, Cost, Event, Place, Structure, Verdict, Visit};
-use raystep_figure::{Camera, Face, Look, Role};
+use raystep_figure::{Camera, Face, Look, Role, axes};
 
+use super::inset;
 use super::page::{Asked, Kept, Page};
 use super::rival;
 use super::sight::Sight;
@@ -123,6 +124,10 @@ pub(super) fn stage(
         painted: solid,
     }
     .show(ui, picture, "Space", &mut sight.hold);
+    if solid {
+        paint_figure(&ui.painter_at(picture), picture.min, &axes(&camera, glam_size(picture)), page.theme, None);
+        inset::show(ui, page, sight, pictures, picture, &camera);
+    }
     if legend > 0.0 {
         let at = Rect::from_min_max(pos2(rect.left() + 14.0, picture.bottom()), rect.max);
         let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, tree, None);

@@ -60,6 +60,11 @@ impl Lens {
         Some((Vec2::new(self.size.x * 0.5 + x * scale, self.size.y * 0.5 - y * scale), depth))
     }
 
+    /// A direction of the world as it is seen from far away: x to the right and y down, at most of length one.
+    pub(crate) fn across(&self, direction: Vec3) -> Vec2 {
+        Vec2::new(direction.dot(self.right), -direction.dot(self.up))
+    }
+
     /// A line, without the part behind the eye.
     pub(crate) fn segment(&self, from: Vec3, to: Vec3) -> Option<[(Vec2, f32); 2]> {
         let [from, to] = self.in_front(from, to)?;

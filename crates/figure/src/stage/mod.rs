@@ -1,5 +1,6 @@
 //! A space as a camera sees it: a figure.
 
+mod axes;
 mod camera;
 mod controls;
 mod crop;
@@ -17,6 +18,7 @@ use crate::page::{Figure, Ink};
 use crate::theme::Role;
 use crate::world::{Form, Space, corners};
 
+pub use axes::axes;
 pub use camera::Camera;
 pub use shaded::{Shaded, shaded};
 
@@ -31,7 +33,8 @@ pub enum Scenery<'a> {
     Shaded(&'a Shaded),
 }
 
-/// The space as `camera` sees it in a picture of this size in points, with labels.
+/// The space as `camera` sees it in a picture of this size in points, with labels; and the axes of a solid scene,
+/// unless its primitives are painted elsewhere.
 pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>) -> Figure {
     let depth = match scenery {
         Scenery::Shaded(shaded) => Some(shaded),
@@ -51,6 +54,9 @@ pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery:
     }
     crop::crop(&mut stage.figure);
     labels::place(space, &stage.lens, &mut stage.figure);
+    if !matches!(scenery, Scenery::Left) {
+        stage.figure.marks.extend(axes(camera, size).marks);
+    }
     stage.figure
 }
 

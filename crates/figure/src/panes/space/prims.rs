@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raystep_accel::{Place, PrimId, Prims, Visit};
+use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims, Visit};
 
 use super::Drawing;
 use crate::theme::Role;
@@ -11,6 +11,9 @@ use crate::world::Form;
 
 /// Of a long walk, so many of the primitives last tested are marked.
 const TRAIL: usize = 256;
+
+/// A primitive is large from this part of the scene's diagonal on.
+const LARGE: f32 = 0.25;
 
 impl Drawing<'_> {
     pub(super) fn prims(&mut self) {
@@ -28,7 +31,7 @@ impl Drawing<'_> {
         for (index, test) in moment.tested.iter().enumerate() {
             match test.t {
                 Some(_) => roles.insert(test.prim, Role::Hit),
-                None if index >= first => roles.insert(test.prim, Role::Missed),
+                None if index >= first && !self.shouts(test.prim) => roles.insert(test.prim, Role::Missed),
                 None => None,
             };
         }
@@ -38,6 +41,14 @@ impl Drawing<'_> {
         for (prim, role) in roles {
             self.add(role, Some(Place::Prim(prim)), Form::Prim(prim));
         }
+    }
+
+    /// Whether a primitive of a solid scene would drown the others if it stayed marked after its test: a floor that
+    /// was missed is no news.
+    fn shouts(&self, prim: PrimId) -> bool {
+        let now = matches!(self.moment.event, Some(Visit::Test { prim: tested, .. }) if tested == prim);
+        let extent = |bounds: Aabb| bounds.extent().length();
+        !self.walk.flat && !now && extent(self.walk.prims.bounds(prim)) > LARGE * extent(self.walk.world())
     }
 
     /// The references of the current leaf or cell.

@@ -1,0 +1,62 @@
+//! Which way x, y and z run in a solid picture: three short arrows in its lower left corner.
+
+use glam::{Vec2, Vec3};
+
+use super::Camera;
+use super::lens::Lens;
+use crate::page::{Anchor, Figure, Ink};
+use crate::theme::{Face, Role};
+
+/// Length of an axis that lies across the line of sight, in points.
+const LENGTH: f32 = 26.0;
+
+/// Distance of the arrows' foot from the corner, in points.
+const CORNER: f32 = 44.0;
+
+/// An axis that is seen shorter than this, in parts of its length, points at the eye or away from it.
+const SHORT: f32 = 0.2;
+
+/// The three axes as this camera sees them; in a flat scene, whose rulers say it, nothing.
+pub fn axes(camera: &Camera, size: Vec2) -> Figure {
+    let mut figure = Figure::new(size);
+    let Camera::Solid { .. } = camera else { return figure };
+    let lens = Lens::new(camera, size);
+    let foot = Vec2::new(CORNER, size.y - CORNER);
+    for (axis, name) in [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")] {
+        let along = lens.across(axis);
+        let tip = foot + along * LENGTH;
+        figure.add(Role::Edge, None, Ink::Line { points: vec![foot, tip] });
+        let away = along.length();
+        if away > SHORT {
+            let along = along / away;
+            figure.add(Role::Edge, None, Ink::Arrowhead { tip: tip + along * 5.0, along, length: 7.0 });
+        }
+        let at = foot + (along / away.max(1e-3)) * (LENGTH * away + 14.0);
+        let text = name.to_owned();
+        let (size, face, anchor) = (12.5, Face::Medium, Anchor::Middle);
+        figure.add(Role::Text, None, Ink::Text { at, text, size, face, anchor, boxed: false });
+    }
+    figure
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_point_where_the_camera_sees_them() {
+        let size = Vec2::new(400.0, 300.0);
+        let camera = Camera::Solid { eye: Vec3::NEG_Y * 5.0, target: Vec3::ZERO, up: Vec3::Z, fov_degrees: 40.0 };
+        let figure = axes(&camera, size);
+        let at = |name: &str| {
+            let letter = figure.marks.iter().find_map(|mark| match &mark.ink {
+                Ink::Text { at, text, .. } if text == name => Some(*at),
+                _ => None,
+            });
+            letter.unwrap() - Vec2::new(CORNER, size.y - CORNER)
+        };
+        assert!(at("x").x > LENGTH && at("x").y.abs() < 1e-3, "x runs to the right");
+        assert!(at("z").y < -LENGTH && at("z").x.abs() < 1e-3, "z runs up");
+        assert!(axes(&Camera::Flat { center: Vec2::ZERO, half_height: 1.0 }, size).marks.is_empty());
+    }
+}
