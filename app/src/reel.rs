@@ -1,16 +1,15 @@
 //! What lessons play, as the figures take it.
 
-use raystep_accel::Event;
-use raystep_figure::{Build, ListingLine, Nodes, Reel, Walk};
-use raystep_lesson::{Listing, Play, Plays, Tape};
+use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Walk};
+use raystep_lesson::{Listing, Play, Plays, Show, Tape};
 
-/// The walk or the build of a play.
+/// What a play is shown as: the only place that knows which kind that is.
 pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
-        Tape::Walk(walk) => Reel::Walk(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
+        Tape::Walk(walk) => Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
         Tape::Build(build) => {
-            Reel::Build(Build { structure, nodes, prims, events: &build.events, lost: build.lost, flat })
+            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: build.lost, flat })
         }
     }
 }
@@ -24,7 +23,7 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
 }
 
 /// The lines of a listing, the one marked that shows the event.
-pub(crate) fn lines(code: Option<&Listing>, event: Option<Event>) -> Vec<ListingLine<'_>> {
+pub(crate) fn lines<'a>(code: Option<&'a Listing>, event: Option<&dyn Fact>) -> Vec<ListingLine<'a>> {
     let Some(code) = code else { return Vec::new() };
     let current = event.and_then(|event| code.line_of(event.name()));
     let lines = code.lines.iter().enumerate();
@@ -36,4 +35,16 @@ pub(crate) fn lines(code: Option<&Listing>, event: Option<Event>) -> Vec<Listing
             values: line.values.as_deref(),
         })
         .collect()
+}
+
+/// The pane beside or below space that a slide asks for, if it has a say in it.
+pub(crate) fn pane(show: &Show) -> Option<Pane> {
+    match show {
+        Show::Ruler => Some(Pane::Ruler),
+        Show::Tree => Some(Pane::Tree),
+        Show::Cells => Some(Pane::Cells),
+        Show::Slabs => Some(Pane::Slabs),
+        Show::Bytes => Some(Pane::Bytes),
+        Show::Space | Show::Stack | Show::Listing | Show::Work => None,
+    }
 }

@@ -9,7 +9,7 @@ use raystep_lesson::Plays;
 
 use super::app::App;
 use super::bench::Bench;
-use super::playback::{Built, Playback, cost};
+use super::playback::{Built, Playback};
 use super::state::{Beside, Pace};
 use super::task::Task;
 use super::view::{RayChoice, View};
@@ -62,8 +62,8 @@ impl Second {
             return drawn.clone();
         }
         let instant = beside.instant(step);
-        let space = Arc::new(beside.reel().still(&instant).space());
-        let drawn = Drawn { walk, step, space, cost: cost(&instant) };
+        let space = Arc::new(beside.reel().still(&instant).space().unwrap_or_default());
+        let drawn = Drawn { walk, step, space, cost: beside.cost_at(&instant) };
         self.drawn = Some(drawn.clone());
         drawn
     }

@@ -48,7 +48,7 @@ fn stacked(app: &mut App, ui: &mut Ui) -> Option<Place> {
     note(ui, &mut app.remembered.heights.work, shown.response.rect.height(), height * 0.2);
     let mut under = shown.inner;
     if !has(app, Pane::Stack) {
-        return pane(app, ui, Pane::Walk).or(under);
+        return pane(app, ui, Pane::Listing).or(under);
     }
     let stack = Panel::bottom(salt("stack", sizes.stack, height))
         .frame(frame)
@@ -57,16 +57,16 @@ fn stacked(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let shown = stack.show(ui, |ui| pane(app, ui, Pane::Stack));
     note(ui, &mut app.remembered.heights.stack, shown.response.rect.height(), height * 0.22);
     under = shown.inner.or(under);
-    pane(app, ui, Pane::Walk).or(under)
+    pane(app, ui, Pane::Listing).or(under)
 }
 
 /// One of walk, tree, stack and work, chosen by tabs.
 fn tabs(app: &mut App, ui: &mut Ui) -> Option<Place> {
-    let mut panes = vec![Pane::Walk];
+    let mut panes = vec![Pane::Listing];
     panes.extend(main(app));
     panes.extend([Pane::Stack, Pane::Work].into_iter().filter(|pane| has(app, *pane)));
     if !panes.contains(&app.remembered.tab) {
-        app.remembered.tab = Pane::Walk;
+        app.remembered.tab = Pane::Listing;
     }
     Frame::new().inner_margin(egui::Margin { left: 12, right: 8, top: 8, bottom: 4 }).show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -83,8 +83,8 @@ fn tabs(app: &mut App, ui: &mut Ui) -> Option<Place> {
     let height = ui.available_height();
     let chosen = app.remembered.tab;
     let below = match chosen {
-        Pane::Walk if height > 520.0 && has(app, Pane::Stack) => Some(Pane::Stack),
-        Pane::Walk if height > 520.0 => Some(Pane::Work),
+        Pane::Listing if height > 520.0 && has(app, Pane::Stack) => Some(Pane::Stack),
+        Pane::Listing if height > 520.0 => Some(Pane::Work),
         Pane::Stack if height > 420.0 => Some(Pane::Work),
         _ => None,
     };

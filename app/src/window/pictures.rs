@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use raystep_accel::{Event, Grow, Primitives};
-use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, TreeView, stage};
+pub(super) use raystep_figure::Pane;
+use raystep_figure::{Ask, Camera, Figure, Guess, Instant, Look, Scenery, Space, TreeView, stage};
 use raystep_lesson::{Choice, Listing, Show};
 
 use super::playback::Playback;
@@ -22,8 +23,8 @@ pub(super) struct Pictures {
     pub(super) playback: Arc<Playback>,
     /// Its state at this step.
     pub(super) instant: Instant,
-    /// What space shows.
-    pub(super) space: Space,
+    /// What space shows, if there is space.
+    pub(super) space: Option<Arc<Space>>,
     figures: HashMap<PaneKey, Figure>,
 }
 
@@ -42,41 +43,6 @@ struct PaneKey {
     extra: u64,
 }
 
-/// A pane that is a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Pane {
-    Ruler,
-    RulerLine,
-    Tree,
-    Cells,
-    Slabs,
-    Bytes,
-    Walk,
-    Stack,
-    StackHere,
-    Work,
-    Legend,
-    Timeline,
-}
-
-impl Pane {
-    /// What stands on its tab.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Pane::Ruler | Pane::RulerLine => "t along the ray",
-            Pane::Tree => "Tree",
-            Pane::Cells => "Cells",
-            Pane::Slabs => "Slabs",
-            Pane::Bytes => "Bytes",
-            Pane::Walk => "Walk",
-            Pane::Stack | Pane::StackHere => "Stack",
-            Pane::Work => "Work",
-            Pane::Legend => "Signs",
-            Pane::Timeline => "Timeline",
-        }
-    }
-}
-
 impl Pictures {
     /// The pictures of the state's step: those kept, if they still are right.
     pub(super) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
@@ -90,9 +56,10 @@ impl Pictures {
         }
         let mut instant = playback.instant(state.view.step);
         if let Some(posed) = state.question() {
-            guess(&mut instant, &posed.choices);
+            let guesses: Vec<Guess> = posed.choices.iter().map(guess).collect();
+            playback.reel().guess(&mut instant, &guesses);
         }
-        let space = playback.reel().still(&instant).space();
+        let space = playback.reel().still(&instant).space().map(Arc::new);
         Some(Pictures { key, playback, instant, space, figures: HashMap::new() })
     }
 
@@ -115,49 +82,35 @@ impl Pictures {
         figures.entry(key).or_insert_with(|| {
             let reel = playback.reel();
             let still = reel.still(instant);
-            match pane {
-                Pane::Ruler => still.ruler(asking, size, look),
-                Pane::RulerLine => still.ruler_line(asking, size, look),
-                Pane::Tree => still.tree(view, size, look),
-                Pane::Cells => still.cells(asking, size, look),
-                Pane::Slabs => still.slabs(size, look),
-                Pane::Bytes => still.bytes(size, look),
-                Pane::Walk => still.listing(&lines(code, still.event()), size, look),
-                Pane::Stack => still.stack(false, size, look),
-                Pane::StackHere => still.stack(true, size, look),
-                Pane::Work => still.work(beside, size, look),
-                Pane::Legend => still.legend(space, size, look),
-                Pane::Timeline => still.timeline(asking, size, look),
-            }
+            let lines = lines(code, still.fact());
+            let space = space.as_deref();
+            let ask = Ask { hide: asking, view: Some(view), lines: &lines, beside, space, ..Ask::new(size, *look) };
+            still.draw(pane, &ask)
         })
     }
 
     /// Whether there is anything to show in a pane.
     pub(super) fn has(&self, pane: Pane) -> bool {
-        let reel = self.playback.reel();
-        let still = reel.still(&self.instant);
-        match pane {
-            Pane::Ruler | Pane::RulerLine => still.has_ruler(),
-            Pane::Stack | Pane::StackHere => still.has_stack(),
-            _ => true,
-        }
+        self.playback.reel().has(pane)
     }
 
     /// How high the presenter's ruler is.
     pub(super) fn ruler_line_height(&self, look: &Look) -> f32 {
         let reel = self.playback.reel();
         let still = reel.still(&self.instant);
-        if still.has_ruler() { still.ruler_line_height(look) } else { 0.0 }
+        let height = still.height(Pane::RulerLine, look).filter(|_| still.has(Pane::RulerLine));
+        height.unwrap_or(0.0)
     }
 
     /// How high the legend of this width is.
     pub(super) fn legend_height(&self, width: f32, look: &Look) -> f32 {
-        self.playback.reel().still(&self.instant).legend_height(&self.space, width, look)
+        let Some(space) = &self.space else { return 0.0 };
+        self.playback.reel().still(&self.instant).legend_height(space, width, look)
     }
 
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
-    pub(super) fn stage(&self, camera: &Camera, size: Vec2, painted: bool) -> Figure {
-        drawn(&self.space, &self.playback, camera, size, painted)
+    pub(super) fn stage(&self, space: &Space, camera: &Camera, size: Vec2, painted: bool) -> Figure {
+        drawn(space, &self.playback, camera, size, painted)
     }
 }
 
@@ -168,37 +121,23 @@ pub(super) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: V
     stage(space, prims, camera, size, scenery)
 }
 
-/// Shows the answers of an open question where they lie: places of a walk, planes of a build.
-fn guess(instant: &mut Instant, choices: &[Choice]) {
-    match instant {
-        Instant::Walk(moment) => {
-            let guess = |choice: &Choice| Some((choice.place?, super::question::label(choice)));
-            moment.guesses = choices.iter().filter_map(guess).collect();
-        }
-        Instant::Build(moment) => {
-            let guess = |choice: &Choice| match choice.own {
-                Some(Event::Build(Grow::Weigh { axis, plane, .. })) => {
-                    Some((axis, plane, super::question::label(choice)))
-                }
-                _ => None,
-            };
-            moment.guesses = choices.iter().filter_map(guess).collect();
-        }
-    }
+/// An answer of an open question with what it names: a place, or a plane that a builder weighs.
+fn guess(choice: &Choice) -> Guess {
+    let plane = match choice.own {
+        Some(Event::Build(Grow::Weigh { axis, plane, .. })) => Some((axis, plane)),
+        _ => None,
+    };
+    Guess { place: choice.place, plane, text: super::question::label(choice) }
 }
 
 /// Whether a slide wants to see a node's bytes, and there are any.
 pub(super) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
-    show.contains(&Show::Bytes) && matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_))
+    let kd = matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_));
+    show.contains(&Show::Bytes) && kd && playback.reel().has(Pane::Bytes)
 }
 
-/// The pane that a structure is best seen in beside space.
+/// The pane that is best seen beside space.
 pub(super) fn main_pane(playback: &Playback, show: &[Show]) -> Option<Pane> {
-    use raystep_accel::Structure;
-    match &*playback.play.structure {
-        Structure::Slab(_) => Some(Pane::Slabs),
-        structure if structure.grid().is_some() => Some(Pane::Cells),
-        Structure::List(_) => show.contains(&Show::Slabs).then_some(Pane::Slabs),
-        _ => Some(Pane::Tree),
-    }
+    let reel = playback.reel();
+    reel.best().or_else(|| (show.contains(&Show::Slabs) && reel.has(Pane::Slabs)).then_some(Pane::Slabs))
 }

@@ -56,7 +56,7 @@ impl Default for Remembered {
             lesson: None,
             walk: None,
             heights: Heights::default(),
-            tab: Pane::Walk,
+            tab: Pane::Listing,
             file: None,
             written: None,
         }

@@ -8,12 +8,12 @@ use raystep_figure::{Camera, Face, Figure, Look, Role, Space};
 
 use super::app::App;
 use super::beside::Drawn;
-use super::columns::strip;
+use super::columns::{self, strip};
 use super::eye;
 use super::outline::scaled;
 use super::painter::{caption, paint_figure};
 use super::pictures::Pane;
-use super::playback::{Playback, cost};
+use super::playback::Playback;
 use super::rival;
 use super::space_pane::{Happened, Hold, Picture, glam_size};
 use super::state::Beside;
@@ -34,7 +34,7 @@ pub(super) fn stages(app: &mut App, ui: &mut Ui) -> Option<Place> {
     if let Some(playback) = app.state.playback().cloned() {
         label(app, ui, name, super::top::kind_name(playback.rule.kind()));
         under = stage(app, ui, picture, false, 1.0);
-        let so_far = app.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
+        let so_far = app.pictures.as_ref().and_then(|pictures| playback.cost_at(&pictures.instant));
         bill(app, ui, picture, &playback, so_far);
     }
     let (name, picture) = strip(right, STRIP);
@@ -68,20 +68,24 @@ pub(super) fn stage(app: &mut App, ui: &mut Ui, rect: Rect, signs: bool, scale: 
         return None;
     };
     let look = Look::WINDOW;
+    let Some(space) = pictures.space.clone() else {
+        app.pictures = Some(pictures);
+        return columns::figure(app, ui, Pane::Picture, rect, &look);
+    };
     let legend = if signs { pictures.legend_height(rect.width() - 28.0, &look) + 8.0 } else { 0.0 };
     let legend = if rect.height() > 260.0 { legend } else { 0.0 };
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
-    let camera = camera(app, &pictures.space, picture);
-    let solid = !pictures.space.flat && app.solid.is_there();
-    let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
+    let camera = camera(app, &space, picture);
+    let solid = !space.flat && app.solid.is_there();
+    let figure = scaled(pictures.stage(&space, &camera, glam_size(picture) / scale, solid), scale);
     if solid {
         let (prims, mesh) = (&pictures.playback.play.scene.prims, pictures.playback.mesh.as_ref());
-        app.solid.show(ui, picture, &pictures.space, prims, mesh, &camera, app.theme, ground(app), app.lit());
+        app.solid.show(ui, picture, &space, prims, mesh, &camera, app.theme, ground(app), app.lit());
     }
     let name = "Space";
     let lit = app.lit();
     let happened = Picture {
-        space: &pictures.space,
+        space: &space,
         figure: &figure,
         camera,
         ray: pictures.playback.play.tape.ray(),
@@ -206,14 +210,15 @@ impl App {
     /// Moves the camera to where the walk stands.
     pub(super) fn frame_here(&mut self) {
         let Some(pictures) = &self.pictures else { return };
+        let Some(space) = &pictures.space else { return };
         let reel = pictures.playback.reel();
         let still = reel.still(&pictures.instant);
-        let bounds = still.here().map_or(pictures.space.bounds, |place| still.bounds(place));
+        let bounds = still.here().map_or(space.bounds, |place| still.bounds(place));
         if bounds.is_empty() {
             return;
         }
         let rect = Rect::from_min_size(pos2(0.0, 0.0), vec2(800.0, 600.0));
-        let camera = eye::framed(&camera(self, &pictures.space, rect), &bounds, glam_size(rect));
+        let camera = eye::framed(&camera(self, space, rect), &bounds, glam_size(rect));
         self.aspect = aspect(rect);
         self.state.look(Some(camera));
     }
