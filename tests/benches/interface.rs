@@ -4,7 +4,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, Ray, Rule, Structure, Visit};
-use raystep_figure::{Camera, Film, Look, Nodes, Reel, Scenery, TreeView, Walk};
+use raystep_figure::{Ask, Camera, Film, Look, Nodes, Pane, Reel, Scenery, Walk};
 use raystep_scene::Scene;
 
 fn steps(criterion: &mut Criterion) {
@@ -28,7 +28,7 @@ fn steps(criterion: &mut Criterion) {
         let nodes = Nodes::of(&structure);
         let walk =
             Walk { structure: &structure, prims: &scene.prims, nodes: &nodes, ray, events: &events, flat: false };
-        let reel = Reel::Walk(walk);
+        let reel = Reel::new(walk);
         let film = Film::new(&reel);
         let camera = Camera::frame(&walk.world(), 1.4, false);
         let look = Look::WINDOW;
@@ -38,14 +38,14 @@ fn steps(criterion: &mut Criterion) {
                 step = (step + 7) % (events.len() + 1);
                 let instant = film.at(&reel, step);
                 let still = reel.still(&instant);
-                let space = still.space();
+                let space = still.space().expect("a walk is in space");
                 [
                     raystep_figure::stage(&space, &scene.prims, &camera, Vec2::new(700.0, 500.0), Scenery::Left),
-                    still.tree(&TreeView::default(), Vec2::new(700.0, 160.0), &look),
-                    still.ruler(false, Vec2::new(700.0, 110.0), &look),
-                    still.stack(true, Vec2::new(380.0, 160.0), &look),
-                    still.work(None, Vec2::new(380.0, 120.0), &look),
-                    still.timeline(false, Vec2::new(800.0, 60.0), &look),
+                    still.draw(Pane::Tree, &Ask::new(Vec2::new(700.0, 160.0), look)),
+                    still.draw(Pane::Ruler, &Ask::new(Vec2::new(700.0, 110.0), look)),
+                    still.draw(Pane::StackHere, &Ask::new(Vec2::new(380.0, 160.0), look)),
+                    still.draw(Pane::Work, &Ask::new(Vec2::new(380.0, 120.0), look)),
+                    still.draw(Pane::Timeline, &Ask::new(Vec2::new(800.0, 60.0), look)),
                 ]
             });
         });

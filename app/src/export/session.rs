@@ -3,14 +3,14 @@
 use glam::Vec2;
 use raystep_accel::{Event, Ray};
 use raystep_figure::{
-    Figure, Look, Reel, Scenery, Still, Theme, TreeView, VolumeName, sentence, short, stage as picture_of, told,
+    Ask, Figure, Look, Pane, Reel, Scenery, Still, Theme, VolumeName, sentence, short, stage as picture_of, told,
 };
-use raystep_lesson::{NamedRay, Play, Show, Tape};
-use raystep_print::{Below, Plate, Record, Told, json, plate};
+use raystep_lesson::{NamedRay, Play, Tape};
+use raystep_print::{Plate, Record, Told, json, plate};
 
 use super::ground::{Ground, slug};
 use crate::fault::Fault;
-use crate::shown::reel::{beginning, lines, reel};
+use crate::shown::reel::{beginning, lines, pane, reel};
 
 /// A walk or a build and what it is drawn on.
 pub(crate) struct Session<'a> {
@@ -113,7 +113,7 @@ impl<'a> Session<'a> {
         let still = reel.still(&instant);
         let figure = match view {
             View::Space => self.picture(&reel, &still, size, scale, theme),
-            View::Tree => still.tree(&TreeView::default(), size, &Look { titles: false, ..Look::WINDOW }),
+            View::Tree => still.draw(Pane::Tree, &Ask::new(size, Look { titles: false, ..Look::WINDOW })),
             View::Plate => {
                 let picture = |size| self.picture(&reel, &still, size, scale, theme);
                 self.plate(&still, step, beat, size, &picture)
@@ -143,7 +143,7 @@ impl<'a> Session<'a> {
     }
 
     fn picture(&self, reel: &Reel<'_>, still: &Still<'_>, size: Vec2, scale: f32, theme: &Theme) -> Figure {
-        let shown = still.space();
+        let Some(shown) = still.space() else { return still.draw(Pane::Picture, &Ask::new(size, Look::WINDOW)) };
         let prims = reel.prims();
         let camera = self.ground.camera(&shown, size);
         if self.play.scene.flat {
@@ -164,12 +164,12 @@ impl<'a> Session<'a> {
         picture: &dyn Fn(Vec2) -> Figure,
     ) -> Figure {
         let slide = self.ground.slide;
-        let event = still.event();
+        let event = self.play.event(step);
         let (heading, caption) = self.said(event.as_ref(), step, beat);
         let played = self.ray.as_ref().map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {ray}"));
         let about = format!("{} · {played}", self.ground.about);
-        let listing = lines(self.ground.library.listing(&slide.listing), event, None);
-        let mut below: Vec<Below> = slide.show.iter().filter_map(below).collect();
+        let listing = lines(self.ground.library.listing(&slide.listing), still.fact(), None);
+        let mut below: Vec<Pane> = slide.show.iter().filter_map(pane).collect();
         below.dedup();
         let sheet = Plate {
             title: &slide.title,
@@ -179,7 +179,6 @@ impl<'a> Session<'a> {
             still: *still,
             listing: &listing,
             below: &below,
-            stack: self.play.structure.node_count() > 0,
         };
         plate(&sheet, size, picture)
     }
@@ -210,18 +209,6 @@ const BARE: Vec2 = Vec2::new(1000.0, 625.0);
 
 /// How much larger everything is on a projector.
 const PROJECTED: f32 = 1.2;
-
-/// The pane of a page for a pane of a slide.
-fn below(show: &Show) -> Option<Below> {
-    match show {
-        Show::Ruler => Some(Below::Ruler),
-        Show::Tree => Some(Below::Tree),
-        Show::Cells => Some(Below::Cells),
-        Show::Slabs => Some(Below::Slabs),
-        Show::Bytes => Some(Below::Bytes),
-        Show::Space | Show::Stack | Show::Listing | Show::Work => None,
-    }
-}
 
 fn capitalised(text: &str) -> String {
     let mut letters = text.chars();

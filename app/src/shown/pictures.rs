@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use raystep_accel::{Cost, Event, Grow, Mistake, Primitives};
-use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, TreeView, stage};
+pub(crate) use raystep_figure::Pane;
+use raystep_figure::{Ask, Camera, Figure, Guess, Instant, Look, Scenery, Space, TreeView, stage};
 use raystep_lesson::{Choice, Listing, Show};
 
 use super::beside::Beside;
-use super::playback::{Playback, cost};
+use super::playback::Playback;
 use super::reel::lines;
 use super::state::State;
 use super::words::label;
@@ -24,8 +25,8 @@ pub(crate) struct Pictures {
     pub(crate) playback: Arc<Playback>,
     /// Its state at this step.
     pub(crate) instant: Instant,
-    /// What space shows.
-    pub(crate) space: Space,
+    /// What space shows, if there is space.
+    pub(crate) space: Option<Arc<Space>>,
     figures: HashMap<PaneKey, Figure>,
 }
 
@@ -46,41 +47,6 @@ struct PaneKey {
     extra: u64,
 }
 
-/// A pane that is a figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Pane {
-    Ruler,
-    RulerLine,
-    Tree,
-    Cells,
-    Slabs,
-    Bytes,
-    Walk,
-    Stack,
-    StackHere,
-    Work,
-    Legend,
-    Timeline,
-}
-
-impl Pane {
-    /// What stands on its tab.
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Pane::Ruler | Pane::RulerLine => "t along the ray",
-            Pane::Tree => "Tree",
-            Pane::Cells => "Cells",
-            Pane::Slabs => "Slabs",
-            Pane::Bytes => "Bytes",
-            Pane::Walk => "Walk",
-            Pane::Stack | Pane::StackHere => "Stack",
-            Pane::Work => "Work",
-            Pane::Legend => "Signs",
-            Pane::Timeline => "Timeline",
-        }
-    }
-}
-
 impl Pictures {
     /// The pictures of the state's step: those kept, if they still are right.
     pub(crate) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
@@ -98,9 +64,10 @@ impl Pictures {
         }
         let mut instant = playback.instant(state.view.step);
         if let Some(posed) = state.question() {
-            guess(&mut instant, &posed.choices);
+            let guesses: Vec<Guess> = posed.choices.iter().map(guess).collect();
+            playback.reel().guess(&mut instant, &guesses);
         }
-        let space = playback.reel().still(&instant).space();
+        let space = playback.reel().still(&instant).space().map(Arc::new);
         Some(Pictures { key, playback, instant, space, figures: HashMap::new() })
     }
 
@@ -123,49 +90,35 @@ impl Pictures {
         figures.entry(key).or_insert_with(|| {
             let reel = playback.reel();
             let still = reel.still(instant);
-            match pane {
-                Pane::Ruler => still.ruler(asking, size, look),
-                Pane::RulerLine => still.ruler_line(asking, size, look),
-                Pane::Tree => still.tree(view, size, look),
-                Pane::Cells => still.cells(asking, size, look),
-                Pane::Slabs => still.slabs(size, look),
-                Pane::Bytes => still.bytes(size, look),
-                Pane::Walk => still.listing(&lines(code, still.event(), mistake), size, look),
-                Pane::Stack => still.stack(false, size, look),
-                Pane::StackHere => still.stack(true, size, look),
-                Pane::Work => still.work(beside, size, look),
-                Pane::Legend => still.legend(space, size, look),
-                Pane::Timeline => still.timeline(asking, size, look),
-            }
+            let lines = lines(code, still.fact(), mistake);
+            let space = space.as_deref();
+            let ask = Ask { hide: asking, view: Some(view), lines: &lines, beside, space, ..Ask::new(size, *look) };
+            still.draw(pane, &ask)
         })
     }
 
     /// Whether there is anything to show in a pane.
     pub(crate) fn has(&self, pane: Pane) -> bool {
-        let reel = self.playback.reel();
-        let still = reel.still(&self.instant);
-        match pane {
-            Pane::Ruler | Pane::RulerLine => still.has_ruler(),
-            Pane::Stack | Pane::StackHere => still.has_stack(),
-            _ => true,
-        }
+        self.playback.reel().has(pane)
     }
 
     /// How high the presenter's ruler is.
     pub(crate) fn ruler_line_height(&self, look: &Look) -> f32 {
         let reel = self.playback.reel();
         let still = reel.still(&self.instant);
-        if still.has_ruler() { still.ruler_line_height(look) } else { 0.0 }
+        let height = still.height(Pane::RulerLine, look).filter(|_| still.has(Pane::RulerLine));
+        height.unwrap_or(0.0)
     }
 
     /// How high the legend of this width is.
     pub(crate) fn legend_height(&self, width: f32, look: &Look) -> f32 {
-        self.playback.reel().still(&self.instant).legend_height(&self.space, width, look)
+        let Some(space) = &self.space else { return 0.0 };
+        self.playback.reel().still(&self.instant).legend_height(space, width, look)
     }
 
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
-    pub(crate) fn stage(&self, camera: &Camera, size: Vec2, painted: bool) -> Figure {
-        drawn(&self.space, &self.playback, camera, size, painted)
+    pub(crate) fn stage(&self, space: &Space, camera: &Camera, size: Vec2, painted: bool) -> Figure {
+        drawn(space, &self.playback, camera, size, painted)
     }
 }
 
@@ -189,8 +142,8 @@ impl Drawn {
             return kept;
         }
         let instant = beside.instant(step);
-        let space = beside.reel().still(&instant).space();
-        Drawn { walk: beside.clone(), step, space, cost: cost(&instant) }
+        let space = beside.reel().still(&instant).space().unwrap_or_default();
+        Drawn { walk: beside.clone(), step, space, cost: beside.cost_at(&instant) }
     }
 }
 
@@ -201,35 +154,23 @@ pub(crate) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: V
     stage(space, prims, camera, size, scenery)
 }
 
-/// Shows the answers of an open question where they lie: places of a walk, planes of a build.
-fn guess(instant: &mut Instant, choices: &[Choice]) {
-    match instant {
-        Instant::Walk(moment) => {
-            let guess = |choice: &Choice| Some((choice.place?, label(choice)));
-            moment.guesses = choices.iter().filter_map(guess).collect();
-        }
-        Instant::Build(moment) => {
-            let guess = |choice: &Choice| match choice.own {
-                Some(Event::Build(Grow::Weigh { axis, plane, .. })) => Some((axis, plane, label(choice))),
-                _ => None,
-            };
-            moment.guesses = choices.iter().filter_map(guess).collect();
-        }
-    }
+/// An answer of an open question with what it names: a place, or a plane that a builder weighs.
+fn guess(choice: &Choice) -> Guess {
+    let plane = match choice.own {
+        Some(Event::Build(Grow::Weigh { axis, plane, .. })) => Some((axis, plane)),
+        _ => None,
+    };
+    Guess { place: choice.place, plane, text: label(choice) }
 }
 
 /// Whether a slide wants to see a node's bytes, and there are any.
 pub(crate) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
-    show.contains(&Show::Bytes) && matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_))
+    let kd = matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_));
+    show.contains(&Show::Bytes) && kd && playback.reel().has(Pane::Bytes)
 }
 
-/// The pane that a structure is best seen in beside space.
+/// The pane that is best seen beside space.
 pub(crate) fn main_pane(playback: &Playback, show: &[Show]) -> Option<Pane> {
-    use raystep_accel::Structure;
-    match &*playback.play.structure {
-        Structure::Slab(_) => Some(Pane::Slabs),
-        structure if structure.grid().is_some() => Some(Pane::Cells),
-        Structure::List(_) => show.contains(&Show::Slabs).then_some(Pane::Slabs),
-        _ => Some(Pane::Tree),
-    }
+    let reel = playback.reel();
+    reel.best().or_else(|| (show.contains(&Show::Slabs) && reel.has(Pane::Slabs)).then_some(Pane::Slabs))
 }

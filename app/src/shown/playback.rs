@@ -165,7 +165,12 @@ impl Playback {
 
     /// What a walk has cost after so many events.
     pub fn cost(&self, step: usize) -> Option<Cost> {
-        cost(&self.instant(step))
+        self.cost_at(&self.instant(step))
+    }
+
+    /// What a walk has cost at an instant; a build costs no ray anything.
+    pub(crate) fn cost_at(&self, instant: &Instant) -> Option<Cost> {
+        self.reel().still(instant).cost()
     }
 
     /// What a walk ends with: the answer's t and primitive, or nothing. A build has no answer.
@@ -225,14 +230,6 @@ impl Playback {
         // One question at a time.
         posed.dedup_by_key(|posed| posed.step);
         posed
-    }
-}
-
-/// What a walk has cost so far; a build costs no ray anything.
-pub(crate) fn cost(instant: &Instant) -> Option<Cost> {
-    match instant {
-        Instant::Walk(moment) => Some(moment.cost),
-        Instant::Build(_) => None,
     }
 }
 

@@ -1,16 +1,16 @@
 //! What lessons play, as the figures take it.
 
-use raystep_accel::{Event, Mistake};
-use raystep_figure::{Build, ListingLine, Nodes, Reel, Walk};
-use raystep_lesson::{Listing, Play, Plays, Tape};
+use raystep_accel::Mistake;
+use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Walk};
+use raystep_lesson::{Listing, Play, Plays, Show, Tape};
 
-/// The walk or the build of a play.
+/// What a play is shown as: the only place that knows which kind that is.
 pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
-        Tape::Walk(walk) => Reel::Walk(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
+        Tape::Walk(walk) => Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
         Tape::Build(build) => {
-            Reel::Build(Build { structure, nodes, prims, events: &build.events, lost: build.lost, flat })
+            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: build.lost, flat })
         }
     }
 }
@@ -24,7 +24,11 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
 }
 
 /// The lines of a listing, the one marked that shows the event, and the one where a mistake is made beside.
-pub(crate) fn lines(code: Option<&Listing>, event: Option<Event>, mistake: Option<Mistake>) -> Vec<ListingLine<'_>> {
+pub(crate) fn lines<'a>(
+    code: Option<&'a Listing>,
+    event: Option<&dyn Fact>,
+    mistake: Option<Mistake>,
+) -> Vec<ListingLine<'a>> {
     let Some(code) = code else { return Vec::new() };
     let made = mistake.and_then(|mistake| {
         let (event, instead) = mistake.instead();
@@ -41,4 +45,16 @@ pub(crate) fn lines(code: Option<&Listing>, event: Option<Event>, mistake: Optio
             instead: made.filter(|(line, _)| *line == index).map(|(_, instead)| instead),
         })
         .collect()
+}
+
+/// The pane beside or below space that a slide asks for, if it has a say in it.
+pub(crate) fn pane(show: &Show) -> Option<Pane> {
+    match show {
+        Show::Ruler => Some(Pane::Ruler),
+        Show::Tree => Some(Pane::Tree),
+        Show::Cells => Some(Pane::Cells),
+        Show::Slabs => Some(Pane::Slabs),
+        Show::Bytes => Some(Pane::Bytes),
+        Show::Space | Show::Stack | Show::Listing | Show::Work => None,
+    }
 }

@@ -25,15 +25,15 @@ mod theme;
 mod words;
 mod world;
 
-pub use kinds::{Film, Instant, Reel, Still};
+pub use kinds::{Film, Guess, Instant, Kind, Reel, Still};
 pub use moments::{
     Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
     Tested, Waiting, Walk, Weighed,
 };
 pub use page::{Anchor, Figure, Image, Ink, Look, Mark};
 pub use panes::{
-    ListingLine, Track, TreeView, bytes, cells, cells_of_build, costs, listing, ruler, ruler_height, ruler_line,
-    ruler_line_height, slabs, space, space_of_build, stack, stack_height, stack_of_build, tested, timeline,
+    Ask, ListingLine, Pane, Track, TreeView, bytes, cells, cells_of_build, costs, listing, ruler, ruler_height,
+    ruler_line, ruler_line_height, slabs, space, space_of_build, stack, stack_height, stack_of_build, tested, timeline,
     timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
 pub use stage::{Camera, Scenery, Shaded, axes, labels, shaded, stage};

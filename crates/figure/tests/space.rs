@@ -9,8 +9,8 @@ use raystep_accel::{
     Transform, Visit,
 };
 use raystep_figure::{
-    Camera, Figure, Film, Form, Ink, Instant, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, labels, shaded,
-    space, stage,
+    Camera, Figure, Film, Form, Ink, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, labels, shaded, space,
+    stage,
 };
 
 /// Discs in the four quarters of a square, two in each.
@@ -159,9 +159,10 @@ fn a_moment_is_the_same_from_the_start_and_from_a_film() {
     for kind in ["list", "slab", "grid", "kd", "bvh"] {
         let stand = Stand::new(&Rule::default_for(kind).expect("a kind"));
         let walk = stand.walk();
-        let film = Film::new(&Reel::Walk(walk));
+        let reel = Reel::new(walk);
+        let film = Film::new(&reel);
         for step in 0..=stand.events.len() {
-            assert_eq!(film.at(&Reel::Walk(walk), step), Instant::Walk(Moment::at(&walk, step)), "{kind} at {step}");
+            assert_eq!(*film.at(&reel, step).state::<Moment>(), Moment::at(&walk, step), "{kind} at {step}");
         }
         assert_eq!(Moment::at(&walk, usize::MAX).step, stand.events.len());
     }

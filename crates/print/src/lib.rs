@@ -19,7 +19,7 @@ mod typefaces;
 pub use formula::{Extent, extent, formula};
 pub use json::{Record, Told, json};
 pub use movie::{apng, gif};
-pub use plate::{Below, Plate, plate};
+pub use plate::{Plate, plate};
 pub use png::{PrintError, png};
 pub use prose::prose;
 pub use svg::svg;

@@ -54,7 +54,7 @@ impl Default for Remembered {
             lesson: None,
             walk: None,
             heights: Heights::default(),
-            tab: Pane::Walk,
+            tab: Pane::Listing,
             file: None,
             written: None,
         }

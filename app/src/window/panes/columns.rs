@@ -1,18 +1,16 @@
 //! The panes beside the lesson: space over the ruler and the tree, and the walk, the stack and the work at
 //! the right; in a narrow window tree, walk, stack and work share one place behind tabs.
 
-use egui::{Frame, Panel, Rect, Sense, Ui};
+use egui::{Frame, Panel, Ui};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
 use raystep_lesson::Plays;
 
+use super::figure::figure;
 use super::page::{Asked, Kept, Page};
-use super::space::glam_size;
 use super::stage;
-use crate::shown::beside::Beside;
 use crate::shown::pictures::{Pane, main_pane, shows_bytes};
 use crate::shown::state::State;
-use crate::window::look::painter::{paint_figure, place_at};
 use crate::window::look::remembered::Remembered;
 use crate::window::look::visuals::fill;
 
@@ -65,7 +63,7 @@ fn stacked(
     note(ui, &mut sizes.heights.work, shown.response.rect.height(), height * 0.2);
     let mut under = shown.inner;
     if !has(kept, Pane::Stack) {
-        return pane(ui, page, kept, Pane::Walk, asked).or(under);
+        return pane(ui, page, kept, Pane::Listing, asked).or(under);
     }
     let stack = Panel::bottom(salt("stack", heights.stack, height))
         .frame(frame)
@@ -74,16 +72,16 @@ fn stacked(
     let shown = stack.show(ui, |ui| pane(ui, page, kept, Pane::Stack, asked));
     note(ui, &mut sizes.heights.stack, shown.response.rect.height(), height * 0.22);
     under = shown.inner.or(under);
-    pane(ui, page, kept, Pane::Walk, asked).or(under)
+    pane(ui, page, kept, Pane::Listing, asked).or(under)
 }
 
 /// One of walk, tree, stack and work, chosen by tabs.
 fn tabs(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, sizes: &mut Remembered, asked: &mut Vec<Asked>) -> Option<Place> {
-    let mut panes = vec![Pane::Walk];
+    let mut panes = vec![Pane::Listing];
     panes.extend(main(page.state));
     panes.extend([Pane::Stack, Pane::Work].into_iter().filter(|pane| has(kept, *pane)));
     if !panes.contains(&sizes.tab) {
-        sizes.tab = Pane::Walk;
+        sizes.tab = Pane::Listing;
     }
     Frame::new().inner_margin(egui::Margin { left: 12, right: 8, top: 8, bottom: 4 }).show(ui, |ui| {
         ui.horizontal(|ui| {
@@ -100,8 +98,8 @@ fn tabs(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, sizes: &mut Remembered, as
     let height = ui.available_height();
     let chosen = sizes.tab;
     let below = match chosen {
-        Pane::Walk if height > 520.0 && has(kept, Pane::Stack) => Some(Pane::Stack),
-        Pane::Walk if height > 520.0 => Some(Pane::Work),
+        Pane::Listing if height > 520.0 && has(kept, Pane::Stack) => Some(Pane::Stack),
+        Pane::Listing if height > 520.0 => Some(Pane::Work),
         Pane::Stack if height > 420.0 => Some(Pane::Work),
         _ => None,
     };
@@ -177,41 +175,6 @@ fn main(state: &State) -> Option<Pane> {
 fn pane(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, pane: Pane, asked: &mut Vec<Asked>) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
     figure(ui, page, kept, pane, rect, &Look::WINDOW, asked)
-}
-
-/// A pane's figure in a rectangle, hovered and clicked.
-pub(super) fn figure(
-    ui: &mut Ui,
-    page: Page<'_>,
-    kept: &mut Kept,
-    pane: Pane,
-    rect: Rect,
-    look: &Look,
-    asked: &mut Vec<Asked>,
-) -> Option<Place> {
-    let Page { state, theme, lit, .. } = page;
-    let response = ui.allocate_rect(rect, Sense::click());
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, pane.name()));
-    let Kept { pictures, tree, .. } = kept;
-    let code = state.slide().and_then(|slide| state.library.listing(&slide.listing));
-    let tests = page.beside.filter(|_| state.beside == Beside::Structure("list"));
-    let tests = tests.map(|beside| {
-        let step = state.beside_step(beside);
-        let name = if step < beside.steps().last() { "brute force, so far" } else { "brute force" };
-        (name, beside.tests(step))
-    });
-    let drawn = pictures.as_mut()?.pane(pane, glam_size(rect), look, code, tree, tests);
-    paint_figure(&ui.painter_at(rect), rect.min, drawn, theme, lit);
-    let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);
-    let under = response.hover_pos().and_then(at);
-    let clicked = response.interact_pointer_pos().filter(|_| response.clicked()).map(at);
-    let opened = response.double_clicked().then(|| response.interact_pointer_pos().and_then(at)).flatten();
-    asked.extend(clicked.map(Asked::Pick));
-    // A second click on a node of a tree puts it on top, or the root back.
-    if let (Pane::Tree, Some(Place::Node(node))) = (pane, opened) {
-        tree.focus = (tree.focus != Some(node) && node.0 != 0).then_some(node);
-    }
-    under
 }
 
 /// What egui knows a pane by. A pane that nobody has sized gets its usual size anew with every window size.

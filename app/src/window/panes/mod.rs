@@ -2,6 +2,7 @@
 
 mod by_hand;
 mod columns;
+mod figure;
 mod inset;
 mod lesson;
 mod page;

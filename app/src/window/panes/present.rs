@@ -4,7 +4,8 @@ use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
 use raystep_figure::{Face, Look, Role, Theme, sentence, stack_height, told};
 
-use super::columns::{bytes, figure};
+use super::columns::bytes;
+use super::figure::figure;
 use super::page::{Asked, Kept, Page};
 use super::stage;
 use crate::shown::command::Command;

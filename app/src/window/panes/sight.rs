@@ -72,15 +72,16 @@ impl Sight {
 
     /// The camera moved to where the walk stands.
     pub(crate) fn framed(&self, state: &State, pictures: &Pictures) -> Option<Seen> {
+        let space = pictures.space.as_deref()?;
         let reel = pictures.playback.reel();
         let still = reel.still(&pictures.instant);
-        let bounds = still.here().map_or(pictures.space.bounds, |place| still.bounds(place));
+        let bounds = still.here().map_or(space.bounds, |place| still.bounds(place));
         if bounds.is_empty() {
             return None;
         }
         let size = glam::Vec2::new(800.0, 600.0);
-        let own = Sight::home(state, &pictures.space, size);
-        let camera = eye::no_further(eye::framed(&self.camera(state, &pictures.space, size), &bounds, size), own);
+        let own = Sight::home(state, space, size);
+        let camera = eye::no_further(eye::framed(&self.camera(state, space, size), &bounds, size), own);
         Some(Seen { camera, aspect: size.x / size.y })
     }
 }

@@ -6,6 +6,7 @@ use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Aabb, Cost, Event, Place, Structure, Verdict, Visit};
 use raystep_figure::{Camera, Face, Look, Role, axes};
 
+use super::figure;
 use super::inset;
 use super::page::{Asked, Kept, Page};
 use super::rival;
@@ -15,7 +16,7 @@ use crate::shown::beside::Beside;
 use crate::shown::camera::Seen;
 use crate::shown::eye;
 use crate::shown::pictures::{Drawn, Pane, drawn};
-use crate::shown::playback::{Playback, cost};
+use crate::shown::playback::Playback;
 use crate::shown::state::State;
 use crate::shown::words::kind_name;
 use crate::window::look::outline::scaled;
@@ -34,7 +35,7 @@ pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut V
     if let Some(playback) = page.state.playback() {
         label(ui, page, name, kind_name(playback.rule.kind()));
         under = stage(ui, page, kept, picture, false, 1.0, asked);
-        let so_far = kept.pictures.as_ref().and_then(|pictures| cost(&pictures.instant));
+        let so_far = kept.pictures.as_ref().and_then(|pictures| playback.cost_at(&pictures.instant));
         bill(ui, page, picture, playback, so_far);
     }
     let (name, picture) = strip(right, STRIP);
@@ -102,19 +103,23 @@ pub(super) fn stage(
         return None;
     };
     let look = Look::WINDOW;
+    let Some(space) = pictures.space.clone() else {
+        return figure::figure(ui, page, kept, Pane::Picture, rect, &look, asked);
+    };
+    let space = &*space;
     let legend = if signs { pictures.legend_height(rect.width() - 28.0, &look) + 8.0 } else { 0.0 };
     let legend = if rect.height() > 260.0 { legend } else { 0.0 };
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
-    let camera = sight.camera(page.state, &pictures.space, glam_size(picture));
-    let solid = !pictures.space.flat && sight.solid.is_there();
-    let figure = scaled(pictures.stage(&camera, glam_size(picture) / scale, solid), scale);
+    let camera = sight.camera(page.state, space, glam_size(picture));
+    let solid = !space.flat && sight.solid.is_there();
+    let figure = scaled(pictures.stage(space, &camera, glam_size(picture) / scale, solid), scale);
     if solid {
         let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
-        let (space, theme, lit) = (&pictures.space, page.theme, page.lit);
+        let (theme, lit) = (page.theme, page.lit);
         sight.solid.show(ui, picture, space, prims, page.mesh, &camera, theme, ground, lit);
     }
     let happened = Picture {
-        space: &pictures.space,
+        space,
         figure: &figure,
         camera,
         ray: pictures.playback.play.tape.ray(),

@@ -1,131 +1,93 @@
-//! What was recorded, a walk or a build, and its state at one step.
+//! What plays, of whatever kind.
 
-use raystep_accel::{Event, Grow, Place, Prims, Structure, Visit};
+use std::fmt::{Debug, Formatter};
 
-use super::Still;
-use crate::moments::{Build, GrowMoment, Moment, Walk};
+use raystep_accel::{Place, Prims};
+
+use super::{Guess, Instant, Kind, Still};
+use crate::panes::Pane;
 use crate::words::VolumeName;
 
-/// A walk or a build. The views ask this one and need not know which.
-#[derive(Clone, Copy)]
-pub enum Reel<'a> {
-    /// A ray walks.
-    Walk(Walk<'a>),
-    /// A structure is built.
-    Build(Build<'a>),
-}
-
-/// The state of a reel after some of its events.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Instant {
-    /// Of a walk.
-    Walk(Moment),
-    /// Of a build.
-    Build(GrowMoment),
-}
+/// Something that is shown step by step: a walk, a build, or any other [`Kind`].
+pub struct Reel<'a>(Box<dyn Kind + 'a>);
 
 impl<'a> Reel<'a> {
-    /// How many events it has.
+    /// A reel of this kind.
+    pub fn new(kind: impl Kind + 'a) -> Reel<'a> {
+        Reel(Box::new(kind))
+    }
+
+    /// How many steps it has.
     pub fn len(&self) -> usize {
-        match self {
-            Reel::Walk(walk) => walk.events.len(),
-            Reel::Build(build) => build.events.len(),
-        }
+        self.0.len()
     }
 
     /// Whether nothing happens.
     pub fn is_empty(&self) -> bool {
-        self.len() == 0
+        self.0.is_empty()
     }
 
-    /// The state before the first event.
+    /// The state before the first step.
     pub fn start(&self) -> Instant {
-        match self {
-            Reel::Walk(walk) => Instant::Walk(Moment::start(walk)),
-            Reel::Build(_) => Instant::Build(GrowMoment::default()),
-        }
+        self.0.start()
     }
 
-    /// The state after the first `step` events.
+    /// The state after the first `step` steps.
     pub fn at(&self, step: usize) -> Instant {
         let mut instant = self.start();
         self.advance(&mut instant, step);
         instant
     }
 
-    /// Lets events happen until `step` have. An instant of the other kind stays as it is.
+    /// Lets steps happen until `step` have. Steps already taken are not taken back.
     pub fn advance(&self, instant: &mut Instant, step: usize) {
-        match (self, instant) {
-            (Reel::Walk(walk), Instant::Walk(moment)) => moment.advance(walk, step),
-            (Reel::Build(build), Instant::Build(moment)) => moment.advance(build.events, step),
-            _ => {}
-        }
+        self.0.advance(instant, step);
+        instant.reach(step.min(self.len()));
+    }
+
+    /// Shows the answers of an open question where they lie.
+    pub fn guess(&self, instant: &mut Instant, guesses: &[Guess]) {
+        self.0.guess(instant, guesses);
     }
 
     /// The reel at one of its instants, ready to be drawn.
     pub fn still<'b>(&'b self, instant: &'b Instant) -> Still<'b> {
-        match (self, instant) {
-            (Reel::Walk(walk), Instant::Walk(moment)) => Still::Walk(walk, moment),
-            (Reel::Build(build), Instant::Build(moment)) => Still::Build(build, moment),
-            _ => unreachable!("an instant belongs to the reel that made it"),
-        }
+        Still::new(&*self.0, instant)
     }
 
-    /// Whether the scene is flat.
+    /// Whether there is anything to show in a pane.
+    pub fn has(&self, pane: Pane) -> bool {
+        super::has(&*self.0, pane)
+    }
+
+    /// The pane in which it is best seen beside space.
+    pub fn best(&self) -> Option<Pane> {
+        self.0.best()
+    }
+
+    /// Whether space is flat.
     pub fn flat(&self) -> bool {
-        match self {
-            Reel::Walk(walk) => walk.flat,
-            Reel::Build(build) => build.flat,
-        }
+        self.0.flat()
     }
 
-    /// What the ray walks through, or what the build ends in.
-    pub fn structure(&self) -> &'a Structure {
-        match self {
-            Reel::Walk(walk) => walk.structure,
-            Reel::Build(build) => build.structure,
-        }
-    }
-
-    /// What its structure's volumes are called.
+    /// What is tested before anything in it, in a word.
     pub fn volume(&self) -> VolumeName {
-        VolumeName::of(self.structure())
+        self.0.volume()
     }
 
-    /// What the structure is built over.
-    pub fn prims(&self) -> &'a Prims {
-        match self {
-            Reel::Walk(walk) => walk.prims,
-            Reel::Build(build) => build.prims,
-        }
+    /// The primitives that space is about.
+    pub fn prims(&self) -> &Prims {
+        self.0.prims()
     }
 
-    /// The steps at which something happened at a place: each is the number of the event, counted from 1.
+    /// The steps that show something at a place, counted from 1.
     pub fn steps_at(&self, place: Place) -> Vec<usize> {
-        let steps = |places: &mut dyn Iterator<Item = Place>| -> Vec<usize> {
-            places.enumerate().filter(|(_, at)| *at == place).map(|(index, _)| index + 1).collect()
-        };
-        match self {
-            Reel::Walk(walk) => steps(&mut walk.events.iter().map(Visit::place)),
-            Reel::Build(build) => steps(&mut build.events.iter().map(Grow::place)),
-        }
+        (1..=self.len()).filter(|step| self.0.fact(*step).is_some_and(|fact| fact.place() == place)).collect()
     }
 }
 
-impl Instant {
-    /// How many events have happened.
-    pub fn step(&self) -> usize {
-        match self {
-            Instant::Walk(moment) => moment.step,
-            Instant::Build(moment) => moment.step,
-        }
-    }
-
-    /// The last of them: what this step shows.
-    pub fn event(&self) -> Option<Event> {
-        match self {
-            Instant::Walk(moment) => moment.event.map(Event::Walk),
-            Instant::Build(moment) => moment.event.map(Event::Build),
-        }
+impl Debug for Reel<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Reel").field("steps", &self.len()).finish_non_exhaustive()
     }
 }

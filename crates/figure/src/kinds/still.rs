@@ -1,236 +1,119 @@
-//! One step of a walk or of a build, and every picture of it.
+//! One step of a reel, and every picture of it.
 
-use glam::Vec2;
-use raystep_accel::{Aabb, Event, Place, Primitives};
+use std::borrow::Cow;
 
-use crate::moments::{Build, GrowMoment, Moment, Walk};
+use raystep_accel::{Aabb, Cost, Place};
+
+use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{
-    ListingLine, TreeView, bytes, cells, cells_of_build, costs, legend, listing, ruler, ruler_height, ruler_line,
-    ruler_line_height, slabs, space, space_of_build, stack, stack_of_build, tested, timeline, timeline_of_build, tree,
-    tree_of_build, work, work_of_build,
-};
-
-use crate::theme::Role;
-use crate::words::counted;
+use crate::panes::{Ask, Pane, legend, track};
+use crate::words::Fact;
 use crate::world::Space;
 
-/// One step, with what it belongs to. Window and page draw this and need not know which of the two it is.
+/// One step, with what it belongs to. Window and page draw this and need not know which kind it is.
 #[derive(Clone, Copy)]
-pub enum Still<'a> {
-    /// Of a walk.
-    Walk(&'a Walk<'a>, &'a Moment),
-    /// Of a build.
-    Build(&'a Build<'a>, &'a GrowMoment),
+pub struct Still<'a> {
+    kind: &'a dyn Kind,
+    at: &'a Instant,
 }
 
-impl Still<'_> {
-    /// The event that it shows.
-    pub fn event(&self) -> Option<Event> {
-        match self {
-            Still::Walk(_, moment) => moment.event.map(Event::Walk),
-            Still::Build(_, moment) => moment.event.map(Event::Build),
-        }
+/// Whether a kind has anything to show in a pane. Whatever has steps has a timeline, and whatever names signs a
+/// legend.
+pub(super) fn has(kind: &dyn Kind, pane: Pane) -> bool {
+    match pane {
+        Pane::Timeline => true,
+        Pane::Legend => !kind.signs().is_empty(),
+        _ => kind.panes().contains(&pane),
+    }
+}
+
+impl<'a> Still<'a> {
+    pub(super) fn new(kind: &'a dyn Kind, at: &'a Instant) -> Still<'a> {
+        Still { kind, at }
     }
 
-    /// Whether the scene is flat.
+    /// How many steps have happened.
+    pub fn step(&self) -> usize {
+        self.at.step()
+    }
+
+    /// What it shows; nothing before the first step.
+    pub fn fact(&self) -> Option<&'a dyn Fact> {
+        self.kind.fact(self.at.step())
+    }
+
+    /// Whether space is flat.
     pub fn flat(&self) -> bool {
-        match self {
-            Still::Walk(walk, _) => walk.flat,
-            Still::Build(build, _) => build.flat,
-        }
+        self.kind.flat()
     }
 
-    /// What the part of space is called where it happens; nothing if that is everywhere or over.
-    pub fn here(&self) -> Option<Place> {
-        match self {
-            Still::Walk(_, moment) => match &moment.inside {
-                Some(inside) => Some(Place::Prim(inside.instance)),
-                None => moment.here.or(moment.event.map(|event| event.place())),
-            },
-            Still::Build(_, moment) => moment.event.map(|event| event.place()),
-        }
+    /// What space shows, if there is space.
+    pub fn space(&self) -> Option<Space> {
+        self.kind.space(self.at)
     }
 
-    /// The box of a place as far as it is known.
-    pub fn bounds(&self, place: Place) -> Aabb {
-        match (self, place) {
-            (Still::Walk(walk, _), place) => walk.bounds(place),
-            (Still::Build(_, moment), Place::World) => moment.bounds,
-            (Still::Build(_, moment), Place::Node(node)) => {
-                moment.nodes.get(&node).map_or(Aabb::EMPTY, |node| node.bounds)
+    /// Whether there is anything to show in a pane.
+    pub fn has(&self, pane: Pane) -> bool {
+        has(self.kind, pane)
+    }
+
+    /// A pane; an empty figure where there is nothing to show.
+    pub fn draw(&self, pane: Pane, ask: &Ask<'_>) -> Figure {
+        let drawn = self.kind.draw(self.at, pane, ask).or_else(|| match pane {
+            Pane::Legend => {
+                let space = ask.space.map(Cow::Borrowed).or_else(|| self.space().map(Cow::Owned))?;
+                Some(legend::legend(&space, self.kind.signs(), ask.size, &ask.look))
             }
-            (Still::Build(build, _), Place::Cell(cell)) => {
-                build.structure.grid().map_or(Aabb::EMPTY, |grid| grid.cell_bounds(cell))
-            }
-            (Still::Build(build, _), Place::Prim(prim)) => build.prims.bounds(prim),
-        }
+            Pane::Timeline => Some(track(
+                self.kind.len(),
+                &|step| self.kind.fact(step),
+                self.kind.volume(),
+                self.kind.flat(),
+                self.at.step(),
+                ask,
+            )),
+            _ => None,
+        });
+        drawn.unwrap_or_else(|| Figure::new(ask.size))
     }
 
-    /// Space.
-    pub fn space(&self) -> Space {
-        match self {
-            Still::Walk(walk, moment) => space(walk, moment),
-            Still::Build(build, moment) => space_of_build(build, moment),
-        }
-    }
-
-    /// The ruler of t, or the costs of the splits. While a question asks, what answers it is hidden.
-    pub fn ruler(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => ruler(walk, moment, size, look),
-            Still::Build(_, moment) => costs(moment, hide, size, look),
-        }
-    }
-
-    /// Whether there is a ruler to show: the cells of a grid are not weighed.
-    pub fn has_ruler(&self) -> bool {
-        match self {
-            Still::Walk(..) => true,
-            Still::Build(build, _) => build.structure.node_count() > 0,
-        }
-    }
-
-    /// The same on one line, for the far end of a lecture hall.
-    pub fn ruler_line(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => ruler_line(walk, moment, size, look),
-            // Between two weighings there is nothing but the tree so far.
-            Still::Build(_, moment) if moment.weighed.is_empty() => {
-                tree_of_build(moment, &TreeView::default(), size, look)
-            }
-            Still::Build(_, moment) => costs(moment, hide, size, look),
-        }
-    }
-
-    /// How high that line is.
-    pub fn ruler_line_height(&self, look: &Look) -> f32 {
-        match self {
-            Still::Walk(walk, _) => ruler_line_height(walk, look),
-            Still::Build(..) => look.text * 9.0,
-        }
-    }
-
-    /// How high the ruler or the costs are.
-    pub fn ruler_height(&self, look: &Look) -> f32 {
-        match self {
-            Still::Walk(walk, _) => ruler_height(walk, look),
-            Still::Build(..) => look.text * 13.0,
-        }
-    }
-
-    /// The tree, finished or growing.
-    pub fn tree(&self, view: &TreeView, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => tree(walk, moment, view, size, look),
-            Still::Build(_, moment) => tree_of_build(moment, view, size, look),
-        }
-    }
-
-    /// The cell where the walk stands, or the cells that a primitive is put into.
-    pub fn cells(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => cells(walk, moment, hide, size, look),
-            Still::Build(build, moment) => cells_of_build(build, moment, size, look),
-        }
-    }
-
-    /// The slab intervals; a build has none.
-    pub fn slabs(&self, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => slabs(walk, moment, size, look),
-            Still::Build(..) => Figure::new(size),
-        }
-    }
-
-    /// The node where the walk stands, as it lies in memory; a build has none.
-    pub fn bytes(&self, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => bytes(walk, moment, size, look),
-            Still::Build(..) => Figure::new(size),
-        }
-    }
-
-    /// What waits, with the current place on top if `here`.
-    pub fn stack(&self, here: bool, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => stack(walk, moment, here, size, look),
-            Still::Build(_, moment) => stack_of_build(moment, here, size, look),
-        }
-    }
-
-    /// Whether there is a stack to show: the cells of a grid are filled one after the other.
-    pub fn has_stack(&self) -> bool {
-        let structure = match self {
-            Still::Walk(walk, _) => walk.structure,
-            Still::Build(build, _) => build.structure,
-        };
-        structure.node_count() > 0
-    }
-
-    /// How many rows its stack has.
-    pub fn stacked(&self) -> usize {
-        match self {
-            Still::Walk(_, moment) => moment.stack.len(),
-            Still::Build(_, moment) => moment.waiting.len(),
-        }
-    }
-
-    /// The work so far, for a walk beside that of another.
-    pub fn work(&self, beside: Option<(&str, u64)>, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => work(walk, moment, beside, size, look),
-            Still::Build(build, moment) => work_of_build(build, moment, size, look),
-        }
-    }
-
-    /// The work so far in a few words.
-    pub fn tally(&self) -> String {
-        match self {
-            Still::Walk(walk, moment) => {
-                let (tests, tested) = tested(walk.structure, walk.prims.len(), &moment.cost);
-                format!("{tests} of {tested} tested")
-            }
-            Still::Build(_, moment) => {
-                let tally = &moment.tally;
-                let weighed = counted(tally.weighed, "split weighed", "splits weighed");
-                let stored = counted(tally.stored, "reference stored", "references stored");
-                if tally.weighed > 0 { format!("{weighed} · {stored}") } else { stored }
-            }
-        }
-    }
-
-    /// The algorithm with the line of this step.
-    pub fn listing(&self, lines: &[ListingLine<'_>], size: Vec2, look: &Look) -> Figure {
-        let (title, flat) = match self {
-            Still::Walk(walk, _) => ("Walk", walk.flat),
-            Still::Build(build, _) => ("Build", build.flat),
-        };
-        listing(title, lines, self.event().as_ref(), flat, size, look)
-    }
-
-    /// The track of all steps.
-    pub fn timeline(&self, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-        match self {
-            Still::Walk(walk, moment) => timeline(walk, moment.step, hide_ahead, size, look),
-            Still::Build(build, moment) => timeline_of_build(build, moment.step, hide_ahead, size, look),
-        }
-    }
-
-    /// What the marks of space mean.
-    pub fn legend(&self, space: &Space, size: Vec2, look: &Look) -> Figure {
-        legend::legend(space, self.words(), size, look)
+    /// How high a pane should be, where that follows from what it shows.
+    pub fn height(&self, pane: Pane, look: &Look) -> Option<f32> {
+        self.kind.height(pane, look)
     }
 
     /// How high a legend of this width becomes.
     pub fn legend_height(&self, space: &Space, width: f32, look: &Look) -> f32 {
-        legend::legend_height(space, self.words(), width, look)
+        legend::legend_height(space, self.kind.signs(), width, look)
     }
 
-    fn words(&self) -> &'static [(Role, &'static str)] {
-        match self {
-            Still::Walk(..) => legend::OF_WALK,
-            Still::Build(..) => legend::OF_BUILD,
-        }
+    /// How many rows its stack has.
+    pub fn stacked(&self) -> usize {
+        self.kind.stacked(self.at)
+    }
+
+    /// What the part of space is called where it happens; nothing if that is everywhere or over.
+    pub fn here(&self) -> Option<Place> {
+        self.kind.here(self.at)
+    }
+
+    /// The box of a place as far as it is known.
+    pub fn bounds(&self, place: Place) -> Aabb {
+        self.kind.bounds(self.at, place)
+    }
+
+    /// What is but a dot in the whole picture of space and worth seeing from near: its name and its box.
+    pub fn detail(&self) -> Option<(String, Aabb)> {
+        self.kind.detail(self.at)
+    }
+
+    /// What a ray has paid so far.
+    pub fn cost(&self) -> Option<Cost> {
+        self.kind.cost(self.at)
+    }
+
+    /// The work so far in a few words.
+    pub fn tally(&self) -> String {
+        self.kind.tally(self.at)
     }
 }

@@ -24,10 +24,10 @@ pub struct ListingLine<'a> {
 
 /// The lines, with the one marked that shows `event`. Of a long listing, the part around it. In a flat scene
 /// nothing is said of z.
-pub fn listing<E: Fact>(
+pub fn listing(
     title: &str,
     lines: &[ListingLine<'_>],
-    event: Option<&E>,
+    event: Option<&dyn Fact>,
     flat: bool,
     size: Vec2,
     look: &Look,
@@ -75,7 +75,7 @@ pub fn listing<E: Fact>(
                 y += row;
                 let values = indented(line.indent + 1, values);
                 let letters = fitting(&values, letters);
-                put(&mut figure, Role::Value, event.map(Fact::place), y, &values, letters, Face::MonoMedium);
+                put(&mut figure, Role::Value, event.map(|event| event.place()), y, &values, letters, Face::MonoMedium);
             }
         } else if cut {
             put(&mut figure, Role::Quiet, None, y, &indented(line.indent, "…"), letters, Face::Mono);

@@ -3,6 +3,7 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
+use super::Ask;
 use crate::moments::{Build, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, line, write};
 use crate::theme::{Face, Role, text_width};
@@ -49,21 +50,45 @@ impl Track {
 /// a question is open, `hide_ahead` leaves out what is still to come.
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(walk.structure);
-    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
+    let fact = |step: usize| -> Option<&dyn Fact> { Some(walk.events.get(step - 1)?) };
+    let tape =
+        Recorded { steps: walk.events.len(), fact: &fact, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
     draw(&tape, step, hide_ahead, size, look)
 }
 
 /// The track of a build.
 pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(build.structure);
-    let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: build.lost, flat: build.flat, volume };
+    let fact = |step: usize| -> Option<&dyn Fact> { Some(build.events.get(step - 1)?) };
+    let tape = Recorded {
+        steps: build.events.len(),
+        fact: &fact,
+        symbols: grow::SYMBOLS,
+        lost: build.lost,
+        flat: build.flat,
+        volume,
+    };
     draw(&tape, step, hide_ahead, size, look)
 }
 
+/// The track of steps of any kind: `fact` says what each shows, the first one being 1.
+pub(crate) fn track<'a>(
+    steps: usize,
+    fact: &'a dyn Fn(usize) -> Option<&'a dyn Fact>,
+    volume: VolumeName,
+    flat: bool,
+    step: usize,
+    ask: &Ask<'_>,
+) -> Figure {
+    draw(&Recorded { steps, fact, symbols: &[], lost: 0, flat, volume }, step, ask.hide, ask.size, &ask.look)
+}
+
 /// What is on a track.
-struct Recorded<'a, E> {
-    events: &'a [E],
-    /// Every symbol that there is, in the order of a legend.
+struct Recorded<'a> {
+    steps: usize,
+    /// What a step shows, the first one being 1.
+    fact: &'a dyn Fn(usize) -> Option<&'a dyn Fact>,
+    /// The symbols that there are, in the order of a legend; others follow as they come.
     symbols: &'static [Symbol],
     /// Events that were not recorded.
     lost: u64,
@@ -71,18 +96,16 @@ struct Recorded<'a, E> {
     volume: VolumeName,
 }
 
-fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-    let Recorded { events, lost, flat, volume, .. } = *tape;
+fn draw(tape: &Recorded<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
+    let Recorded { steps, fact, lost, volume, .. } = *tape;
     let mut figure = Figure::new(size);
-    let track = Track::new(events.len(), size, look);
+    let track = Track::new(steps, size, look);
     let (small, u) = (look.small(), look.text);
 
     // What is shown now, in words.
-    let count = format!("step {step} of {}", events.len());
-    let says = step
-        .checked_sub(1)
-        .and_then(|i| events.get(i))
-        .map_or("at the very beginning".into(), |event| event.short(volume));
+    let count = format!("step {step} of {steps}");
+    let says = if step > 0 { fact(step) } else { None };
+    let says = says.map_or("at the very beginning".into(), |fact| fact.short(volume));
     let (above, below) = (Vec2::new(look.margin(), track.y - 0.65 * u), Vec2::new(look.margin(), track.y + 0.75 * u));
     write(&mut figure, Role::Text, None, above, &count, u, Face::Bold, Anchor::Start);
     write(&mut figure, Role::Quiet, None, below, &says, small, Face::Regular, Anchor::Start);
@@ -96,8 +119,8 @@ fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Ve
     }
 
     // One symbol for each event that has one; of a crowd, the one that matters most.
-    let told = if hide_ahead { &events[..step.min(events.len())] } else { events };
-    for (x, symbol, place) in crowd(told, flat, &track, u * 0.8) {
+    let told = if hide_ahead { step.min(steps) } else { steps };
+    for (x, symbol, place) in crowd(told, tape, &track, u * 0.8) {
         let at = Vec2::new(x, track.y - 1.25 * u);
         write(&mut figure, symbol.role, Some(place), at, symbol.sign, u * 0.85, Face::Medium, Anchor::Middle);
     }
@@ -117,10 +140,14 @@ fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Ve
     figure
 }
 
-/// The symbols that stand on the track, at least `apart` points from each other.
-fn crowd<E: Fact>(events: &[E], flat: bool, track: &Track, apart: f32) -> Vec<(f32, Symbol, Place)> {
-    let shown = |event: &E| event.symbol().filter(|_| !(flat && event.concerns_z()));
-    let symbols = events.iter().enumerate().filter_map(|(i, event)| Some((i + 1, shown(event)?, event.place())));
+/// The symbols of the first `told` steps that stand on the track, at least `apart` points from each other.
+fn crowd(told: usize, tape: &Recorded<'_>, track: &Track, apart: f32) -> Vec<(f32, Symbol, Place)> {
+    let shown = |fact: &&dyn Fact| !(tape.flat && fact.concerns_z());
+    let symbol = |step: usize| {
+        let fact = (tape.fact)(step).filter(shown)?;
+        Some((step, fact.symbol()?, fact.place()))
+    };
+    let symbols = (1..=told).filter_map(symbol);
     let length = track.right - track.left;
     if length / track.steps.max(1) as f32 >= apart {
         return symbols.map(|(step, symbol, place)| (track.x(step), symbol, place)).collect();
@@ -139,11 +166,18 @@ fn crowd<E: Fact>(events: &[E], flat: bool, track: &Track, apart: f32) -> Vec<(f
     filled.filter_map(|(bin, best)| best.map(|(symbol, place)| (middle(bin), symbol, place))).collect()
 }
 
-/// The symbols that occur, with their names.
-fn legend_row<E: Fact>(figure: &mut Figure, events: &[E], tape: &Recorded<'_, E>, at: Vec2, right: f32, look: &Look) {
+/// The symbols that occur in the first `told` steps, with their names.
+fn legend_row(figure: &mut Figure, told: usize, tape: &Recorded<'_>, at: Vec2, right: f32, look: &Look) {
     let (small, mut x) = (look.small(), at.x);
-    let occurs = |symbol: &&Symbol| events.iter().any(|event| event.symbol().as_ref() == Some(symbol));
-    for symbol in tape.symbols.iter().filter(occurs) {
+    let mut occur: Vec<Symbol> = Vec::new();
+    for symbol in (1..=told).filter_map(|step| (tape.fact)(step)?.symbol()) {
+        if !occur.contains(&symbol) {
+            occur.push(symbol);
+        }
+    }
+    let rank = |symbol: &Symbol| tape.symbols.iter().position(|known| known == symbol).unwrap_or(usize::MAX);
+    occur.sort_by_key(rank);
+    for symbol in &occur {
         let name = if *symbol == visit::VOLUME { tape.volume.one } else { symbol.name };
         let width = small * 1.2 + text_width(name, Face::Regular, small);
         if x + width > right {

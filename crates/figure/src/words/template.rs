@@ -6,7 +6,7 @@ use crate::words::{Fact, counted, number, value};
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
 /// `{{prims reference}}` counts: 1 reference, 2 references.
-pub fn fill(template: &str, event: &impl Fact) -> String {
+pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
     let mut filled = String::with_capacity(template.len());
     let mut rest = template;
     while let Some(start) = rest.find("{{") {
@@ -35,7 +35,7 @@ pub fn fill(template: &str, event: &impl Fact) -> String {
 }
 
 /// The template filled as prose: a place that begins a sentence begins with a capital letter.
-pub fn told(template: &str, event: &impl Fact) -> String {
+pub fn told(template: &str, event: &(impl Fact + ?Sized)) -> String {
     let filled = fill(template, event);
     let mut told = String::with_capacity(filled.len());
     let mut begins = true;

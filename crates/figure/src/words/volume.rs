@@ -12,6 +12,9 @@ pub struct VolumeName {
 }
 
 impl VolumeName {
+    /// A box along the axes.
+    pub const BOX: VolumeName = VolumeName { one: "box", many: "boxes" };
+
     /// What is tested in this structure.
     pub fn of(structure: &Structure) -> VolumeName {
         let (one, many) = match structure {

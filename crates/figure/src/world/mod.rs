@@ -30,6 +30,13 @@ pub struct Space {
     pub flat: bool,
 }
 
+impl Default for Space {
+    /// Nothing at all.
+    fn default() -> Space {
+        Space { marks: Vec::new(), bounds: Aabb::EMPTY, flat: true }
+    }
+}
+
 /// A form with a meaning and, where it is about one, a place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpaceMark {

@@ -4,7 +4,7 @@
 mod compose;
 
 use glam::Vec2;
-use raystep_figure::{Anchor, Face, Figure, Ink, ListingLine, Look, Role, Still, TreeView, fonts};
+use raystep_figure::{Anchor, Ask, Face, Figure, Ink, ListingLine, Look, Pane, Role, Still, fonts};
 
 use crate::prose;
 use compose::{Area, enlarge, set_in};
@@ -24,25 +24,8 @@ pub struct Plate<'a> {
     pub still: Still<'a>,
     /// The algorithm; may be empty.
     pub listing: &'a [ListingLine<'a>],
-    /// The panes below space, from the top.
-    pub below: &'a [Below],
-    /// Whether there is a stack to show.
-    pub stack: bool,
-}
-
-/// What can stand below space.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Below {
-    /// The ruler of t; of a build, what its splits cost.
-    Ruler,
-    /// The tree of nodes.
-    Tree,
-    /// The cell table.
-    Cells,
-    /// The slab table.
-    Slabs,
-    /// A node's bytes.
-    Bytes,
+    /// The panes below space, from the top. Those that the step has nothing to show in are left out.
+    pub below: &'a [Pane],
 }
 
 /// The page at this size; `picture` draws space at the size that it gets.
@@ -146,7 +129,7 @@ impl Page<'_> {
     fn foot(&mut self, area: Area) {
         area.fill(&mut self.figure, Role::Panel);
         let inner = Area::new(area.min.x + EDGE * 0.5, area.min.y, area.max.x - EDGE * 0.5, area.max.y);
-        let strip = self.plate.still.timeline(false, inner.size(), &self.look);
+        let strip = self.plate.still.draw(Pane::Timeline, &Ask::new(inner.size(), self.look));
         set_in(&mut self.figure, strip, inner.min);
     }
 
@@ -165,7 +148,7 @@ impl Page<'_> {
         let caption = self.caption(area.size().x);
         let end = area.min.y + caption.size.y;
         set_in(&mut self.figure, caption, area.min);
-        let shown = self.plate.still.space();
+        let Some(shown) = self.plate.still.space() else { return };
         let margin = TEXT * 0.8;
         let height = self.plate.still.legend_height(&shown, area.size().x + 2.0 * margin, &self.look);
         // The legend keeps to the foot of the column, and gives way to a long text.
@@ -176,43 +159,42 @@ impl Page<'_> {
     }
 
     fn legend(&mut self, area: Area) {
-        let shown = self.plate.still.space();
-        let part = self.plate.still.legend(&shown, area.size() + Vec2::X * TEXT * 0.8, &self.look);
+        let ask = Ask::new(area.size() + Vec2::X * TEXT * 0.8, self.look);
+        let part = self.plate.still.draw(Pane::Legend, &ask);
         set_in(&mut self.figure, part, area.min);
     }
 
-    /// How high the panes below space are, of so much.
+    /// The panes below space that show something.
+    fn panes(&self) -> impl Iterator<Item = Pane> {
+        self.plate.below.iter().copied().filter(|pane| self.plate.still.has(*pane))
+    }
+
+    /// How high they are, of so much.
     fn below_height(&self, of: f32) -> f32 {
-        let wanted: f32 = self.plate.below.iter().map(|below| self.height(*below)).sum();
+        let wanted: f32 = self.panes().map(|pane| self.height(pane)).sum();
         wanted.min(of * 0.55)
     }
 
-    fn height(&self, below: Below) -> f32 {
-        match below {
-            Below::Ruler => self.plate.still.ruler_height(&self.look) + 14.0,
-            Below::Tree => 200.0,
-            Below::Cells => 232.0,
-            Below::Slabs => 190.0,
-            Below::Bytes => 220.0,
-        }
+    fn height(&self, pane: Pane) -> f32 {
+        let usual = match pane {
+            Pane::Cells => 232.0,
+            Pane::Slabs => 190.0,
+            Pane::Bytes => 220.0,
+            _ => 200.0,
+        };
+        self.plate.still.height(pane, &self.look).map_or(usual, |height| height + 14.0)
     }
 
     fn below(&mut self, area: Area) {
-        let wanted: f32 = self.plate.below.iter().map(|below| self.height(*below)).sum();
+        let panes: Vec<Pane> = self.panes().collect();
+        let wanted: f32 = panes.iter().map(|pane| self.height(*pane)).sum();
         let mut rest = area;
-        for below in self.plate.below {
-            let (pane, after) = rest.split_top(area.size().y * self.height(*below) / wanted);
+        for shown in panes {
+            let (pane, after) = rest.split_top(area.size().y * self.height(shown) / wanted);
             rest = after;
             pane.fill(&mut self.figure, Role::Panel);
             let inner = Area::new(pane.min.x + EDGE * 0.3, pane.min.y + 4.0, pane.max.x - EDGE * 0.3, pane.max.y - 4.0);
-            let (still, look) = (&self.plate.still, &self.look);
-            let part = match below {
-                Below::Ruler => still.ruler(false, inner.size(), look),
-                Below::Tree => still.tree(&TreeView::default(), inner.size(), look),
-                Below::Cells => still.cells(false, inner.size(), look),
-                Below::Slabs => still.slabs(inner.size(), look),
-                Below::Bytes => still.bytes(inner.size(), look),
-            };
+            let part = self.plate.still.draw(shown, &Ask::new(inner.size(), self.look));
             set_in(&mut self.figure, part, inner.min);
         }
     }
@@ -235,20 +217,21 @@ impl Page<'_> {
 
     fn listing(&mut self, area: Area) {
         let look = Look { text: CODE, ..self.look };
-        let part = self.plate.still.listing(self.plate.listing, area.size(), &look);
+        let ask = Ask { lines: self.plate.listing, ..Ask::new(area.size(), look) };
+        let part = self.plate.still.draw(Pane::Listing, &ask);
         set_in(&mut self.figure, part, area.min);
     }
 
     fn stack_and_work(&mut self, area: Area) {
         let mut rest = area;
-        if self.plate.stack {
+        if self.plate.still.has(Pane::Stack) {
             let rows = self.plate.still.stacked().max(1) as f32;
             let (top, below) = area.split_top((rows * 2.75 * TEXT + 3.2 * TEXT).min(area.size().y - 9.0 * TEXT));
-            let part = self.plate.still.stack(false, top.size(), &self.look);
+            let part = self.plate.still.draw(Pane::Stack, &Ask::new(top.size(), self.look));
             set_in(&mut self.figure, part, top.min);
             rest = below;
         }
-        let part = self.plate.still.work(None, rest.size(), &self.look);
+        let part = self.plate.still.draw(Pane::Work, &Ask::new(rest.size(), self.look));
         set_in(&mut self.figure, part, rest.min);
     }
 

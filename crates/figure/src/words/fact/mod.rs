@@ -127,11 +127,11 @@ impl Fact for Answer {
 }
 
 /// One sentence about what just happened, with its numbers; `volume` is what is tested in its structure.
-pub fn sentence(event: &impl Fact, volume: VolumeName) -> String {
+pub fn sentence(event: &(impl Fact + ?Sized), volume: VolumeName) -> String {
     event.sentence(volume)
 }
 
 /// What an event is, in a few words; `volume` is what is tested in its structure.
-pub fn short(event: &impl Fact, volume: VolumeName) -> Cow<'static, str> {
+pub fn short(event: &(impl Fact + ?Sized), volume: VolumeName) -> Cow<'static, str> {
     event.short(volume)
 }

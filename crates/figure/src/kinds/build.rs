@@ -1,0 +1,124 @@
+//! The building of a structure.
+
+use raystep_accel::{Aabb, Place, Primitives, Prims};
+
+use super::{Guess, Instant, Kind, best_of};
+use crate::moments::{Build, GrowMoment};
+use crate::page::{Figure, Look};
+use crate::panes::{
+    Ask, Pane, TreeView, cells_of_build, costs, legend, listing, space_of_build, stack_of_build, timeline_of_build,
+    tree_of_build, work_of_build,
+};
+use crate::theme::Role;
+use crate::words::{Fact, VolumeName, counted};
+use crate::world::Space;
+
+impl Kind for Build<'_> {
+    fn len(&self) -> usize {
+        self.events.len()
+    }
+
+    fn start(&self) -> Instant {
+        Instant::new(GrowMoment::default())
+    }
+
+    fn advance(&self, at: &mut Instant, step: usize) {
+        at.state_mut::<GrowMoment>().advance(self.events, step);
+    }
+
+    fn panes(&self) -> Vec<Pane> {
+        let mut panes = vec![Pane::Tree, Pane::Cells, Pane::Listing, Pane::Work, Pane::Timeline];
+        // The cells of a grid are not weighed, and are filled one after the other.
+        if self.structure.node_count() > 0 {
+            panes.extend([Pane::Ruler, Pane::RulerLine, Pane::Stack, Pane::StackHere]);
+        }
+        panes
+    }
+
+    fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
+        let moment: &GrowMoment = at.state();
+        let Ask { size, ref look, hide, .. } = *ask;
+        let nodes = self.structure.node_count() > 0;
+        Some(match pane {
+            // Between two weighings there is nothing but the tree so far.
+            Pane::RulerLine if nodes && moment.weighed.is_empty() => {
+                tree_of_build(moment, &TreeView::default(), size, look)
+            }
+            Pane::Ruler | Pane::RulerLine if nodes => costs(moment, hide, size, look),
+            Pane::Tree => tree_of_build(moment, ask.view.unwrap_or(&TreeView::default()), size, look),
+            Pane::Cells => cells_of_build(self, moment, size, look),
+            Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),
+            Pane::Stack | Pane::StackHere if nodes => stack_of_build(moment, pane == Pane::StackHere, size, look),
+            Pane::Work => work_of_build(self, moment, size, look),
+            Pane::Timeline => timeline_of_build(self, at.step(), hide, size, look),
+            _ => return None,
+        })
+    }
+
+    fn fact(&self, step: usize) -> Option<&dyn Fact> {
+        let event = self.events.get(step.checked_sub(1)?)?;
+        Some(event)
+    }
+
+    fn space(&self, at: &Instant) -> Option<Space> {
+        Some(space_of_build(self, at.state()))
+    }
+
+    fn prims(&self) -> &Prims {
+        self.prims
+    }
+
+    fn flat(&self) -> bool {
+        self.flat
+    }
+
+    fn volume(&self) -> VolumeName {
+        VolumeName::of(self.structure)
+    }
+
+    fn signs(&self) -> &'static [(Role, &'static str)] {
+        legend::OF_BUILD
+    }
+
+    fn best(&self) -> Option<Pane> {
+        best_of(self.structure).filter(|pane| *pane != Pane::Slabs)
+    }
+
+    fn height(&self, pane: Pane, look: &Look) -> Option<f32> {
+        match pane {
+            Pane::Ruler => Some(look.text * 13.0),
+            Pane::RulerLine => Some(look.text * 9.0),
+            _ => None,
+        }
+    }
+
+    fn stacked(&self, at: &Instant) -> usize {
+        at.state::<GrowMoment>().waiting.len()
+    }
+
+    fn here(&self, at: &Instant) -> Option<Place> {
+        at.state::<GrowMoment>().event.map(|event| event.place())
+    }
+
+    fn bounds(&self, at: &Instant, place: Place) -> Aabb {
+        let moment: &GrowMoment = at.state();
+        match place {
+            Place::World => moment.bounds,
+            Place::Node(node) => moment.nodes.get(&node).map_or(Aabb::EMPTY, |node| node.bounds),
+            Place::Cell(cell) => self.structure.grid().map_or(Aabb::EMPTY, |grid| grid.cell_bounds(cell)),
+            Place::Prim(prim) => self.prims.bounds(prim),
+        }
+    }
+
+    fn tally(&self, at: &Instant) -> String {
+        let tally = &at.state::<GrowMoment>().tally;
+        let weighed = counted(tally.weighed, "split weighed", "splits weighed");
+        let stored = counted(tally.stored, "reference stored", "references stored");
+        if tally.weighed > 0 { format!("{weighed} · {stored}") } else { stored }
+    }
+
+    fn guess(&self, at: &mut Instant, guesses: &[Guess]) {
+        let plane = |guess: &Guess| guess.plane.map(|(across, at)| (across, at, guess.text.clone()));
+        at.state_mut::<GrowMoment>().guesses = guesses.iter().filter_map(plane).collect();
+    }
+}

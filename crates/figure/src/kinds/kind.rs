@@ -1,0 +1,130 @@
+//! What a kind of picture says of itself.
+
+use raystep_accel::{Aabb, Cost, Direction, Place, Prims};
+
+use super::Instant;
+use crate::page::{Figure, Look};
+use crate::panes::{Ask, Pane};
+use crate::theme::Role;
+use crate::words::{Fact, VolumeName};
+use crate::world::Space;
+
+/// Something that is shown step by step. A kind says how many steps it has, keeps the state that pictures of a
+/// step need, and draws the panes that it names; of everything else there is nothing to draw. Window, presenter's
+/// page, plates and films ask a [`Reel`](super::Reel) and need not know which kind it holds.
+pub trait Kind {
+    /// How many steps there are; before the first one nothing has happened.
+    fn len(&self) -> usize;
+
+    /// Whether nothing happens.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The state before the first step.
+    fn start(&self) -> Instant;
+
+    /// Lets steps happen until `step` have. Steps already taken are not taken back.
+    fn advance(&self, at: &mut Instant, step: usize);
+
+    /// The panes that [`draw`](Kind::draw) draws.
+    fn panes(&self) -> Vec<Pane>;
+
+    /// A pane at an instant; nothing if it is not one of [`panes`](Kind::panes).
+    fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure>;
+
+    /// What step `step` shows, the first one being 1: whatever slides, listings and templates can say of it.
+    fn fact(&self, step: usize) -> Option<&dyn Fact> {
+        let _ = step;
+        None
+    }
+
+    /// What space shows. Where there is none, [`Pane::Picture`] stands in its place.
+    fn space(&self, at: &Instant) -> Option<Space> {
+        let _ = at;
+        None
+    }
+
+    /// The primitives that space is about.
+    fn prims(&self) -> &Prims {
+        const { &Prims::Few(Vec::new()) }
+    }
+
+    /// Whether space is flat.
+    fn flat(&self) -> bool {
+        true
+    }
+
+    /// What is tested before anything in it, in a word.
+    fn volume(&self) -> VolumeName {
+        VolumeName::BOX
+    }
+
+    /// What the marks of space mean, in the order of a legend.
+    fn signs(&self) -> &'static [(Role, &'static str)] {
+        &[]
+    }
+
+    /// The pane in which it is best seen beside space.
+    fn best(&self) -> Option<Pane> {
+        None
+    }
+
+    /// How high a pane should be, where that follows from what it shows.
+    fn height(&self, pane: Pane, look: &Look) -> Option<f32> {
+        let _ = (pane, look);
+        None
+    }
+
+    /// How many rows the stack has.
+    fn stacked(&self, at: &Instant) -> usize {
+        let _ = at;
+        0
+    }
+
+    /// What the part of space is called where it happens; nothing if that is everywhere or over.
+    fn here(&self, at: &Instant) -> Option<Place> {
+        let _ = at;
+        None
+    }
+
+    /// The box of a place as far as it is known.
+    fn bounds(&self, at: &Instant, place: Place) -> Aabb {
+        let _ = (at, place);
+        Aabb::EMPTY
+    }
+
+    /// What is but a dot in the whole picture of space and worth seeing from near: its name and its box.
+    fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
+        let _ = at;
+        None
+    }
+
+    /// What a ray has paid so far.
+    fn cost(&self, at: &Instant) -> Option<Cost> {
+        let _ = at;
+        None
+    }
+
+    /// The work so far in a few words.
+    fn tally(&self, at: &Instant) -> String {
+        let _ = at;
+        String::new()
+    }
+
+    /// Shows the answers of an open question where they lie. What happens knows nothing of them.
+    fn guess(&self, at: &mut Instant, guesses: &[Guess]) {
+        let _ = (at, guesses);
+    }
+}
+
+/// An answer that an open question offers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Guess {
+    /// The place that it names.
+    pub place: Option<Place>,
+    /// The plane that it names: across this axis, at this coordinate.
+    pub plane: Option<(Direction, f32)>,
+    /// Its word.
+    pub text: String,
+}

@@ -1,0 +1,157 @@
+//! A ray's walk.
+
+use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Visit};
+
+use super::{Guess, Instant, Kind, best_of};
+use crate::moments::{Moment, Walk};
+use crate::page::{Figure, Look};
+use crate::panes::{
+    Ask, Pane, TreeView, bytes, cells, legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs,
+    space, stack, tested, timeline, tree, work,
+};
+use crate::theme::Role;
+use crate::words::{Fact, VolumeName};
+use crate::world::Space;
+
+/// What is larger than this part of the scene is seen well enough in the picture of all of it.
+const SMALL: f32 = 0.3;
+
+impl Kind for Walk<'_> {
+    fn len(&self) -> usize {
+        self.events.len()
+    }
+
+    fn start(&self) -> Instant {
+        Instant::new(Moment::start(self))
+    }
+
+    fn advance(&self, at: &mut Instant, step: usize) {
+        at.state_mut::<Moment>().advance(self, step);
+    }
+
+    fn panes(&self) -> Vec<Pane> {
+        let mut panes = vec![
+            Pane::Ruler,
+            Pane::RulerLine,
+            Pane::Tree,
+            Pane::Cells,
+            Pane::Slabs,
+            Pane::Bytes,
+            Pane::Listing,
+            Pane::Work,
+            Pane::Timeline,
+        ];
+        // Without nodes nothing ever waits.
+        if self.structure.node_count() > 0 {
+            panes.extend([Pane::Stack, Pane::StackHere]);
+        }
+        panes
+    }
+
+    fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
+        let moment: &Moment = at.state();
+        let Ask { size, ref look, hide, .. } = *ask;
+        Some(match pane {
+            Pane::Ruler => ruler(self, moment, size, look),
+            Pane::RulerLine => ruler_line(self, moment, size, look),
+            Pane::Tree => tree(self, moment, ask.view.unwrap_or(&TreeView::default()), size, look),
+            Pane::Cells => cells(self, moment, hide, size, look),
+            Pane::Slabs => slabs(self, moment, size, look),
+            Pane::Bytes => bytes(self, moment, size, look),
+            Pane::Listing => listing("Walk", ask.lines, self.fact(at.step()), self.flat, size, look),
+            Pane::Stack | Pane::StackHere if self.structure.node_count() > 0 => {
+                stack(self, moment, pane == Pane::StackHere, size, look)
+            }
+            Pane::Work => work(self, moment, ask.beside, size, look),
+            Pane::Timeline => timeline(self, at.step(), hide, size, look),
+            _ => return None,
+        })
+    }
+
+    fn fact(&self, step: usize) -> Option<&dyn Fact> {
+        let event = self.events.get(step.checked_sub(1)?)?;
+        Some(event)
+    }
+
+    fn space(&self, at: &Instant) -> Option<Space> {
+        Some(space(self, at.state()))
+    }
+
+    fn prims(&self) -> &Prims {
+        self.prims
+    }
+
+    fn flat(&self) -> bool {
+        self.flat
+    }
+
+    fn volume(&self) -> VolumeName {
+        VolumeName::of(self.structure)
+    }
+
+    fn signs(&self) -> &'static [(Role, &'static str)] {
+        legend::OF_WALK
+    }
+
+    fn best(&self) -> Option<Pane> {
+        best_of(self.structure)
+    }
+
+    fn height(&self, pane: Pane, look: &Look) -> Option<f32> {
+        match pane {
+            Pane::Ruler => Some(ruler_height(self, look)),
+            Pane::RulerLine => Some(ruler_line_height(self, look)),
+            _ => None,
+        }
+    }
+
+    fn stacked(&self, at: &Instant) -> usize {
+        at.state::<Moment>().stack.len()
+    }
+
+    fn here(&self, at: &Instant) -> Option<Place> {
+        let moment: &Moment = at.state();
+        match &moment.inside {
+            Some(inside) => Some(Place::Prim(inside.instance)),
+            None => moment.here.or(moment.event.map(|event| event.place())),
+        }
+    }
+
+    fn bounds(&self, _: &Instant, place: Place) -> Aabb {
+        Walk::bounds(self, place)
+    }
+
+    /// The nearest hit when the walk is over, else the leaf or the cell where it stands.
+    fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
+        let moment: &Moment = at.state();
+        let over = matches!(moment.event, Some(Visit::End { .. }));
+        let (title, place) = match (over, moment.best, moment.here) {
+            (true, Some(hit), _) => ("the hit, from near".to_owned(), Place::Prim(hit.prim)),
+            (false, _, Some(Place::Node(node))) if !self.structure.leaf_prims(node).is_empty() => {
+                (format!("{node}, from near"), Place::Node(node))
+            }
+            (false, _, Some(Place::Cell(cell))) => (format!("{cell}, from near"), Place::Cell(cell)),
+            _ => return None,
+        };
+        let bounds = Walk::bounds(self, place);
+        let diagonal = bounds.extent().length();
+        // Some of what lies around it shows where it is.
+        let air = if over { 0.4 } else { 0.1 };
+        let small = diagonal > 0.0 && diagonal < SMALL * self.world().extent().length();
+        small.then(|| (title, bounds.padded(diagonal * air)))
+    }
+
+    fn cost(&self, at: &Instant) -> Option<Cost> {
+        Some(at.state::<Moment>().cost)
+    }
+
+    fn tally(&self, at: &Instant) -> String {
+        let (tests, tested) = tested(self.structure, self.prims.len(), &at.state::<Moment>().cost);
+        format!("{tests} of {tested} tested")
+    }
+
+    fn guess(&self, at: &mut Instant, guesses: &[Guess]) {
+        let places = guesses.iter().filter_map(|guess| Some((guess.place?, guess.text.clone())));
+        at.state_mut::<Moment>().guesses = places.collect();
+    }
+}

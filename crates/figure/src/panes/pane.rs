@@ -1,0 +1,100 @@
+//! Which panes there are, and what one is told that is to be drawn.
+
+use glam::Vec2;
+
+use super::{ListingLine, TreeView};
+use crate::page::Look;
+use crate::world::Space;
+
+/// A part of the page that is a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pane {
+    /// What fills the middle of the page where there is no space: a chart, a table, pictures side by side.
+    Picture,
+    /// The ray as a ruler of t; of a build, what its splits cost.
+    Ruler,
+    /// The same on one line, for the far end of a lecture hall.
+    RulerLine,
+    /// The tree of nodes.
+    Tree,
+    /// The cell where the walk stands, or the cells that a primitive is put into.
+    Cells,
+    /// The test of a volume.
+    Slabs,
+    /// A node as it lies in memory.
+    Bytes,
+    /// The algorithm with the line of this step.
+    Listing,
+    /// What waits.
+    Stack,
+    /// What waits, with the current place on top.
+    StackHere,
+    /// The work so far.
+    Work,
+    /// What the marks of space mean.
+    Legend,
+    /// The track of all steps.
+    Timeline,
+}
+
+impl Pane {
+    /// Every pane.
+    pub const ALL: [Pane; 13] = [
+        Pane::Picture,
+        Pane::Ruler,
+        Pane::RulerLine,
+        Pane::Tree,
+        Pane::Cells,
+        Pane::Slabs,
+        Pane::Bytes,
+        Pane::Listing,
+        Pane::Stack,
+        Pane::StackHere,
+        Pane::Work,
+        Pane::Legend,
+        Pane::Timeline,
+    ];
+
+    /// What stands on its tab.
+    pub fn name(self) -> &'static str {
+        match self {
+            Pane::Picture => "Picture",
+            Pane::Ruler | Pane::RulerLine => "t along the ray",
+            Pane::Tree => "Tree",
+            Pane::Cells => "Cells",
+            Pane::Slabs => "Slabs",
+            Pane::Bytes => "Bytes",
+            Pane::Listing => "Walk",
+            Pane::Stack | Pane::StackHere => "Stack",
+            Pane::Work => "Work",
+            Pane::Legend => "Signs",
+            Pane::Timeline => "Timeline",
+        }
+    }
+}
+
+/// What whoever wants a pane knows beside the step: how large it is to be, and what only some panes ask for.
+#[derive(Clone, Copy, Debug)]
+pub struct Ask<'a> {
+    /// Width and height in points.
+    pub size: Vec2,
+    /// How large it is set.
+    pub look: Look,
+    /// Whether a question is open: what answers it is hidden.
+    pub hide: bool,
+    /// What the user has zoomed to, opened and closed in the tree.
+    pub view: Option<&'a TreeView>,
+    /// The lines of the listing.
+    pub lines: &'a [ListingLine<'a>],
+    /// The name of a walk beside this one, and how many primitives it has tested.
+    pub beside: Option<(&'a str, u64)>,
+    /// What space shows at this step, where it is drawn already.
+    pub space: Option<&'a Space>,
+}
+
+impl Ask<'_> {
+    /// A pane of this size, and nothing else.
+    pub fn new(size: Vec2, look: Look) -> Ask<'static> {
+        Ask { size, look, hide: false, view: None, lines: &[], beside: None, space: None }
+    }
+}

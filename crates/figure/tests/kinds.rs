@@ -1,0 +1,158 @@
+//! What any kind of picture can rely on: walks and builds draw what they say they draw, and a kind that knows one
+//! pane needs to say nothing else.
+
+use std::borrow::Cow;
+
+use glam::{Vec2, Vec3};
+use raystep_accel::{Accel, CellId, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Value};
+use raystep_figure::{
+    Anchor, Ask, Build, Face, Fact, Figure, Film, Ink, Instant, Kind, Look, Nodes, Pane, Reel, Role, Symbol,
+    VolumeName, Walk, told,
+};
+
+const SIZE: Vec2 = Vec2::new(600.0, 200.0);
+
+fn ask() -> Ask<'static> {
+    Ask::new(SIZE, Look::WINDOW)
+}
+
+/// Draws every pane at every step: those that it names, and no other.
+fn check(what: &str, kind: &dyn Kind) {
+    let panes = kind.panes();
+    let mut at = kind.start();
+    for step in 0..=kind.len() {
+        kind.advance(&mut at, step);
+        for pane in Pane::ALL {
+            let drawn = kind.draw(&at, pane, &ask());
+            assert_eq!(drawn.is_some(), panes.contains(&pane), "{what}, {pane:?} at step {step}");
+        }
+        for pane in [kind.best()].into_iter().flatten() {
+            assert!(panes.contains(&pane), "{what} is not best seen in {pane:?}");
+        }
+    }
+}
+
+#[test]
+fn walks_and_builds_draw_the_panes_that_they_name() {
+    let disc = |x: f32, y: f32| Shape::Sphere(Sphere { center: Vec3::new(x, y, 0.0), radius: 0.4 });
+    let prims = Prims::Few(vec![disc(1.0, 3.0), disc(2.0, 1.0), disc(4.0, 3.5), disc(5.0, 1.0), disc(7.0, 2.6)]);
+    let ray = Ray::new(Vec3::new(-1.0, 1.8, 0.0), Vec3::new(1.0, 0.1, 0.0)).unwrap();
+    for kind in Rule::KINDS {
+        let rule = Rule::default_for(kind).unwrap().flat();
+        let (mut walked, mut grown) = (Vec::new(), Vec::new());
+        let structure = Structure::build(&prims, &rule, &mut grown).unwrap();
+        structure.intersect(&prims, &ray, &mut walked);
+        let (structure, prims, nodes, flat) = (&structure, &prims, &Nodes::of(&structure), true);
+        check(&format!("a walk, {kind}"), &Walk { structure, prims, nodes, ray, events: &walked, flat });
+        check(&format!("a build, {kind}"), &Build { structure, nodes, prims, events: &grown, lost: 0, flat });
+    }
+}
+
+/// A bar chart whose bars appear one after the other: it has no scene, no ray and no structure.
+struct Bars(Vec<Bar>);
+
+struct Bar {
+    name: &'static str,
+    tests: f32,
+    place: Place,
+}
+
+impl Kind for Bars {
+    fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    fn start(&self) -> Instant {
+        Instant::new(0_usize)
+    }
+
+    fn advance(&self, at: &mut Instant, step: usize) {
+        let shown = at.state_mut::<usize>();
+        *shown = step.min(self.0.len()).max(*shown);
+    }
+
+    fn panes(&self) -> Vec<Pane> {
+        vec![Pane::Picture]
+    }
+
+    fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
+        if pane != Pane::Picture {
+            return None;
+        }
+        let mut figure = Figure::new(ask.size);
+        for (row, bar) in self.0.iter().take(*at.state()).enumerate() {
+            let min = Vec2::new(0.0, 20.0 * row as f32);
+            let max = min + Vec2::new(ask.size.x * bar.tests / 100.0, 16.0);
+            figure.add(Role::Missed, Some(bar.place), Ink::Rect { min, max, round: 0.0 });
+            let (text, size) = (bar.name.to_owned(), ask.look.text);
+            let text = Ink::Text { at: min, text, size, face: Face::Regular, anchor: Anchor::Start, boxed: false };
+            figure.add(Role::Text, Some(bar.place), text);
+        }
+        Some(figure)
+    }
+
+    fn fact(&self, step: usize) -> Option<&dyn Fact> {
+        Some(self.0.get(step.checked_sub(1)?)?)
+    }
+}
+
+impl Fact for Bar {
+    fn name(&self) -> &'static str {
+        "bar"
+    }
+
+    fn place(&self) -> Place {
+        self.place
+    }
+
+    fn field(&self, name: &str) -> Option<Value> {
+        (name == "tests").then_some(Value::Number(self.tests))
+    }
+
+    fn symbol(&self) -> Option<Symbol> {
+        Some(Symbol { sign: "■", name: "bar", role: Role::Missed, rank: 0 })
+    }
+
+    fn short(&self, _: VolumeName) -> Cow<'static, str> {
+        self.name.into()
+    }
+
+    fn sentence(&self, _: VolumeName) -> String {
+        told("A ray makes {{tests}} tests.", self)
+    }
+}
+
+fn bars() -> Bars {
+    let bar = |index, name, tests| Bar { name, tests, place: Place::Cell(CellId(index)) };
+    Bars(vec![bar(0, "list", 100.0), bar(1, "grid", 9.0), bar(2, "kd", 2.5)])
+}
+
+#[test]
+fn a_kind_that_knows_one_pane_says_nothing_else() {
+    check("bars", &bars());
+    let reel = Reel::new(bars());
+    let film = Film::new(&reel);
+    let words = |figure: &Figure| -> Vec<String> {
+        let text = |ink: &Ink| if let Ink::Text { text, .. } = ink { Some(text.clone()) } else { None };
+        figure.marks.iter().filter_map(|mark| text(&mark.ink)).collect()
+    };
+    for step in 0..=reel.len() {
+        let instant = film.at(&reel, step);
+        let still = reel.still(&instant);
+        assert_eq!(still.step(), step);
+        assert_eq!(words(&still.draw(Pane::Picture, &ask())), ["list", "grid", "kd"][..step]);
+        assert!(still.space().is_none() && still.here().is_none() && still.cost().is_none());
+        for pane in Pane::ALL.into_iter().filter(|pane| !still.has(*pane)) {
+            assert_eq!(still.draw(pane, &ask()), Figure::new(SIZE), "{pane:?}");
+        }
+    }
+    // What every kind has: a place for each step, words for it, and a track of all steps.
+    assert_eq!(reel.steps_at(Place::Cell(CellId(1))), [2]);
+    let instant = film.at(&reel, 3);
+    let still = reel.still(&instant);
+    assert_eq!(still.fact().map(|fact| fact.sentence(reel.volume())).as_deref(), Some("A ray makes 2.5 tests."));
+    let track = words(&still.draw(Pane::Timeline, &ask()));
+    assert_eq!(track, ["step 3 of 3", "kd", "■", "■", "■", "■", "bar"]);
+    let asked = words(&reel.still(&film.at(&reel, 1)).draw(Pane::Timeline, &Ask { hide: true, ..ask() }));
+    assert_eq!(asked, ["step 1 of 3", "list", "■", "■", "bar"]);
+}
