@@ -246,7 +246,7 @@ impl GrowMoment {
                 self.consider(node);
                 self.free = Some(FreePlane { normal: Vec3::new(normal_x, normal_y, normal_z), at: plane });
             }
-            Grow::Weigh { node, axis, plane, below, above, cost } => {
+            Grow::Weigh { node, axis, plane, below, above, cost, .. } => {
                 self.consider(node);
                 self.tally.weighed += 1;
                 self.weighed.push(Weighed { axis, plane, below, above, cost, free: self.free });

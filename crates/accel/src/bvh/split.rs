@@ -29,6 +29,17 @@ pub(super) struct Choice {
     pub(super) cost: f32,
 }
 
+/// How large the box around a child's primitives is, and how many they are.
+pub(super) type Side = (f32, usize);
+
+/// What a division is expected to cost, and from what.
+struct Expected {
+    size: f32,
+    p_below: f32,
+    p_above: f32,
+    cost: f32,
+}
+
 /// A node divided.
 pub(super) struct Cut {
     pub(super) axis: Axis,
@@ -113,19 +124,53 @@ impl<'a> Splitter<'a> {
 
         let cut = self.divide(part, choice, watch)?;
         if halve || matches!(self.rule.split, BvhSplit::Middle | BvhSplit::Median) {
-            let Cut { axis, plane, cost, .. } = cut;
-            let (below, above) = (cut.below.len() as u32, cut.above.len() as u32);
-            watch.on(Grow::Weigh { node, axis: axis.into(), plane, below, above, cost });
+            let side = |part: &Part| (part.bounds.measure(self.rule.measure), part.len());
+            let sides = [side(&cut.below), side(&cut.above)];
+            self.weigh(node, part, (cut.axis, cut.plane), sides, watch);
         }
         Ok(cut)
     }
 
     /// What a ray that meets the node is expected to cost: one step, and the tests of each child times the
-    /// chance that the ray meets it (slide 53, as in the kd-tree).
-    pub(super) fn cost(&self, part: &Part, below: (f32, usize), above: (f32, usize)) -> f32 {
-        let whole = part.bounds.measure(self.rule.measure);
-        let chance = |measure: f32| if whole > 0.0 { measure / whole } else { 1.0 };
-        1.0 + chance(below.0) * below.1 as f32 + chance(above.0) * above.1 as f32
+    /// chance that the ray meets it (slide 53, as in the kd-tree). A step tests boxes, and counts as much as a test.
+    #[inline]
+    fn expect(&self, part: &Part, [below, above]: [Side; 2]) -> Expected {
+        let size = part.bounds.measure(self.rule.measure);
+        let chance = |side: f32| if size > 0.0 { side / size } else { 1.0 };
+        let (p_below, p_above) = (chance(below.0), chance(above.0));
+        let cost = 1.0 + p_below * below.1 as f32 + p_above * above.1 as f32;
+        Expected { size, p_below, p_above, cost }
+    }
+
+    /// Weighs a way to share out a node's primitives, and returns its cost.
+    #[inline]
+    pub(super) fn weigh(
+        &self,
+        node: NodeId,
+        part: &Part,
+        (axis, plane): (Axis, f32),
+        sides: [Side; 2],
+        watch: &mut impl Observer<Grow>,
+    ) -> f32 {
+        let Expected { size, p_below, p_above, cost } = self.expect(part, sides);
+        let [(size_below, below), (size_above, above)] = sides;
+        watch.on(Grow::Weigh {
+            node,
+            axis: axis.into(),
+            plane,
+            below: below as u32,
+            above: above as u32,
+            size,
+            size_below,
+            size_above,
+            p_below,
+            p_above,
+            step: 1.0,
+            test: 1.0,
+            bonus: 1.0,
+            cost,
+        });
+        cost
     }
 
     /// The box around a node's centres.
@@ -168,8 +213,9 @@ impl<'a> Splitter<'a> {
             }
         }
         let [low, high] = bounds;
-        let measure = |bounds: &Aabb| bounds.measure(self.rule.measure);
-        let cost = self.cost(part, (measure(&low), below), (measure(&high), part.len() - below));
+        let side = |bounds: &Aabb, count: usize| (bounds.measure(self.rule.measure), count);
+        let sides = [side(&low, below), side(&high, part.len() - below)];
+        let cost = self.expect(part, sides).cost;
         let (below, above) = (part.range.start..at, at..part.range.end);
         Ok(Cut {
             axis,
