@@ -5,12 +5,12 @@ use raystep_accel::{Event, Ray};
 use raystep_figure::{
     Figure, Look, Reel, Scenery, Still, Theme, TreeView, VolumeName, sentence, short, stage as picture_of, told,
 };
-use raystep_lesson::{Play, Show, Tape};
+use raystep_lesson::{Medium, Play, Show, Tape};
 use raystep_print::{Below, Plate, Record, Told, json, plate};
 
 use super::ground::Ground;
 use crate::cli::Fault;
-use crate::reel::{beginning, lines, reel};
+use crate::reel::{beginning, lines, reel, said};
 
 /// A walk or a build and what it is drawn on.
 pub(crate) struct Session<'a> {
@@ -41,7 +41,7 @@ impl<'a> Session<'a> {
         name: Option<&str>,
         stem: String,
     ) -> Option<Session<'a>> {
-        let play = ground.built.play(ray, ground.beats)?;
+        let play = ground.built.play_with(ground.beside.as_ref(), ray, ground.beats)?;
         Some(Session { ground, play, ray: name.map(str::to_owned), stem })
     }
 
@@ -153,7 +153,7 @@ impl<'a> Session<'a> {
         let (heading, caption) = self.said(event.as_ref(), step, beat);
         let played = self.ray.as_ref().map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {ray}"));
         let about = format!("{} · {played}", self.ground.about);
-        let listing = lines(self.ground.library.listing(&slide.listing), event);
+        let listing = lines(self.ground.library.listing(&slide.listing), &self.play, step);
         let mut below: Vec<Below> = slide.show.iter().filter_map(below).collect();
         below.dedup();
         let sheet = Plate {
@@ -179,7 +179,7 @@ impl<'a> Session<'a> {
         let here = |beat: &usize| self.step_of(*beat) == Some(step);
         let beat = beat.or_else(|| self.beats().find(here));
         match beat.and_then(|beat| self.ground.beats.get(beat)) {
-            Some(beat) => (told(&beat.title, event), told(&beat.text(event), event)),
+            Some(beat) => (told(&beat.title, event), said(beat, &self.play, step, Medium::Paper)),
             None => {
                 let volume = VolumeName::of(&self.play.structure);
                 (capitalised(&short(event, volume)), sentence(event, volume))

@@ -122,7 +122,7 @@ impl Pictures {
                 Pane::Cells => still.cells(asking, size, look),
                 Pane::Slabs => still.slabs(size, look),
                 Pane::Bytes => still.bytes(size, look),
-                Pane::Walk => still.listing(&lines(code, still.event()), size, look),
+                Pane::Walk => still.listing(&lines(code, &playback.play, instant.step()), size, look),
                 Pane::Stack => still.stack(false, size, look),
                 Pane::StackHere => still.stack(true, size, look),
                 Pane::Work => still.work(beside, size, look),

@@ -2,19 +2,21 @@
 
 use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
-use raystep_figure::{Face, Look, Role, sentence, stack_height, told};
+use raystep_figure::{Face, Look, Role, sentence, stack_height};
+use raystep_lesson::Medium;
 
 use super::app::App;
 use super::columns::{bytes, figure};
 use super::command::Command;
 use super::fonts::font;
+use super::lesson_pane::offers;
 use super::painter::caption;
 use super::pictures::Pane;
 use super::prose::Prose;
 use super::question;
 use super::stage_pane;
 use super::visuals::{fill, ink};
-use crate::reel::beginning;
+use crate::reel::{beginning, said as said_by};
 
 /// Shows the page in the whole window.
 pub(super) fn page(app: &mut App, ui: &mut Ui) {
@@ -142,11 +144,12 @@ fn said(app: &mut App, ui: &mut Ui, body: f32) -> Option<Command> {
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
     let opening = state.slide().map_or("", |slide| beginning(slide.plays));
     match state.beat().filter(|(_, step)| *step == state.view.step) {
-        Some((beat, _)) => {
+        Some((beat, step)) => {
             ui.label(RichText::new(&beat.title).font(font(Face::Medium, body * 1.1)).color(ink(app.theme, Role::Text)));
-            if let Some(event) = event {
-                prose.show(ui, &mut app.formulas, &told(&beat.text(&event), &event));
+            if let Some(playback) = state.playback() {
+                prose.show(ui, &mut app.formulas, &said_by(beat, &playback.play, step, Medium::Window));
             }
+            return offers(ui, state, body * 0.8);
         }
         None => {
             let says = state.playback().zip(event);

@@ -22,8 +22,8 @@ pub struct Build<'a> {
     pub prims: &'a Prims,
     /// What happened, in order.
     pub events: &'a [Grow],
-    /// How many more events there were than the recording holds.
-    pub lost: u64,
+    /// How many more events there were than the recording holds, by their names.
+    pub lost: &'a BTreeMap<&'static str, u64>,
     /// Whether the scene is flat.
     pub flat: bool,
 }

@@ -5,9 +5,9 @@ use raystep_accel::{Aabb, Event, Place, Primitives};
 
 use crate::work::{counted, tested};
 use crate::{
-    Build, Figure, GrowMoment, ListingLine, Look, Moment, Role, Space, TreeView, Walk, bytes, cells, cells_of_build,
-    costs, legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack,
-    stack_of_build, timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
+    Build, Figure, GrowMoment, ListingLine, Look, Moment, Role, Space, TreeView, VolumeName, Walk, bytes, cells,
+    cells_of_build, costs, legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space,
+    space_of_build, stack, stack_of_build, timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
 
 /// One step, with what it belongs to. Window and page draw this and need not know which of the two it is.
@@ -74,7 +74,7 @@ impl Still<'_> {
     pub fn ruler(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
         match self {
             Still::Walk(walk, moment) => ruler(walk, moment, size, look),
-            Still::Build(_, moment) => costs(moment, hide, size, look),
+            Still::Build(build, moment) => costs(moment, VolumeName::of(build.structure), hide, size, look),
         }
     }
 
@@ -94,7 +94,7 @@ impl Still<'_> {
             Still::Build(_, moment) if moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)
             }
-            Still::Build(_, moment) => costs(moment, hide, size, look),
+            Still::Build(build, moment) => costs(moment, VolumeName::of(build.structure), hide, size, look),
         }
     }
 
@@ -186,9 +186,10 @@ impl Still<'_> {
                 let (tests, tested) = tested(walk.structure, walk.prims.len(), &moment.cost);
                 format!("{tests} of {tested} tested")
             }
-            Still::Build(_, moment) => {
+            Still::Build(build, moment) => {
+                let cut = VolumeName::of(build.structure).cut;
                 let tally = &moment.tally;
-                let weighed = counted(tally.weighed, "split weighed", "splits weighed");
+                let weighed = counted(tally.weighed, &format!("{cut} weighed"), &format!("{cut}s weighed"));
                 let stored = counted(tally.stored, "reference stored", "references stored");
                 if tally.weighed > 0 { format!("{weighed} · {stored}") } else { stored }
             }

@@ -48,14 +48,15 @@ impl Track {
 /// a question is open, `hide_ahead` leaves out what is still to come.
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(walk.structure);
-    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
+    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: "", flat: walk.flat, volume };
     draw(&tape, step, hide_ahead, size, look)
 }
 
 /// The track of a build.
 pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(build.structure);
-    let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: build.lost, flat: build.flat, volume };
+    let lost = grow::left_out(build.lost, volume);
+    let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: &lost, flat: build.flat, volume };
     draw(&tape, step, hide_ahead, size, look)
 }
 
@@ -64,8 +65,8 @@ struct Recorded<'a, E> {
     events: &'a [E],
     /// Every symbol that there is, in the order of a legend.
     symbols: &'static [Symbol],
-    /// Events that were not recorded.
-    lost: u64,
+    /// Events that were not recorded, in words.
+    lost: &'a str,
     flat: bool,
     volume: VolumeName,
 }
@@ -104,11 +105,10 @@ fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Ve
         figure.add(role, None, Ink::Circle { center: now, radius: u * 0.5 });
     }
 
-    let right = if lost > 0 {
-        let says = format!("and {lost} more, left out");
+    let right = if !lost.is_empty() {
         let at = Vec2::new(track.right, track.y + 1.5 * u);
-        write(&mut figure, Role::Quiet, None, at, &says, small, Face::Regular, Anchor::End);
-        track.right - text_width(&says, Face::Regular, small) - u
+        write(&mut figure, Role::Quiet, None, at, lost, small, Face::Regular, Anchor::End);
+        track.right - text_width(lost, Face::Regular, small) - u
     } else {
         track.right
     };
