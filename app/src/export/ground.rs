@@ -18,6 +18,8 @@ pub(crate) struct Ground<'a> {
     /// What is told on it.
     pub(super) beats: &'a [Beat],
     pub(super) built: Built,
+    /// What plays beside, for its numbers.
+    pub(super) beside: Option<Built>,
     pub(super) rule: Rule,
     pub(super) nodes: Arc<Nodes>,
     /// The beginning of files' names.
@@ -84,12 +86,14 @@ impl<'a> Ground<'a> {
             about.push_str(&format!(" · {}: {value}", key.replace('_', " ")));
         }
         let beats = if told { slide.beats.as_slice() } else { &[] };
+        let beside = stage.build_beside(&built.scene, slide.plays).ok().flatten().filter(|_| told);
         Ground {
             library,
             slide,
             stage,
             beats,
             built,
+            beside,
             rule,
             nodes,
             stem,

@@ -5,12 +5,12 @@ use raystep_accel::{Event, Ray};
 use raystep_figure::{
     Ask, Figure, Look, Pane, Reel, Scenery, Still, Theme, VolumeName, sentence, short, stage as picture_of, told,
 };
-use raystep_lesson::{NamedRay, Play, Tape};
+use raystep_lesson::{Medium, NamedRay, Play, Tape};
 use raystep_print::{Plate, Record, Told, json, plate};
 
 use super::ground::{Ground, slug};
 use crate::fault::Fault;
-use crate::shown::reel::{beginning, lines, pane, reel};
+use crate::shown::reel::{beginning, lines, pane, reel, said};
 
 /// A walk or a build and what it is drawn on.
 pub(crate) struct Session<'a> {
@@ -56,7 +56,7 @@ impl<'a> Session<'a> {
     /// Plays the build if the ground kept it, else the ray; nothing where there is neither. The ray's name
     /// stands on plates, the stem at the beginning of files' names.
     fn new(ground: &'a Ground<'a>, ray: Option<Ray>, name: Option<&str>, stem: String) -> Option<Session<'a>> {
-        let play = ground.built.play(ray, ground.beats)?;
+        let play = ground.built.play_with(ground.beside.as_ref(), ray, ground.beats)?;
         Some(Session { ground, play, ray: name.map(str::to_owned), stem })
     }
 
@@ -168,7 +168,7 @@ impl<'a> Session<'a> {
         let (heading, caption) = self.said(event.as_ref(), step, beat);
         let played = self.ray.as_ref().map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {ray}"));
         let about = format!("{} · {played}", self.ground.about);
-        let listing = lines(self.ground.library.listing(&slide.listing), still.fact(), None);
+        let listing = lines(self.ground.library.listing(&slide.listing), &self.play, step, None);
         let mut below: Vec<Pane> = slide.show.iter().filter_map(pane).collect();
         below.dedup();
         let sheet = Plate {
@@ -193,7 +193,7 @@ impl<'a> Session<'a> {
         let here = |beat: &usize| self.step_of(*beat) == Some(step);
         let beat = beat.or_else(|| self.beats().find(here));
         match beat.and_then(|beat| self.ground.beats.get(beat)) {
-            Some(beat) => (told(&beat.title, event), told(&beat.text(event), event)),
+            Some(beat) => (told(&beat.title, event), said(beat, &self.play, step, Medium::Paper)),
             None => {
                 let volume = VolumeName::of(&self.play.structure);
                 (capitalised(&short(event, volume)), sentence(event, volume))

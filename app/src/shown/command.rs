@@ -31,6 +31,8 @@ pub enum Command {
     Predict,
     /// Give the answer with this number, from 0.
     Answer(u8),
+    /// Do what the text offers, the first, the second ...
+    Offer(u8),
     /// Go on without an answer.
     Skip,
     /// Whether → waits at an open question.

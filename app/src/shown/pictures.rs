@@ -90,7 +90,7 @@ impl Pictures {
         figures.entry(key).or_insert_with(|| {
             let reel = playback.reel();
             let still = reel.still(instant);
-            let lines = lines(code, still.fact(), mistake);
+            let lines = lines(code, &playback.play, still.step(), mistake);
             let space = space.as_deref();
             let ask = Ask { hide: asking, view: Some(view), lines: &lines, beside, space, ..Ask::new(size, *look) };
             still.draw(pane, &ask)

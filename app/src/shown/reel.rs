@@ -1,8 +1,10 @@
 //! What lessons play, as the figures take it.
 
-use raystep_accel::Mistake;
-use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Walk};
-use raystep_lesson::{Listing, Play, Plays, Show, Tape};
+use std::borrow::Cow;
+
+use raystep_accel::{Mistake, Place, Value};
+use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, told};
+use raystep_lesson::{Beat, Facts, Listing, Medium, Play, Plays, Show, Tape};
 
 /// What a play is shown as: the only place that knows which kind that is.
 pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
@@ -10,7 +12,7 @@ pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
     match &play.tape {
         Tape::Walk(walk) => Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
         Tape::Build(build) => {
-            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: build.lost, flat })
+            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, flat })
         }
     }
 }
@@ -23,18 +25,53 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
     }
 }
 
-/// The lines of a listing, the one marked that shows the event, and the one where a mistake is made beside.
+/// What a beat says at a step, its numbers filled in.
+pub(crate) fn said(beat: &Beat, play: &Play, step: usize, medium: Medium) -> String {
+    Facts::at(play, step).map_or_else(String::new, |facts| told(&beat.text(&facts, medium), &Known(facts)))
+}
+
+/// What a slide knows at a step, for the figures' templates.
+struct Known<'a>(Facts<'a>);
+
+impl Fact for Known<'_> {
+    fn name(&self) -> &'static str {
+        self.0.event().name()
+    }
+
+    fn place(&self) -> Place {
+        self.0.event().place()
+    }
+
+    fn field(&self, name: &str) -> Option<Value> {
+        self.0.field(name)
+    }
+
+    fn symbol(&self) -> Option<Symbol> {
+        self.0.event().symbol()
+    }
+
+    fn short(&self, volume: VolumeName) -> Cow<'static, str> {
+        self.0.event().short(volume)
+    }
+
+    fn sentence(&self, volume: VolumeName) -> String {
+        self.0.event().sentence(volume)
+    }
+}
+
+/// The lines of a listing, the one marked that shows the event of the step, and the one where a mistake is made beside.
 pub(crate) fn lines<'a>(
     code: Option<&'a Listing>,
-    event: Option<&dyn Fact>,
+    play: &Play,
+    step: usize,
     mistake: Option<Mistake>,
 ) -> Vec<ListingLine<'a>> {
     let Some(code) = code else { return Vec::new() };
     let made = mistake.and_then(|mistake| {
         let (event, instead) = mistake.instead();
-        Some((code.line_of(event)?, instead))
+        Some((code.line_named(event)?, instead))
     });
-    let current = event.and_then(|event| code.line_of(event.name()));
+    let current = Facts::at(play, step).and_then(|facts| code.line_of(&facts));
     let lines = code.lines.iter().enumerate();
     lines
         .map(|(index, line)| ListingLine {

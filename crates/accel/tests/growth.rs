@@ -157,3 +157,49 @@ fn builders_give_up_when_told() {
         assert_eq!(Structure::build(&mesh, &rule, &mut GivesUp), Err(Cancelled), "{kind}");
     }
 }
+
+#[test]
+fn what_is_weighed_says_where_its_cost_comes_from() {
+    let mesh = mesh(5, 120);
+    let lines = [
+        "kd split=sah",
+        "kd split=median",
+        "kd split=sah empty_bonus=0.5 traversal_cost=3 intersection_cost=7",
+        "bsp",
+        "bvh split=sweep",
+        "bvh split=binned",
+        "bvh split=middle",
+        "bvh split=median",
+    ];
+    for line in lines {
+        for rule in [rule(line), rule(line).flat()] {
+            let mut events: Vec<Grow> = Vec::new();
+            Structure::build(&mesh, &rule, &mut events).unwrap();
+            let weighed = events.iter().filter(|event| matches!(event, Grow::Weigh { .. }));
+            assert!(weighed.clone().next().is_some(), "{line}");
+            for event in weighed {
+                let &Grow::Weigh {
+                    below,
+                    above,
+                    size,
+                    size_below,
+                    size_above,
+                    p_below,
+                    p_above,
+                    step,
+                    test,
+                    bonus,
+                    cost,
+                    ..
+                } = event
+                else {
+                    continue;
+                };
+                assert_eq!((p_below, p_above), (size_below / size, size_above / size), "{line}: {event:?}");
+                assert_eq!(bonus < 1.0, line.starts_with("kd") && (below == 0 || above == 0), "{line}: {event:?}");
+                let sum = bonus * (step + test * (p_below * below as f32 + p_above * above as f32));
+                assert!((sum - cost).abs() <= 1e-6 * cost.abs(), "{line}: {sum}: {event:?}");
+            }
+        }
+    }
+}

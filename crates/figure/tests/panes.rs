@@ -132,7 +132,7 @@ fn a_build_shows_what_it_weighs() {
     let played = Played::new("kd", &[("min_objects", "1")]);
     let step = played.grown.iter().position(|event| matches!(event, Grow::Split { .. })).unwrap() + 1;
     let moment = GrowMoment::at(&played.grown, step);
-    check("build_costs", &costs(&moment, false, Vec2::new(440.0, 150.0), &LOOK));
+    check("build_costs", &costs(&moment, VolumeName::of(&played.structure), false, Vec2::new(440.0, 150.0), &LOOK));
     check("build_tree", &tree_of_build(&moment, &TreeView::default(), Vec2::new(400.0, 150.0), &LOOK));
 }
 
@@ -141,7 +141,8 @@ fn planes_of_all_directions_are_candidates_side_by_side() {
     let played = Played::new("bsp", &[("min_objects", "1"), ("samples", "2")]);
     let step = played.grown.iter().position(|event| matches!(event, Grow::Split { .. })).unwrap() + 1;
     let moment = GrowMoment::at(&played.grown, step);
-    check("build_candidates", &costs(&moment, false, Vec2::new(440.0, 150.0), &LOOK));
+    let volume = VolumeName::of(&played.structure);
+    check("build_candidates", &costs(&moment, volume, false, Vec2::new(440.0, 150.0), &LOOK));
 }
 
 #[test]

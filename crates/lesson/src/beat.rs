@@ -1,8 +1,6 @@
 //! A beat: a heading of a slide, and the event it waits for.
 
-use raystep_accel::Event;
-
-use crate::{Ask, Spot, Wait, wait};
+use crate::{Ask, Condition, Facts, Offer, Spot, Wait, template};
 
 /// The walk plays on to the next such event, and this is said there.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,6 +9,8 @@ pub struct Beat {
     pub title: String,
     /// What it waits for.
     pub at: Wait,
+    /// What it waits for on the solid stage, if that is another one of the same events.
+    pub at_solid: Option<Wait>,
     /// The ray it wants; none for the one before it.
     pub ray: Option<String>,
     /// What it says.
@@ -26,22 +26,58 @@ pub struct Beat {
 /// Part of a beat's text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Paragraph {
-    /// Markdown with `{{field}}` of the event, and formulas between `$` or `$$`.
+    /// Markdown with `{{fact}}`, and formulas between `$` or `$$`.
     pub text: String,
-    /// Said only if this field has this value, or the `event` this name.
-    pub only_if: Option<(String, String)>,
+    /// Said only if this holds.
+    pub only_if: Option<Condition>,
+    /// Said only here.
+    pub only_in: Option<Medium>,
+    /// What it offers to do, in the window.
+    pub offers: Vec<Offer>,
     /// Where it begins.
     pub(crate) spot: Spot,
 }
 
+/// Where a text is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Medium {
+    /// In a window, where something can be done about it.
+    Window,
+    /// On paper, which shows what it has to show.
+    Paper,
+}
+
 impl Beat {
-    /// What the beat says at its event: Markdown, its `{{field}}` not yet filled in.
-    pub fn text(&self, event: &Event) -> String {
-        let said = |paragraph: &&Paragraph| match &paragraph.only_if {
-            None => true,
-            Some((field, name)) if field == "event" => wait::names(name, event.name()),
-            Some((field, text)) => event.field(field).is_some_and(|value| wait::says(&value, text)),
-        };
-        self.paragraphs.iter().filter(said).map(|paragraph| paragraph.text.as_str()).collect::<Vec<_>>().join("\n\n")
+    /// What it waits for in a flat scene, or in a solid one.
+    pub fn wait(&self, flat: bool) -> &Wait {
+        self.at_solid.as_ref().filter(|_| !flat).unwrap_or(&self.at)
+    }
+
+    /// What the beat says at its event: Markdown, its `{{fact}}` not yet filled in.
+    pub fn text(&self, facts: &Facts<'_>, medium: Medium) -> String {
+        let said = self.said(facts, medium).map(|paragraph| paragraph.text.as_str()).filter(|text| !text.is_empty());
+        said.collect::<Vec<_>>().join("\n\n")
+    }
+
+    /// What the beat offers to do at its event, in the window.
+    pub fn offers(&self, facts: &Facts<'_>) -> impl Iterator<Item = &Offer> {
+        self.said(facts, Medium::Window).flat_map(|paragraph| &paragraph.offers)
+    }
+
+    fn said(&self, facts: &Facts<'_>, medium: Medium) -> impl Iterator<Item = &Paragraph> {
+        let here = move |paragraph: &&Paragraph| paragraph.only_in.is_none_or(|only| only == medium);
+        self.paragraphs.iter().filter(here).filter(|paragraph| paragraph.is_said(facts))
+    }
+}
+
+impl Paragraph {
+    /// Whether it is said: its condition holds, and all that it names has happened.
+    fn is_said(&self, facts: &Facts<'_>) -> bool {
+        self.only_if.as_ref().is_none_or(|condition| condition.holds(facts)) && self.is_known(facts)
+    }
+
+    /// Whether all that it names has happened.
+    pub(crate) fn is_known(&self, facts: &Facts<'_>) -> bool {
+        template::named(&self.text).all(|name| facts.field(name).is_some())
     }
 }

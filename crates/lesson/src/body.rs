@@ -4,7 +4,7 @@ use crate::attributes::{self, Attribute};
 use crate::problem::misspelt;
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{About, Ask, Beat, Paragraph, Plays, Reason, Wait, template, wait};
+use crate::{About, Ask, Beat, Condition, Medium, Paragraph, Plays, Reason, Wait, offer, template, wait};
 
 /// A line of the body with the byte where it begins.
 type Line<'a> = (usize, &'a str);
@@ -27,11 +27,12 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     if title.trim().is_empty() {
         reading.problem(at, "the heading has no title: write `## Title {at=event}`");
     }
-    let (mut waits, mut ray) = (None, None);
+    let (mut waits, mut solid, mut ray) = (None, None, None);
     let mut fields = Vec::new();
     for Attribute { key, key_at, value, value_at } in braces {
         match key.as_str() {
             "at" => waits = Some((value_at, value)),
+            "solid" => solid = Some((value_at, value)),
             "ray" if reading.plays == Plays::Build => {
                 reading.problem(key_at, "a build has no rays: its beats name none");
             }
@@ -44,9 +45,10 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
         return None;
     };
     let mut at_event = wait::parse(&event, wait_at, reading)?;
+    let mut at_solid = solid.and_then(|(at, event)| wait_on_solid(&event, at, &at_event, reading));
     for (key_at, key, value) in fields {
         if check_condition(&at_event, &key, key_at, reading) {
-            at_event.fields.push((key, value));
+            at_solid.iter_mut().chain([&mut at_event]).for_each(|wait| wait.fields.push((key.clone(), value.clone())));
         }
     }
 
@@ -54,6 +56,7 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     let mut beat = Beat {
         title: title.trim().to_owned(),
         at: at_event,
+        at_solid,
         ray,
         paragraphs: Vec::new(),
         ask: None,
@@ -66,12 +69,23 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     Some(beat)
 }
 
+/// What a beat waits for on the solid stage: its text is about the same event.
+fn wait_on_solid(text: &str, at: usize, flat: &Wait, reading: &mut Reading<'_>) -> Option<Wait> {
+    let wait = wait::parse(text, at, reading)?;
+    if wait.event != flat.event {
+        let event = &flat.event;
+        reading.problem(at, format!("`solid` waits for the same event, another time: `at={event} solid={event}#9`"));
+        return None;
+    }
+    Some(wait)
+}
+
 /// A heading's condition is a field of the event it waits for; anything else is a misspelt attribute.
 fn check_condition(at: &Wait, key: &str, key_at: usize, reading: &mut Reading<'_>) -> bool {
     let known = reading.plays.fields(&at.event);
     let good = known.contains(&key);
     if !good {
-        let allowed: Vec<&str> = ["at", "ray"].into_iter().chain(known).collect();
+        let allowed: Vec<&str> = ["at", "solid", "ray"].into_iter().chain(known).collect();
         reading.problem(key_at, misspelt("attribute of a heading", key, &allowed));
     }
     good
@@ -88,8 +102,8 @@ fn read_block(block: &[Line<'_>], beat: &mut Beat, reading: &mut Reading<'_>) {
             }
             beat.ask = ask(&quote(block), &beat.at.event, reading);
         }
-        Some(text) if text.starts_with("if ") => beat.paragraphs.extend(conditional(&quote(block), &beat.at, reading)),
-        _ => beat.paragraphs.push(paragraph(block, None, &beat.at.event, reading)),
+        Some(text) if depends(text) => beat.paragraphs.extend(dependent(&quote(block), &beat.at, reading)),
+        _ => beat.paragraphs.push(paragraph(block, None, None, &beat.at.event, reading)),
     }
 }
 
@@ -106,33 +120,64 @@ fn quote<'a>(block: &[Line<'a>]) -> Vec<Line<'a>> {
 /// Plain text.
 fn paragraph(
     lines: &[Line<'_>],
-    only_if: Option<(String, String)>,
+    only_if: Option<Condition>,
+    only_in: Option<Medium>,
     event: &str,
     reading: &mut Reading<'_>,
 ) -> Paragraph {
-    check_fields(lines, event, reading);
+    let mut offers = Vec::new();
+    let mut said = Vec::new();
+    for &(at, line) in lines {
+        template::check_said(line, at, event, reading);
+        if only_in == Some(Medium::Window) {
+            let (text, found) = offer::take(line, at, reading);
+            said.extend(Some(text).filter(|text| !text.is_empty()));
+            offers.extend(found);
+            continue;
+        }
+        if offer::is_in(line) {
+            reading.problem(at, "only the window can do that: write `> window: [words](set:key=value)`");
+        }
+        if only_in != Some(Medium::Paper) && template::named(line).any(|name| name.starts_with("beside.")) {
+            reading.problem(at, "what is played beside is told on paper: write `> paper: text`");
+        }
+        said.push(line.trim_end().to_owned());
+    }
     let spot = reading.spot(lines.first().map_or(0, |(at, _)| *at));
-    Paragraph { text: joined(lines), only_if, spot }
+    Paragraph { text: said.join("\n"), only_if, only_in, offers, spot }
 }
 
-/// `if verdict=miss: text`
-fn conditional(lines: &[Line<'_>], at: &Wait, reading: &mut Reading<'_>) -> Option<Paragraph> {
+/// Where a paragraph may be said alone, as it is written.
+const MEDIA: [(&str, Medium); 2] = [("window", Medium::Window), ("paper", Medium::Paper)];
+
+/// Whether a block quote says when, or where, it is said.
+fn depends(text: &str) -> bool {
+    let medium = |(name, _): &(&str, Medium)| {
+        text.strip_prefix(name).is_some_and(|rest| rest.starts_with(':') || rest.starts_with(" if "))
+    };
+    text.starts_with("if ") || MEDIA.iter().any(medium)
+}
+
+/// `if verdict=miss: text`, `window: text`, `paper if hit=yes: text`
+fn dependent(lines: &[Line<'_>], at: &Wait, reading: &mut Reading<'_>) -> Option<Paragraph> {
     let (start, first) = lines[0];
-    let condition = first.strip_prefix("if ").unwrap_or(first);
-    let condition_at = start + first.len() - condition.len();
-    let parts = condition.split_once(':').and_then(|(test, text)| Some((test.split_once('=')?, text)));
-    let Some(((field, value), text)) = parts else {
-        reading.problem(start, "write `> if field=value: text`");
+    let Some((test, text)) = first.split_once(':') else {
+        reading.problem(start, "write `> if field=value: text`, `> window: text` or `> paper: text`");
         return None;
     };
-    if field.trim() == "event" {
-        check_event(value.trim(), condition_at, reading);
-    } else {
-        check_field(&at.event, field.trim(), condition_at, reading);
-    }
+    let medium = MEDIA.iter().find(|(name, _)| test.starts_with(name));
+    let condition = test.trim_start_matches(medium.map_or("", |(name, _)| name)).trim_start();
+    let only_if = match condition.strip_prefix("if ") {
+        Some(test) => {
+            let test_at = start + (test.as_ptr() as usize - first.as_ptr() as usize);
+            Some(Condition::read(test, &at.event, test_at, reading)?)
+        }
+        None => None,
+    };
     let mut said = lines.to_vec();
-    said[0] = (start + first.len() - text.len(), text.trim_start());
-    Some(paragraph(&said, Some((field.trim().to_owned(), value.trim().to_owned())), &at.event, reading))
+    said[0] = (start + first.len() - text.trim_start().len(), text.trim_start());
+    let event = only_if.as_ref().and_then(Condition::event).unwrap_or(&at.event).to_owned();
+    Some(paragraph(&said, only_if, medium.map(|(_, medium)| *medium), &event, reading))
 }
 
 /// `ask {field=near}: question`, then `- answer: reason` lines.

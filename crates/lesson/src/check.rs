@@ -1,16 +1,21 @@
 //! Checks the lessons by playing them: every slide on each of its stages with each of its rays.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
-use raystep_accel::{Event, Value};
+use raystep_accel::{Event, Rule, Value};
 use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
-use crate::{About, Ask, Beat, Built, Library, Listing, Play, Plays, Problem, Slide, Spot, Stage, StageKind, names};
+use crate::{
+    About, Act, Ask, Beat, Built, Facts, Library, Listing, Plan, Play, Plays, Problem, Slide, Spot, Stage, StageKind,
+    condition, names,
+};
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well.
 pub fn check(library: &Library) -> Vec<Problem> {
-    let mut checker = Checker { library, problems: library.problems.clone(), built: HashMap::new() };
+    let mut checker =
+        Checker { library, problems: library.problems.clone(), built: HashMap::new(), said: HashSet::new() };
     for slide in &library.slides {
         checker.slide(slide);
     }
@@ -24,6 +29,8 @@ struct Checker<'a> {
     problems: Vec<Problem>,
     /// What was built before: slides share scenes and structures.
     built: HashMap<String, Option<Built>>,
+    /// Where the paragraphs of the slide begin that can be said somewhere.
+    said: HashSet<Spot>,
 }
 
 impl Checker<'_> {
@@ -38,10 +45,62 @@ impl Checker<'_> {
             let known: Vec<&str> = library.listings.iter().map(|listing| listing.name.as_str()).collect();
             self.say(slide, slide.listing_spot, misspelt("listing", &slide.listing, &known));
         }
+        self.said.clear();
+        let mut played = true;
         for stage in &slide.stages {
             self.beat_rays(slide, stage);
-            if let Some(built) = self.build(slide, stage) {
-                self.stage(slide, stage, listing, &built);
+            self.offers(slide, stage);
+            match self.build(slide, stage) {
+                Some(built) => self.stage(slide, stage, listing, &built),
+                None => played = false,
+            }
+        }
+        if played && self.readable(slide) {
+            self.silence(slide);
+        }
+    }
+
+    /// Whether the file could be read in full: else beats that are left may miss those before them.
+    fn readable(&self, slide: &Slide) -> bool {
+        self.library.problems.iter().all(|problem| problem.file != slide.file)
+    }
+
+    /// Of every paragraph, all that it names happens somewhere.
+    fn silence(&mut self, slide: &Slide) {
+        let paragraphs = slide.beats.iter().flat_map(|beat| &beat.paragraphs);
+        let silent: Vec<Spot> = paragraphs.map(|paragraph| paragraph.spot).filter(|s| !self.said.contains(s)).collect();
+        for spot in silent {
+            let what = if slide.plays == Plays::Build { "build" } else { "ray" };
+            self.say(
+                slide,
+                spot,
+                format!("this is never said: on no {what} of the slide has all happened that it names"),
+            );
+        }
+    }
+
+    /// What a beat offers can be done on the stage.
+    fn offers(&mut self, slide: &Slide, stage: &Stage) {
+        let paragraphs = slide.beats.iter().flat_map(|beat| &beat.paragraphs);
+        let offers = paragraphs.flat_map(|paragraph| paragraph.offers.iter().map(|offer| (offer, paragraph.spot)));
+        for (offer, spot) in offers.collect::<Vec<_>>() {
+            match &offer.act {
+                Act::Set(settings) => {
+                    let Ok(mut rule) = Rule::default_for(&stage.plan.kind) else { continue };
+                    for error in settings.iter().filter_map(|(key, value)| rule.set(key, value).err()) {
+                        self.say(slide, spot, error.to_string());
+                    }
+                }
+                Act::Compare(kind) if slide.plays == Plays::Build || *kind == stage.plan.kind => {
+                    self.say(slide, spot, format!("there is nothing to compare with `{kind}` here"));
+                }
+                Act::Compare(_) => {}
+                Act::Slide(id) if self.library.slide(id).is_none() => {
+                    let known: Vec<String> = self.library.slides.iter().map(Slide::id).collect();
+                    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+                    self.say(slide, spot, misspelt("slide", id, &known));
+                }
+                Act::Slide(_) => {}
             }
         }
     }
@@ -72,39 +131,43 @@ impl Checker<'_> {
         }
         // Every wrong parameter, not only the first.
         let mut good = true;
-        match raystep_accel::Rule::default_for(&stage.plan.kind) {
-            Ok(mut rule) => {
-                for setting in &stage.plan.settings {
-                    if let Err(error) = rule.set(&setting.key, &setting.value) {
-                        self.say(slide, setting.spot, error.to_string());
-                        good = false;
+        for plan in std::iter::once(&stage.plan).chain(&stage.beside) {
+            match Rule::default_for(&plan.kind) {
+                Ok(mut rule) => {
+                    for setting in &plan.settings {
+                        if let Err(error) = rule.set(&setting.key, &setting.value) {
+                            self.say(slide, setting.spot, error.to_string());
+                            good = false;
+                        }
                     }
                 }
-            }
-            Err(error) => {
-                self.say(slide, stage.plan.spot, error.to_string());
-                good = false;
+                Err(error) => {
+                    self.say(slide, plan.spot, error.to_string());
+                    good = false;
+                }
             }
         }
         if !good {
             return None;
         }
-        let key = format!(
-            "{} {} {} {:?}",
-            slide.plays.name(),
-            stage.scene,
-            stage.plan.kind,
-            stage.plan.settings.iter().map(|s| (&s.key, &s.value)).collect::<Vec<_>>()
-        );
-        self.built.entry(key).or_insert_with(|| stage.build(slide.plays).ok()).clone()
+        let own = || stage.build(slide.plays).ok();
+        self.built.entry(key(slide, stage, &stage.plan)).or_insert_with(own).clone()
+    }
+
+    /// The structure beside, if the stage has one.
+    fn build_beside(&mut self, slide: &Slide, stage: &Stage, built: &Built) -> Option<Built> {
+        let scene: &Arc<Scene> = &built.scene;
+        let beside = || stage.build_beside(scene, slide.plays).ok().flatten();
+        self.built.entry(key(slide, stage, stage.beside.as_ref()?)).or_insert_with(beside).clone()
     }
 
     /// Plays every ray of a stage, or its build.
     fn stage(&mut self, slide: &Slide, stage: &Stage, listing: Option<&Listing>, built: &Built) {
-        // Of a file that could not be read in full, the beats that are left may miss those before them.
-        let readable = self.library.problems.iter().all(|problem| problem.file != slide.file);
+        let readable = self.readable(slide);
+        let beside = self.build_beside(slide, stage, built);
         if slide.plays == Plays::Build {
-            let Some(play) = built.play(None, &slide.beats) else { return };
+            let Some(play) = built.play_with(beside.as_ref(), None, &slide.beats) else { return };
+            self.hear(slide, &play);
             let what = format!("in the build of the {} stage", stage.kind.name());
             for (index, beat) in slide.beats.iter().enumerate() {
                 self.values(slide, beat, &play);
@@ -114,7 +177,8 @@ impl Checker<'_> {
             }
         }
         for ray in &stage.rays {
-            let Some(play) = built.play(Some(ray.ray), &slide.beats) else { continue };
+            let Some(play) = built.play_with(beside.as_ref(), Some(ray.ray), &slide.beats) else { continue };
+            self.hear(slide, &play);
             for promise in &ray.promises {
                 if promise.step(&play.tape, 0, play.scene.flat).is_none() {
                     self.say(
@@ -134,6 +198,15 @@ impl Checker<'_> {
         }
     }
 
+    /// Keeps which paragraphs can be said.
+    fn hear(&mut self, slide: &Slide, play: &Play) {
+        for (beat, step) in slide.beats.iter().zip(&play.beats) {
+            let Some(facts) = step.and_then(|step| Facts::at(play, step)) else { continue };
+            let said = beat.paragraphs.iter().filter(|paragraph| paragraph.is_known(&facts));
+            self.said.extend(said.map(|paragraph| paragraph.spot));
+        }
+    }
+
     /// A beat where it belongs, `what`: it happens, its listing shows it, and there is something to ask.
     fn beat(
         &mut self,
@@ -144,17 +217,18 @@ impl Checker<'_> {
         play: &Play,
         listing: Option<&Listing>,
     ) {
-        let Some((step, event)) = step.and_then(|step| Some((step, play.event(step)?))) else {
-            let seen = play.tape.events().filter(|event| beat.at.matches(event)).count();
+        let wait = beat.wait(play.scene.flat);
+        let Some((step, facts)) = step.and_then(|step| Some((step, Facts::at(play, step)?))) else {
+            let seen = play.tape.events().filter(|event| wait.matches(event)).count();
             let message = format!(
-                "`{}` never happens {what} after the beat before it{}",
-                beat.at,
+                "`{wait}` never happens {what} after the beat before it{}",
                 if seen > 0 { format!(" (in the whole {}: {seen})", slide.plays.name()) } else { String::new() },
             );
             self.say(slide, beat.spot, message);
             return;
         };
-        if let Some(listing) = listing.filter(|listing| listing.line_of(event.name()).is_none()) {
+        let event = facts.event();
+        if let Some(listing) = listing.filter(|listing| listing.line_of(&facts).is_none()) {
             self.say(slide, beat.spot, format!("the listing `{}` has no line for `{}`", listing.name, event.name()));
         }
         if let Some(ask) = &beat.ask {
@@ -162,7 +236,7 @@ impl Checker<'_> {
             if choices.len() < 2 || !choices.iter().any(|choice| choice.right) {
                 self.say(slide, ask.spot, format!("there is nothing to choose between {what}"));
             }
-            self.reasons(slide, ask, play, &event);
+            self.reasons(slide, ask, play, event);
         }
     }
 
@@ -202,18 +276,42 @@ impl Checker<'_> {
 
     /// Conditions compare fields with values that they can have.
     fn values(&mut self, slide: &Slide, beat: &Beat, play: &Play) {
-        let conditions = beat.at.fields.iter().map(|condition| (condition, beat.spot));
-        let paragraphs = beat.paragraphs.iter().filter_map(|p| Some((p.only_if.as_ref()?, p.spot)));
-        let Some(event) = play.tape.events().find(|event| names(&beat.at.event, event.name())) else { return };
-        for ((field, text), spot) in conditions.chain(paragraphs).collect::<Vec<_>>() {
-            let Some(value) = event.field(field) else { continue };
+        let waits = std::iter::once(&beat.at).chain(&beat.at_solid).flat_map(|wait| &wait.fields);
+        let waits = waits.map(|(field, text)| (field.as_str(), text.as_str(), beat.spot));
+        let conditions = beat.paragraphs.iter().filter_map(|p| Some((p.only_if.as_ref()?, p.spot)));
+        let words = conditions.clone().flat_map(|(all, spot)| all.words().map(move |(fact, text)| (fact, text, spot)));
+        for (fact, text, spot) in waits.chain(words) {
+            let Some(value) = example(beat, fact, play) else { continue };
             let allowed = spellings(&value);
-            if !allowed.is_empty() && !allowed.contains(&text.as_str()) {
-                let message = format!("`{field}` is never `{text}`: it can be {}", listed(&allowed));
+            if !allowed.is_empty() && !allowed.contains(&text) {
+                let message = format!("`{fact}` is never `{text}`: it can be {}", listed(&allowed));
                 self.say(slide, spot, message);
             }
         }
+        for (fact, spot) in conditions.flat_map(|(all, spot)| all.numbers().map(move |fact| (fact, spot))) {
+            if example(beat, fact, play).is_some_and(|value| condition::number_of(&value).is_none()) {
+                self.say(slide, spot, format!("`{fact}` is no number: it can only be asked whether it `=` a word"));
+            }
+        }
     }
+}
+
+/// What is built, in words: slides share it.
+fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
+    let settings: Vec<_> = plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
+    format!("{} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
+}
+
+/// Some value of a fact of a beat, wherever in the play it is one.
+fn example(beat: &Beat, fact: &str, play: &Play) -> Option<Value> {
+    let (event, field) = match fact.rsplit_once('.') {
+        Some(("count" | "beside.count", _)) => return Some(Value::Count(0)),
+        // `count.slab.divide`: what is counted has a name of two words.
+        Some((event, _)) if event.starts_with("count.") || event.starts_with("beside.") => return None,
+        Some((event, field)) => (event, field),
+        None => (beat.at.event.as_str(), fact),
+    };
+    play.tape.events().find(|other| names(event, other.name()))?.field(field)
 }
 
 /// How a field's values are spelt, where there are but a few.

@@ -103,7 +103,7 @@ fn stage_in_head(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Stage
 /// One stage.
 fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Stage> {
     let scene = keys.need::<String>("scene", reading);
-    let plan = match keys.table("structure", reading) {
+    let own = match keys.table("structure", reading) {
         Some(mut table) => plan(&mut table, reading),
         None => {
             reading.problem(keys.at(), "`structure` is missing: write `structure = { kind = \"kd\" }`");
@@ -114,13 +114,15 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
         Plays::Walk => rays(keys, reading),
         Plays::Build => no_rays(keys, reading),
     };
+    let beside = keys.table("beside", reading).and_then(|mut table| plan(&mut table, reading));
+    reading.beside |= beside.is_some();
     let camera = keys.table("camera", reading).and_then(|mut table| {
         let look = look(kind, &mut table, reading);
         table.finish(reading);
         look
     });
     let (scene_at, scene) = scene?;
-    Some(Stage { kind, scene, plan: plan?, rays, camera, scene_spot: reading.spot(scene_at) })
+    Some(Stage { kind, scene, plan: own?, beside, rays, camera, scene_spot: reading.spot(scene_at) })
 }
 
 /// `{ kind = "kd", max_depth = 6 }`

@@ -2,7 +2,7 @@
 
 use crate::reading::Reading;
 use crate::vocabulary::check_event;
-use crate::{Plays, Problem, template, wait};
+use crate::{Condition, Facts, Plays, Problem, template, wait};
 
 /// An algorithm in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,19 +24,34 @@ pub struct Line {
     pub text: String,
     /// The events it shows: names, or the beginnings of names.
     pub events: Vec<String>,
+    /// It shows them only if this holds.
+    pub only_if: Option<Condition>,
     /// The line again with this step's numbers: text with `{{field}}`.
     pub values: Option<String>,
 }
 
 impl Listing {
-    /// The line that shows an event; of several, the one with the longest label, then the first.
-    pub fn line_of(&self, event: &str) -> Option<usize> {
+    /// The line that shows the event of a step; of several, the one with the longest label, then one with a
+    /// condition, then the first.
+    pub fn line_of(&self, facts: &Facts<'_>) -> Option<usize> {
+        let event = facts.event().name();
+        let label = |line: &Line| {
+            let length = line.events.iter().filter(|e| wait::names(e, event)).map(String::len).max()?;
+            let holds = line.only_if.as_ref().is_none_or(|condition| condition.holds(facts));
+            holds.then_some((length, line.only_if.is_some()))
+        };
+        let fits = self.lines.iter().enumerate().filter_map(|(index, line)| Some((index, label(line)?)));
+        fits.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(index, _)| index)
+    }
+
+    /// The first line that shows events of this name, whatever else it asks for.
+    pub fn line_named(&self, event: &str) -> Option<usize> {
         let label = |line: &Line| line.events.iter().filter(|e| wait::names(e, event)).map(String::len).max();
         let fits = self.lines.iter().enumerate().filter_map(|(index, line)| Some((index, label(line)?)));
         fits.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(index, _)| index)
     }
 
-    /// Reads `code | event event : values` line by line.
+    /// Reads `code | event event if condition : values` line by line.
     pub(crate) fn read(name: &str, file: &str, text: &str) -> (Listing, Vec<Problem>) {
         let mut reading = Reading::new(file, text);
         reading.plays = whose(&reading);
@@ -68,6 +83,10 @@ fn read_line(at: usize, line: &str, reading: &mut Reading<'_>) -> Line {
         None => (label, None),
     };
     let byte_of = |part: &str| at + (part.as_ptr() as usize - line.as_ptr() as usize);
+    let (names, condition) = match names.split_once(" if ") {
+        Some((names, condition)) => (names, Some(condition.trim())),
+        None => (names, None),
+    };
     let events: Vec<String> = names.split_whitespace().map(str::to_owned).collect();
     for word in names.split_whitespace() {
         check_event(word, byte_of(word), reading);
@@ -78,10 +97,13 @@ fn read_line(at: usize, line: &str, reading: &mut Reading<'_>) -> Line {
     if line.contains(" | ") && events.is_empty() {
         reading.problem(byte_of(label), "a label begins with the events that its line shows: `code | plane : {{t}}`");
     }
+    let only_if =
+        condition.and_then(|condition| Condition::read(condition, &events.join("|"), byte_of(condition), reading));
     Line {
         indent: (code.len() - code.trim_start().len()) / 2,
         text: code.trim().to_owned(),
         events,
+        only_if,
         values: values.map(|values| values.trim().to_owned()),
     }
 }

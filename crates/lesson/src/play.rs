@@ -17,6 +17,8 @@ pub struct Play {
     pub structure: Arc<Structure>,
     /// What happens, in order. Step `i` shows the state after the first `i` events.
     pub tape: Tape,
+    /// What is played beside it, if it is to be told of.
+    pub beside: Option<Tape>,
     /// For each beat of the slide the step at which it stands, if this tape reaches it.
     pub beats: Vec<Option<usize>>,
 }
@@ -66,22 +68,46 @@ impl Stage {
     /// # Errors
     /// An unknown scene, or a rule that cannot be followed.
     pub fn build(&self, plays: Plays) -> Result<Built, PlayError> {
-        let scene = Scene::named(&self.scene)?;
-        let rule = self.plan.rule(scene.flat)?;
-        let (structure, growth) = BuildTape::record(plays, &scene, &rule, &mut ())?;
-        Ok(Built { scene: Arc::new(scene), structure: Arc::new(structure), growth })
+        self.plan.build(&Arc::new(Scene::named(&self.scene)?), plays)
+    }
+
+    /// The structure beside, over the same scene, if the stage has one.
+    ///
+    /// # Errors
+    /// A rule that cannot be followed.
+    pub fn build_beside(&self, scene: &Arc<Scene>, plays: Plays) -> Result<Option<Built>, PlayError> {
+        self.beside.as_ref().map(|plan| plan.build(scene, plays)).transpose()
+    }
+}
+
+impl Plan {
+    /// The structure over a scene, with how it was built if that is to be played.
+    fn build(&self, scene: &Arc<Scene>, plays: Plays) -> Result<Built, PlayError> {
+        let rule = self.rule(scene.flat)?;
+        let (structure, growth) = BuildTape::record(plays, scene, &rule, &mut ())?;
+        Ok(Built { scene: scene.clone(), structure: Arc::new(structure), growth })
     }
 }
 
 impl Built {
     /// The build itself if it is to be played, else the walk of the ray; nothing where there is neither.
     pub fn play(&self, ray: Option<Ray>, beats: &[Beat]) -> Option<Play> {
-        let tape = match (&self.growth, ray) {
-            (Some(growth), _) => Tape::Build(growth.clone()),
-            (None, Some(ray)) => Tape::walk(&self.scene, &self.structure, ray),
-            (None, None) => return None,
-        };
-        Some(Play::new(self.scene.clone(), self.structure.clone(), tape, beats))
+        Some(Play::new(self.scene.clone(), self.structure.clone(), self.tape(ray)?, beats))
+    }
+
+    /// The same, with what is played beside it.
+    pub fn play_with(&self, beside: Option<&Built>, ray: Option<Ray>, beats: &[Beat]) -> Option<Play> {
+        let play = self.play(ray, beats)?;
+        Some(Play { beside: beside.and_then(|beside| beside.tape(ray)), ..play })
+    }
+
+    /// What happens.
+    fn tape(&self, ray: Option<Ray>) -> Option<Tape> {
+        match (&self.growth, ray) {
+            (Some(growth), _) => Some(Tape::Build(growth.clone())),
+            (None, Some(ray)) => Some(Tape::walk(&self.scene, &self.structure, ray)),
+            (None, None) => None,
+        }
     }
 }
 
@@ -89,7 +115,7 @@ impl Play {
     /// Looks up where on the tape the beats stand.
     pub fn new(scene: Arc<Scene>, structure: Arc<Structure>, tape: Tape, beats: &[Beat]) -> Play {
         let beats = steps(beats, &tape, scene.flat);
-        Play { scene, structure, tape, beats }
+        Play { scene, structure, tape, beside: None, beats }
     }
 
     /// The event that a step shows; none at step 0.
@@ -112,7 +138,7 @@ fn steps(beats: &[Beat], tape: &Tape, flat: bool) -> Vec<Option<usize>> {
         if index > 0 && beat.ray.is_some() {
             from = 0;
         }
-        let step = beat.at.step(tape, from, flat);
+        let step = beat.wait(flat).step(tape, from, flat);
         from = step.unwrap_or(from);
         step
     };

@@ -9,12 +9,14 @@ pub(crate) struct Reading<'a> {
     problems: Vec<Problem>,
     /// Whose events it names.
     pub(crate) plays: Plays,
+    /// Whether something is played beside it.
+    pub(crate) beside: bool,
 }
 
 impl<'a> Reading<'a> {
     /// Begins to read a file.
     pub(crate) fn new(file: &'a str, text: &'a str) -> Reading<'a> {
-        Reading { file, text, problems: Vec::new(), plays: Plays::default() }
+        Reading { file, text, problems: Vec::new(), plays: Plays::default(), beside: false }
     }
 
     /// Its lines without their ends, each with the byte where it begins.

@@ -146,6 +146,8 @@ pub struct Stage {
     pub scene: String,
     /// Which structure is built over it, and how.
     pub plan: Plan,
+    /// Which structure plays beside, for its numbers on paper.
+    pub beside: Option<Plan>,
     /// Its rays, at least two, the first the slide's own; none where a build is played.
     pub rays: Vec<NamedRay>,
     /// Where it is seen from, if not as its scene says.

@@ -1,11 +1,12 @@
 //! What is played, event by event: a ray's walk, or the building of the structure.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Visit};
 use raystep_scene::Scene;
 
-use crate::Plays;
+use crate::{Plays, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -41,8 +42,8 @@ pub struct WalkTape {
 pub struct BuildTape {
     /// What the builder does.
     pub events: Vec<Grow>,
-    /// How many events more there were.
-    pub lost: u64,
+    /// How many events more there were, by their names.
+    pub lost: BTreeMap<&'static str, u64>,
     fine: usize,
     last: Option<Grain>,
 }
@@ -80,7 +81,7 @@ impl Tape {
     pub fn lost(&self) -> u64 {
         match self {
             Tape::Walk(walk) => walk.lost,
-            Tape::Build(build) => build.lost,
+            Tape::Build(build) => build.lost.values().sum(),
         }
     }
 
@@ -95,6 +96,16 @@ impl Tape {
     /// All events, in order.
     pub fn events(&self) -> impl DoubleEndedIterator<Item = Event> + '_ {
         (0..self.len()).filter_map(|index| self.event(index))
+    }
+
+    /// How many events of that name there are among the first `step`. Nothing if some were not kept.
+    pub(crate) fn count(&self, name: &str, step: usize) -> Option<u32> {
+        let kept = match self {
+            Tape::Walk(walk) => walk.lost == 0,
+            Tape::Build(build) => !build.lost.keys().any(|lost| names(name, lost)),
+        };
+        let counted = || self.events().take(step).filter(|event| names(name, event.name())).count() as u32;
+        kept.then(counted)
     }
 
     /// The build, if it is one.
@@ -147,7 +158,7 @@ impl Observer<Grow> for BuildTape {
             self.fine += usize::from(fine);
             self.last = Some(event.grain());
         } else {
-            self.lost += 1;
+            *self.lost.entry(event.name()).or_default() += 1;
         }
     }
 }

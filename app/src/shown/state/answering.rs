@@ -1,7 +1,7 @@
 //! Questions: which one is open, and what an answer does.
 
 use raystep_accel::Place;
-use raystep_lesson::Beat;
+use raystep_lesson::{Beat, Facts, Offer};
 
 use super::{Answered, State};
 use crate::shown::playback::Posed;
@@ -59,6 +59,14 @@ impl State {
                 self.go(step);
             }
         }
+    }
+
+    /// What the beat that this step belongs to offers to do, on the slide's own scene.
+    pub fn offers(&self) -> Vec<&Offer> {
+        let beat = self.beat().filter(|_| !self.view.is_elsewhere());
+        let known = beat.zip(self.playback.as_ref());
+        let facts = known.and_then(|((beat, step), playback)| Some((beat, Facts::at(&playback.play, step)?)));
+        facts.map_or_else(Vec::new, |(beat, facts)| beat.offers(&facts).collect())
     }
 
     /// Answers the open question by a click on a place, if that is an answer.

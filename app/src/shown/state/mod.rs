@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use raystep_accel::{Grain, Mistake, Place, Rule};
 use raystep_figure::Camera;
-use raystep_lesson::{Library, Slide, Stage, StageKind};
+use raystep_lesson::{Act, Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
 
 use super::beside::{Beside, Pace};
@@ -178,6 +178,7 @@ impl State {
                 self.answered = None;
             }
             Command::Answer(choice) => self.answer(usize::from(choice)),
+            Command::Offer(offer) => self.take_up(usize::from(offer)),
             Command::Skip => self.skip(),
             Command::Lock => self.locked = !self.locked,
             Command::Restore => self.restore(),
@@ -248,6 +249,20 @@ impl State {
         view.settings.retain(|(known, _)| known != key);
         view.settings.push((key.to_owned(), value.to_owned()));
         self.want(view, Landing::Keep);
+    }
+
+    /// Does what the beat offers, if it does.
+    fn take_up(&mut self, offer: usize) {
+        let Some(act) = self.offers().get(offer).map(|offer| offer.act.clone()) else { return };
+        match act {
+            Act::Set(settings) => settings.iter().for_each(|(key, value)| self.set(key, value)),
+            Act::Compare(kind) => self.compare(kind),
+            Act::Slide(id) => {
+                let slide = self.library.slide(&id).map(|slide| &slide.file);
+                let index = self.library.slides.iter().position(|other| Some(&other.file) == slide);
+                index.into_iter().for_each(|index| self.show_slide(index));
+            }
+        }
     }
 
     /// A mesh instead of the slide's scene, with a ray through it.

@@ -1,11 +1,12 @@
 //! The column at the left: what the slide says at this step, and its question.
 
 use egui::{Frame, Margin, RichText, ScrollArea, Ui};
-use raystep_figure::{Face, Role, Theme, sentence, told};
+use raystep_figure::{Face, Role, Theme, sentence};
+use raystep_lesson::Medium;
 
 use super::question;
 use crate::shown::command::Command;
-use crate::shown::reel::beginning;
+use crate::shown::reel::{beginning, said as said_by};
 use crate::shown::state::State;
 use crate::window::look::fonts::font;
 use crate::window::look::formulas::Formulas;
@@ -49,9 +50,9 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
 
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
     let says = state.playback().zip(event).map(|(playback, event)| sentence(&event, playback.reel().volume()));
+    let mut asked = None;
     match state.beat() {
         Some((beat, step)) => {
-            let at = state.playback().and_then(|playback| playback.event(step));
             let later = state.view.step > step;
             if beat.title != slide.title {
                 ui.add_space(2.0);
@@ -63,9 +64,10 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
                     }
                 });
             }
-            if let Some(at) = at {
-                prose.show(ui, formulas, &told(&beat.text(&at), &at));
+            if let Some(playback) = state.playback() {
+                prose.show(ui, formulas, &said_by(beat, &playback.play, step, Medium::Window));
             }
+            asked = offers(ui, state, 14.5);
             // Later events say what they do themselves.
             if later && let Some(says) = says {
                 said(ui, theme, &says);
@@ -77,7 +79,19 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
         },
     }
     ui.add_space(8.0);
-    question::show(ui, state, theme, formulas)
+    question::show(ui, state, theme, formulas).or(asked)
+}
+
+/// A button for each thing that the beat offers to do.
+pub(super) fn offers(ui: &mut Ui, state: &State, size: f32) -> Option<Command> {
+    let mut asked = None;
+    for (index, offer) in state.offers().into_iter().enumerate() {
+        let words = RichText::new(&offer.words).font(font(Face::Medium, size));
+        if ui.button(words).clicked() {
+            asked = Some(Command::Offer(index as u8));
+        }
+    }
+    asked
 }
 
 /// The sentence of an event that no beat speaks of.

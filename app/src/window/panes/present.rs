@@ -2,16 +2,18 @@
 
 use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
-use raystep_figure::{Face, Look, Role, Theme, sentence, stack_height, told};
+use raystep_figure::{Face, Look, Role, Theme, sentence, stack_height};
+use raystep_lesson::Medium;
 
 use super::columns::bytes;
 use super::figure::figure;
+use super::lesson::offers;
 use super::page::{Asked, Kept, Page};
 use super::stage;
 use crate::shown::command::Command;
 use crate::shown::pictures::{Pane, Pictures};
 use crate::shown::playback::Posed;
-use crate::shown::reel::beginning;
+use crate::shown::reel::{beginning, said as said_by};
 use crate::shown::words::{label, question_text, reason};
 use crate::window::look::fonts::font;
 use crate::window::look::formulas::Formulas;
@@ -158,11 +160,12 @@ fn said(ui: &mut Ui, page: Page<'_>, formulas: &mut Formulas, body: f32) -> Opti
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
     let opening = state.slide().map_or("", |slide| beginning(slide.plays));
     match state.beat().filter(|(_, step)| *step == state.view.step) {
-        Some((beat, _)) => {
+        Some((beat, step)) => {
             ui.label(RichText::new(&beat.title).font(font(Face::Medium, body * 1.1)).color(ink(theme, Role::Text)));
-            if let Some(event) = event {
-                prose.show(ui, formulas, &told(&beat.text(&event), &event));
+            if let Some(playback) = state.playback() {
+                prose.show(ui, formulas, &said_by(beat, &playback.play, step, Medium::Window));
             }
+            return offers(ui, state, body * 0.8);
         }
         None => {
             let says = state.playback().zip(event);

@@ -53,15 +53,7 @@ pub(super) fn choose(
             }
             let plane = low + (high - low) * i as f32 / bins.len() as f32;
             let side = |bin: Bin| (bin.bounds.measure(measure), bin.count);
-            let cost = splitter.cost(part, side(below), side(above));
-            watch.on(Grow::Weigh {
-                node,
-                axis: axis.into(),
-                plane,
-                below: below.count as u32,
-                above: above.count as u32,
-                cost,
-            });
+            let cost = splitter.weigh(node, part, (axis, plane), [side(below), side(above)], watch);
             if best.is_none_or(|best| cost < best.cost) {
                 best = Some(Choice { axis, plane, below: below.count, cost });
             }

@@ -29,9 +29,9 @@ impl Splitter<'_> {
 
         let cut = self.divide(part, choice, watch)?;
         if halve || matches!(self.rule.split, BvhSplit::Middle | BvhSplit::Median) {
-            let Cut { axis, plane, cost, .. } = cut;
-            let (below, above) = (cut.below.len() as u32, cut.above.len() as u32);
-            watch.on(Grow::Weigh { node, axis: axis.into(), plane, below, above, cost });
+            let side = |part: &Part| (part.bounds.measure(self.rule.measure), part.len());
+            let sides = [side(&cut.below), side(&cut.above)];
+            self.weigh(node, part, (cut.axis, cut.plane), sides, watch);
         }
         Ok(cut)
     }

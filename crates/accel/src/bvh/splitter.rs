@@ -5,7 +5,7 @@ use std::ops::Range;
 use glam::Vec3;
 
 use crate::events::{patiently, sort_patiently};
-use crate::{Aabb, Axis, BvhRule, Cancelled, Grow, Observer, PrimId};
+use crate::{Aabb, Axis, BvhRule, Cancelled, Grow, NodeId, Observer, PrimId};
 
 /// The primitives of one node: a stretch of every order.
 pub(super) struct Part {
@@ -26,6 +26,17 @@ pub(super) struct Choice {
     pub(super) plane: f32,
     pub(super) below: usize,
     pub(super) cost: f32,
+}
+
+/// How large the box around a child's primitives is, and how many they are.
+pub(super) type Side = (f32, usize);
+
+/// What a division is expected to cost, and from what.
+struct Expected {
+    size: f32,
+    p_below: f32,
+    p_above: f32,
+    cost: f32,
 }
 
 /// A node divided.
@@ -90,11 +101,45 @@ impl<'a> Splitter<'a> {
     }
 
     /// What a ray that meets the node is expected to cost: one step, and the tests of each child times the
-    /// chance that the ray meets it (slide 53, as in the kd-tree).
-    pub(super) fn cost(&self, part: &Part, below: (f32, usize), above: (f32, usize)) -> f32 {
-        let whole = part.bounds.measure(self.rule.measure);
-        let chance = |measure: f32| if whole > 0.0 { measure / whole } else { 1.0 };
-        1.0 + chance(below.0) * below.1 as f32 + chance(above.0) * above.1 as f32
+    /// chance that the ray meets it (slide 53, as in the kd-tree). A step tests boxes, and counts as much as a test.
+    #[inline]
+    fn expect(&self, part: &Part, [below, above]: [Side; 2]) -> Expected {
+        let size = part.bounds.measure(self.rule.measure);
+        let chance = |side: f32| if size > 0.0 { side / size } else { 1.0 };
+        let (p_below, p_above) = (chance(below.0), chance(above.0));
+        let cost = 1.0 + p_below * below.1 as f32 + p_above * above.1 as f32;
+        Expected { size, p_below, p_above, cost }
+    }
+
+    /// Weighs a way to share out a node's primitives, and returns its cost.
+    #[inline]
+    pub(super) fn weigh(
+        &self,
+        node: NodeId,
+        part: &Part,
+        (axis, plane): (Axis, f32),
+        sides: [Side; 2],
+        watch: &mut impl Observer<Grow>,
+    ) -> f32 {
+        let Expected { size, p_below, p_above, cost } = self.expect(part, sides);
+        let [(size_below, below), (size_above, above)] = sides;
+        watch.on(Grow::Weigh {
+            node,
+            axis: axis.into(),
+            plane,
+            below: below as u32,
+            above: above as u32,
+            size,
+            size_below,
+            size_above,
+            p_below,
+            p_above,
+            step: 1.0,
+            test: 1.0,
+            bonus: 1.0,
+            cost,
+        });
+        cost
     }
 
     /// Reorders the node's stretches so that those below come first in each.
@@ -119,8 +164,9 @@ impl<'a> Splitter<'a> {
             }
         }
         let [low, high] = bounds;
-        let measure = |bounds: &Aabb| bounds.measure(self.rule.measure);
-        let cost = self.cost(part, (measure(&low), below), (measure(&high), part.len() - below));
+        let side = |bounds: &Aabb, count: usize| (bounds.measure(self.rule.measure), count);
+        let sides = [side(&low, below), side(&high, part.len() - below)];
+        let cost = self.expect(part, sides).cost;
         let (below, above) = (part.range.start..at, at..part.range.end);
         Ok(Cut {
             axis,

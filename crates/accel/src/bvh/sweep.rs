@@ -33,8 +33,8 @@ pub(super) fn choose(
             }
             below = below.union(splitter.boxes[order[i - 1] as usize]);
             let plane = splitter.center(order[i], axis);
-            let cost = splitter.cost(part, (below.measure(measure), i), (measures[i], n - i));
-            watch.on(Grow::Weigh { node, axis: axis.into(), plane, below: i as u32, above: (n - i) as u32, cost });
+            let sides = [(below.measure(measure), i), (measures[i], n - i)];
+            let cost = splitter.weigh(node, part, (axis, plane), sides, watch);
             if best.is_none_or(|best| cost < best.cost) {
                 best = Some(Choice { axis, plane, below: i, cost });
             }

@@ -36,8 +36,26 @@ vocabulary! {
         Open ["open"] { node: NodeId, bounds: Aabb, prims: u32, depth: u32 }
         /// The plane that is weighed or taken next: all points `p` with `normal · p = plane`. A primitive proposed it, or it is one of a given set.
         Normal ["normal"] { node: NodeId, normal_x: f32, normal_y: f32, normal_z: f32, plane: f32, from: Place }
-        /// A split was weighed: so many primitives below and above, at such a cost.
-        Weigh ["weigh"] { node: NodeId, axis: Direction, plane: f32, below: u32, above: u32, cost: f32 }
+        /// A split was weighed: so many primitives below and above. `size` is the surface area of the node's box, in a
+        /// flat scene its perimeter; a ray that meets it meets a side with the chance `p = size of the side / size`.
+        /// `step` is what going on to a child counts, `test` what a primitive counts, and `bonus` is 1 unless one side
+        /// is empty: `cost = bonus · (step + test · (p_below · below + p_above · above))`.
+        Weigh ["weigh"] {
+            node: NodeId,
+            axis: Direction,
+            plane: f32,
+            below: u32,
+            above: u32,
+            size: f32,
+            size_below: f32,
+            size_above: f32,
+            p_below: f32,
+            p_above: f32,
+            step: f32,
+            test: f32,
+            bonus: f32,
+            cost: f32,
+        }
         /// A split was taken; the children are `below` and `above`.
         Split ["split"] { node: NodeId, axis: Direction, plane: f32, below: NodeId, above: NodeId, cost: f32 }
         /// A primitive lies on both sides of the split just taken: both children refer to it.

@@ -95,7 +95,7 @@ vocabulary! {
         Ascend ["ascend"] { cell: CellId, t_near: f32, t_far: f32, next_x: f32, next_y: f32, next_z: f32 }
         /// A slot of a hash table was looked at for a cell.
         Probe ["probe.found", "probe.empty", "probe.taken"] { cell: CellId, slot: u32, holds: Probed }
-        /// A primitive was skipped: its mailbox says that this ray tested it already.
+        /// A primitive was skipped: the ray's mailbox says that it was tested already.
         Skip ["skip"] { prim: PrimId }
         /// A primitive was tested; `t` is infinite on a miss.
         Test ["test.hit", "test.miss"] { prim: PrimId, t: f32, hit: bool }

@@ -139,12 +139,29 @@ impl<O: Observer<Grow>> Scale<'_, O> {
             Axis::Y => self.extent.with_y(side),
             Axis::Z => self.extent.with_z(side),
         };
-        let chance = |side: f32| self.rule.measure.of(sides(side)) / self.whole;
-        let (lower, upper) = (chance(plane - self.bounds.min[axis]), chance(self.bounds.max[axis] - plane));
-        let tests = lower * below as f32 + upper * above as f32;
+        let (size, measure) = (self.whole, |side: f32| self.rule.measure.of(sides(side)));
+        let (size_below, size_above) = (measure(plane - self.bounds.min[axis]), measure(self.bounds.max[axis] - plane));
+        let (p_below, p_above) = (size_below / size, size_above / size);
+        let tests = p_below * below as f32 + p_above * above as f32;
         let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };
-        let cost = bonus * (self.rule.traversal_cost + self.rule.intersection_cost * tests);
-        self.watch.on(Grow::Weigh { node: self.node, axis: axis.into(), plane, below, above, cost });
+        let (step, test) = (self.rule.traversal_cost, self.rule.intersection_cost);
+        let cost = bonus * (step + test * tests);
+        self.watch.on(Grow::Weigh {
+            node: self.node,
+            axis: axis.into(),
+            plane,
+            below,
+            above,
+            size,
+            size_below,
+            size_above,
+            p_below,
+            p_above,
+            step,
+            test,
+            bonus,
+            cost,
+        });
         Cut { axis, plane, cost, below, above }
     }
 

@@ -44,7 +44,7 @@ impl Kind for Build<'_> {
             Pane::RulerLine if nodes && moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)
             }
-            Pane::Ruler | Pane::RulerLine if nodes => costs(moment, hide, size, look),
+            Pane::Ruler | Pane::RulerLine if nodes => costs(moment, VolumeName::of(self.structure), hide, size, look),
             Pane::Tree => tree_of_build(moment, ask.view.unwrap_or(&TreeView::default()), size, look),
             Pane::Cells => cells_of_build(self, moment, size, look),
             Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),
@@ -112,7 +112,8 @@ impl Kind for Build<'_> {
 
     fn tally(&self, at: &Instant) -> String {
         let tally = &at.state::<GrowMoment>().tally;
-        let weighed = counted(tally.weighed, "split weighed", "splits weighed");
+        let cut = VolumeName::of(self.structure).cut;
+        let weighed = counted(tally.weighed, &format!("{cut} weighed"), &format!("{cut}s weighed"));
         let stored = counted(tally.stored, "reference stored", "references stored");
         if tally.weighed > 0 { format!("{weighed} · {stored}") } else { stored }
     }

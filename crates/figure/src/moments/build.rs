@@ -22,8 +22,8 @@ pub struct Build<'a> {
     pub prims: &'a Prims,
     /// What happened, in order.
     pub events: &'a [Grow],
-    /// How many more events there were than the recording holds.
-    pub lost: u64,
+    /// How many more events there were than the recording holds, by their names.
+    pub lost: &'a BTreeMap<&'static str, u64>,
     /// Whether the scene is flat.
     pub flat: bool,
 }
@@ -246,7 +246,7 @@ impl GrowMoment {
                 self.consider(node);
                 self.free = Some(FreePlane { normal: Vec3::new(normal_x, normal_y, normal_z), at: plane });
             }
-            Grow::Weigh { node, axis, plane, below, above, cost } => {
+            Grow::Weigh { node, axis, plane, below, above, cost, .. } => {
                 self.consider(node);
                 self.tally.weighed += 1;
                 self.weighed.push(Weighed { axis, plane, below, above, cost, free: self.free });

@@ -8,7 +8,7 @@ use raystep_accel::{Direction, FreePlane, Grow, Place};
 use crate::moments::{GrowMoment, Weighed};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::number;
+use crate::words::{VolumeName, number};
 
 /// Most dots of one curve; of more, evenly spaced ones.
 const MOST: usize = 80;
@@ -16,22 +16,24 @@ const MOST: usize = 80;
 /// A curve for each axis that was tried: cost over the plane's coordinate. Planes of all directions share no
 /// coordinate: they stand side by side in the order in which they were weighed. The cheapest so far is ringed,
 /// the one taken filled. While a question asks for it, `hide` shows the planes without their costs.
-pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
+pub fn costs(moment: &GrowMoment, volume: VolumeName, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let title = moment.node.map_or("Costs".to_owned(), |node| format!("Costs of splitting node {node}"));
+    let cut = volume.cut;
+    let divide = if cut == "way" { "sharing out" } else { "cutting" };
+    let title = moment.node.map_or("Costs".to_owned(), |node| format!("Costs of {divide} node {node}"));
     let weighed: Vec<Weighed> = moment.weighed.iter().copied().filter(|w| w.cost.is_finite()).collect();
     let axes: BTreeSet<Direction> = weighed.iter().map(|weighed| weighed.axis).collect();
     if axes.is_empty() {
         let node = moment.node.and_then(|node| moment.nodes.get(&node));
         let says = match node {
-            Some(node) if node.leaf.is_some() => "This node is not split.",
-            Some(_) => "No split has been weighed here yet.",
-            None => "There is nothing to weigh now.",
+            Some(node) if node.leaf.is_some() => format!("This node is a leaf: no {cut} is taken."),
+            Some(_) => format!("No {cut} has been weighed here yet."),
+            None => "There is nothing to weigh now.".to_owned(),
         };
-        look.nothing(&mut figure, &title, says);
+        look.nothing(&mut figure, &title, &says);
         return figure;
     }
-    let remark = remark(moment, hide);
+    let remark = remark(moment, cut, hide);
     let top = look.heading(&mut figure, &title, &remark);
 
     // Beside each other, over one scale of costs.
@@ -59,9 +61,11 @@ pub fn costs(moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure
             left: bottom,
             right: plot_top,
         };
-        let mut plot = Plot { figure: &mut figure, moment, look, across, up, bottom, plot_top };
+        let mut plot = Plot { figure: &mut figure, moment, cut, look, across, up, bottom, plot_top };
         plot.frame(*axis, hide);
-        plot.shares(*axis, &here);
+        if hide || taken(moment) {
+            plot.shares(*axis, &here);
+        }
         if hide {
             plot.planes(&here);
         } else {
@@ -85,8 +89,13 @@ impl Dot {
     }
 }
 
+/// Whether the node has been divided: all that could be weighed has been.
+fn taken(moment: &GrowMoment) -> bool {
+    moment.node.and_then(|node| moment.nodes.get(&node)).is_some_and(|node| node.split.is_some())
+}
+
 /// What was found, in words.
-fn remark(moment: &GrowMoment, hide: bool) -> String {
+fn remark(moment: &GrowMoment, cut: &str, hide: bool) -> String {
     let name = |axis: Direction, plane: f32, free: Option<FreePlane>| {
         let before = moment.weighed.iter().position(|weighed| weighed.free == free);
         match before.filter(|_| axis == Direction::Normal) {
@@ -96,7 +105,7 @@ fn remark(moment: &GrowMoment, hide: bool) -> String {
     };
     let taken = moment.node.and_then(|node| moment.nodes.get(&node)?.split);
     match (taken, moment.cheapest()) {
-        _ if hide => format!("{} planes were weighed", moment.weighed.len()),
+        _ if hide => format!("{} {cut}s were weighed", moment.weighed.len()),
         (Some(taken), _) => {
             format!("taken: {}, cost {}", name(taken.axis, taken.plane, taken.free), number(taken.cost))
         }
@@ -110,6 +119,8 @@ fn remark(moment: &GrowMoment, hide: bool) -> String {
 struct Plot<'a> {
     figure: &'a mut Figure,
     moment: &'a GrowMoment,
+    /// What is weighed: a plane, or a way to share out.
+    cut: &'static str,
     look: &'a Look,
     across: Ticks,
     /// From the bottom (its left) to the top (its right).
@@ -142,11 +153,16 @@ impl Plot<'_> {
         let name = match (counted, hide) {
             (true, true) => "candidates, in order".to_owned(),
             (true, false) => "cost of each candidate, in order".to_owned(),
-            (false, true) => format!("planes across {axis}"),
-            (false, false) => format!("cost of planes across {axis}"),
+            (false, true) => format!("{}s {} {axis}", self.cut, self.along()),
+            (false, false) => format!("cost of each {} {} {axis}", self.cut, self.along()),
         };
         let at = Vec2::new(left - u * 2.0, self.plot_top - u * 1.7);
         write(self.figure, Role::Quiet, None, at, &name, small, Face::Regular, Anchor::Start);
+    }
+
+    /// Planes stand across an axis; a list is shared out along it.
+    fn along(&self) -> &'static str {
+        if self.cut == "way" { "along" } else { "across" }
     }
 
     /// Where the node's middle lies, and the plane with the most even shares: what one might guess.
@@ -156,7 +172,7 @@ impl Plot<'_> {
         let middle = middle.and_then(|node| Some(node.bounds.center()[axis.axis()?]));
         let even = dots.iter().min_by_key(|dot| dot.weighed.below.abs_diff(dot.weighed.above)).map(|dot| dot.across);
         let mut taken = f32::NEG_INFINITY;
-        let mut notes = [(middle, "middle"), (even, "even")];
+        let mut notes = [(middle, "middle"), (even, "most even")];
         notes.sort_by(|a, b| a.0.unwrap_or(0.0).total_cmp(&b.0.unwrap_or(0.0)));
         for (plane, word) in notes {
             let Some(plane) = plane.filter(|plane| self.across.shows(*plane)) else { continue };

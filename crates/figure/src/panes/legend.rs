@@ -15,7 +15,7 @@ pub(crate) const OF_WALK: &[(Role, &str)] = &[
     (Role::Guess, "possible answer"),
     (Role::Waiting, "waits on the stack"),
     (Role::Seen, "visited"),
-    (Role::Dropped, "never opened"),
+    (Role::Dropped, "left out"),
     (Role::Plane, "plane"),
     (Role::Candidate, "weighed"),
     (Role::Tick, "t on the ray"),
@@ -28,6 +28,7 @@ pub(crate) const OF_WALK: &[(Role, &str)] = &[
 /// What the marks of a build mean.
 pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),
+    (Role::Ray, "its box"),
     (Role::Here, "under consideration"),
     (Role::Best, "sets a side of the box"),
     (Role::Guess, "possible answer"),

@@ -52,19 +52,20 @@ pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look
     let volume = VolumeName::of(walk.structure);
     let fact = |step: usize| -> Option<&dyn Fact> { Some(walk.events.get(step - 1)?) };
     let tape =
-        Recorded { steps: walk.events.len(), fact: &fact, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
+        Recorded { steps: walk.events.len(), fact: &fact, symbols: visit::SYMBOLS, lost: "", flat: walk.flat, volume };
     draw(&tape, step, hide_ahead, size, look)
 }
 
 /// The track of a build.
 pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(build.structure);
+    let lost = grow::left_out(build.lost, volume);
     let fact = |step: usize| -> Option<&dyn Fact> { Some(build.events.get(step - 1)?) };
     let tape = Recorded {
         steps: build.events.len(),
         fact: &fact,
         symbols: grow::SYMBOLS,
-        lost: build.lost,
+        lost: &lost,
         flat: build.flat,
         volume,
     };
@@ -80,7 +81,7 @@ pub(crate) fn track<'a>(
     step: usize,
     ask: &Ask<'_>,
 ) -> Figure {
-    draw(&Recorded { steps, fact, symbols: &[], lost: 0, flat, volume }, step, ask.hide, ask.size, &ask.look)
+    draw(&Recorded { steps, fact, symbols: &[], lost: "", flat, volume }, step, ask.hide, ask.size, &ask.look)
 }
 
 /// What is on a track.
@@ -90,8 +91,8 @@ struct Recorded<'a> {
     fact: &'a dyn Fn(usize) -> Option<&'a dyn Fact>,
     /// The symbols that there are, in the order of a legend; others follow as they come.
     symbols: &'static [Symbol],
-    /// Events that were not recorded.
-    lost: u64,
+    /// Events that were not recorded, in words.
+    lost: &'a str,
     flat: bool,
     volume: VolumeName,
 }
@@ -128,11 +129,10 @@ fn draw(tape: &Recorded<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &L
         figure.add(role, None, Ink::Circle { center: now, radius: u * 0.5 });
     }
 
-    let right = if lost > 0 {
-        let says = format!("and {lost} more, left out");
+    let right = if !lost.is_empty() {
         let at = Vec2::new(track.right, track.y + 1.5 * u);
-        write(&mut figure, Role::Quiet, None, at, &says, small, Face::Regular, Anchor::End);
-        track.right - text_width(&says, Face::Regular, small) - u
+        write(&mut figure, Role::Quiet, None, at, lost, small, Face::Regular, Anchor::End);
+        track.right - text_width(lost, Face::Regular, small) - u
     } else {
         track.right
     };

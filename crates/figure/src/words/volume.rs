@@ -2,18 +2,21 @@
 
 use raystep_accel::{AnyBvh, Structure};
 
-/// What a structure bounds things with, in a word: what is tested before anything in it.
+/// What a structure bounds things with, in a word: what is tested before anything in it. And what its builder
+/// weighs to divide a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct VolumeName {
     /// One of them.
     pub one: &'static str,
     /// Several.
     pub many: &'static str,
+    /// A tree of planes is cut by one, a hierarchy shares out its primitives one way or another.
+    pub cut: &'static str,
 }
 
 impl VolumeName {
     /// A box along the axes.
-    pub const BOX: VolumeName = VolumeName { one: "box", many: "boxes" };
+    pub const BOX: VolumeName = VolumeName { one: "box", many: "boxes", cut: "plane" };
 
     /// What is tested in this structure.
     pub fn of(structure: &Structure) -> VolumeName {
@@ -25,6 +28,7 @@ impl VolumeName {
             // Six planes along the axes are a box, whatever they are called.
             _ => ("box", "boxes"),
         };
-        VolumeName { one, many }
+        let cut = if let Structure::Bvh(_) = structure { "way" } else { "plane" };
+        VolumeName { one, many, cut }
     }
 }

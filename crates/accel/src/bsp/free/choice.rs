@@ -87,13 +87,28 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
 
     /// What the node costs if it is cut by the plane, as in a kd-tree; none if hardly anything is separated.
     fn weigh(&mut self, &Tried { plane, below, above }: &Tried, from: Place, whole: f32) -> Option<f32> {
-        let [lower, upper] = self.cell.halves(plane, self.rule.measure).map(|half| half / whole);
-        let tests = lower * below as f32 + upper * above as f32;
-        let cost = self.rule.traversal_cost + self.rule.intersection_cost * tests;
+        let [size_below, size_above] = self.cell.halves(plane, self.rule.measure);
+        let (p_below, p_above) = (size_below / whole, size_above / whole);
+        let tests = p_below * below as f32 + p_above * above as f32;
+        let (step, test) = (self.rule.traversal_cost, self.rule.intersection_cost);
+        let cost = step + test * tests;
         self.tell(plane, from);
-        let FreePlane { at: plane, .. } = plane;
-        let axis = crate::Direction::Normal;
-        self.watch.on(Grow::Weigh { node: self.node, axis, plane, below, above, cost });
+        self.watch.on(Grow::Weigh {
+            node: self.node,
+            axis: crate::Direction::Normal,
+            plane: plane.at,
+            below,
+            above,
+            size: whole,
+            size_below,
+            size_above,
+            p_below,
+            p_above,
+            step,
+            test,
+            bonus: 1.0,
+            cost,
+        });
         // A plane that leaves nearly everything, three quarters and more, on both sides separates nothing.
         let separates = 4 * (below as usize + above as usize) <= 7 * self.refs.len();
         (separates && cost.is_finite()).then_some(cost)

@@ -118,30 +118,69 @@ fn next_planes(walk: &Walk<'_>, grid: &dyn AnyGrid, moment: &Moment, cell: CellI
     })
 }
 
-/// What the cell refers to, each with what became of it.
-fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, mut y: f32, look: &Look) {
+/// What the cell refers to, each with what became of it. Of more than there is room for, first those that
+/// were hit, then those that something else happened to; the last words say how many are left.
+fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, y: f32, look: &Look) {
     let u = look.text;
-    let mut x = look.margin();
-    let says = if prims.is_empty() { "holds no primitive" } else { "holds" };
-    write(figure, Role::Quiet, None, Vec2::new(x, y), says, u, Face::Regular, Anchor::Start);
-    x += text_width(says, Face::Regular, u) + u * 0.7;
+    let says = match prims.len() {
+        0 => "refers to no primitive",
+        1 => "refers to primitive",
+        _ => "refers to primitives",
+    };
+    let start = Vec2::new(look.margin(), y);
+    write(figure, Role::Quiet, None, start, says, u, Face::Regular, Anchor::Start);
+    let first = Vec2::new(look.margin() + text_width(says, Face::Regular, u) + u * 0.7, y);
+    let room = Vec2::new(figure.size.x - look.margin(), figure.size.y - u * 0.5);
+
+    let mut entries: Vec<(usize, Role, Place, String)> = Vec::with_capacity(prims.len());
     for &prim in prims {
-        let (role, word) = match moment.test_of(prim) {
-            _ if moment.skipped.contains(&prim) => (Role::Dropped, " skipped"),
-            _ if moment.best.is_some_and(|best| best.prim == prim) => (Role::Best, " hit"),
-            Some(test) if test.t.is_some() => (Role::Hit, " hit"),
-            Some(_) => (Role::Missed, " missed"),
-            None => (Role::Text, ""),
+        let (rank, role, word) = match moment.test_of(prim) {
+            _ if moment.best.is_some_and(|best| best.prim == prim) => (0, Role::Best, ": hit"),
+            _ if moment.skipped.contains(&prim) => (2, Role::Dropped, ": skipped"),
+            Some(test) if test.t.is_some() => (1, Role::Hit, ": hit"),
+            Some(_) => (3, Role::Missed, ": missed"),
+            None => (4, Role::Text, ""),
         };
-        let text = format!("{prim}{word}");
-        let width = text_width(&text, Face::Medium, u);
-        if x + width > figure.size.x - look.margin() {
-            (x, y) = (look.margin(), y + look.line());
-        }
-        if y > figure.size.y - u * 0.5 {
-            return;
-        }
-        write(figure, role, Some(Place::Prim(prim)), Vec2::new(x, y), &text, u, Face::Medium, Anchor::Start);
-        x += width + u;
+        entries.push((rank, role, Place::Prim(prim), format!("{prim}{word}")));
     }
+    let texts = |entries: &[(usize, Role, Place, String)]| -> Vec<String> {
+        entries.iter().map(|(.., text)| text.clone()).collect()
+    };
+    let mut places = flow(&texts(&entries), first, room, look);
+    if places.len() < entries.len() {
+        entries.sort_by_key(|(rank, ..)| *rank);
+        // As many as leave room for the words at the end.
+        for shown in (0..places.len()).rev() {
+            let says = format!("and {} more", entries.len() - shown);
+            let mut some = texts(&entries[..shown]);
+            some.push(says.clone());
+            places = flow(&some, first, room, look);
+            if let (true, Some(at)) = (places.len() == some.len(), places.last()) {
+                write(figure, Role::Quiet, None, *at, &says, u, Face::Regular, Anchor::Start);
+                entries.truncate(shown);
+                break;
+            }
+        }
+    }
+    for ((_, role, place, text), at) in entries.iter().zip(places) {
+        write(figure, *role, Some(*place), at, text, u, Face::Medium, Anchor::Start);
+    }
+}
+
+/// Where words stand, one after the other in lines from `first` on: those that end before `room` does.
+fn flow(words: &[String], first: Vec2, room: Vec2, look: &Look) -> Vec<Vec2> {
+    let mut at = first;
+    let mut places = Vec::new();
+    for word in words {
+        let width = text_width(word, Face::Medium, look.text);
+        if at.x + width > room.x && at.x > look.margin() {
+            at = Vec2::new(look.margin(), at.y + look.line());
+        }
+        if at.y > room.y {
+            break;
+        }
+        places.push(at);
+        at.x += width + look.text;
+    }
+    places
 }

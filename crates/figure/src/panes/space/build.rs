@@ -6,7 +6,7 @@ use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Plac
 use crate::moments::{Build, Fate, GrowMoment, GrowNode};
 use crate::panes::tree::node_role;
 use crate::theme::Role;
-use crate::words::{counted, number};
+use crate::words::{VolumeName, counted, number};
 use crate::world::{Form, Space, SpaceMark, convex};
 
 /// Most boxes of nodes in one picture.
@@ -84,6 +84,10 @@ impl Drawing<'_> {
         let Some(prim) = self.moment.prim else { return };
         self.add(Role::Here, Some(Place::Prim(prim)), Form::Prim(prim));
         let bounds = self.build.prims.bounds(prim);
+        // The cells are those that its box meets.
+        if !self.moment.rasterised.is_empty() {
+            self.add(Role::Ray, Some(Place::Prim(prim)), Form::Box(bounds));
+        }
         let form = Form::Label { at: bounds.center(), within: Some(bounds), text: format!("primitive {prim}") };
         self.add(Role::Value, Some(Place::Prim(prim)), form);
     }
@@ -189,15 +193,17 @@ impl Drawing<'_> {
                     Role::Candidate,
                     *id,
                     node.bounds,
-                    format!("{below} below, {above} above: {}", number(cost)),
+                    format!("{below} below, {above} above: cost {}", number(cost)),
                 );
             }
             Some(Grow::Split { axis, plane, .. }) => {
-                self.title(Role::Here, *id, node.bounds, format!("{id} split at {axis} = {}", number(plane)));
+                let cut = if VolumeName::of(self.build.structure).cut == "way" { "shared out" } else { "cut" };
+                let text = format!("node {id}: {cut} at {axis} = {}", number(plane));
+                self.title(Role::Here, *id, node.bounds, text);
             }
             _ => {
                 let count = counted(u64::from(node.prims), "primitive", "primitives");
-                self.title(Role::Here, *id, node.bounds, format!("{id}: {count}"));
+                self.title(Role::Here, *id, node.bounds, format!("node {id}: {count}"));
             }
         }
     }

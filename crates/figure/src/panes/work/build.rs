@@ -6,7 +6,7 @@ use raystep_accel::Primitives;
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Anchor, Figure, Look, block, line, wrapped, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::counted;
+use crate::words::{VolumeName, counted};
 
 /// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
 pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
@@ -47,13 +47,19 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
     if count > 0 {
         figure.add(Role::Missed, None, block(Vec2::new(left, y), Vec2::new(part(count).max(3.0), u * 0.75), u * 0.2));
     }
-    if count > all {
-        let at = Vec2::new(left + part(all), y - u * 0.2);
-        figure.add(Role::Text, None, line(at, at + Vec2::new(0.0, u * 1.15)));
-    }
     y += u * 1.55;
+    if count > all {
+        let at = Vec2::new(left + part(all), y - u * 1.75);
+        figure.add(Role::Text, None, line(at, at + Vec2::new(0.0, u * 1.15)));
+        // What the mark in the bar says, under it.
+        let says = counted(all, "primitive", "primitives");
+        let half = text_width(&says, Face::Regular, look.small()) / 2.0;
+        let under = Vec2::new(at.x.clamp(left + half, (left + width - half).max(left + half)), y);
+        write(&mut figure, Role::Quiet, None, under, &says, look.small(), Face::Regular, Anchor::Middle);
+        y += u * 0.9;
+    }
 
-    for says in wrapped(&words(moment), width, u) {
+    for says in wrapped(&words(moment, VolumeName::of(build.structure)), width, u) {
         y += u * 0.4;
         write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
         y += u * 1.2;
@@ -62,15 +68,17 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
 }
 
 /// What else was done. Only what happened.
-fn words(moment: &GrowMoment) -> Vec<String> {
+fn words(moment: &GrowMoment, volume: VolumeName) -> Vec<String> {
     let tally = &moment.tally;
+    let (one_weighed, many_weighed) = (format!("{} weighed", volume.cut), format!("{}s weighed", volume.cut));
     [
-        (tally.weighed, "split weighed", "splits weighed"),
-        (tally.taken, "split taken", "splits taken"),
+        (tally.weighed, &*one_weighed, &*many_weighed),
+        (tally.taken, "taken", "taken"),
         (tally.leaves, "leaf", "leaves"),
         (moment.waiting.len() as u64, "node waits", "nodes wait"),
-        (tally.rasterised, "cell met by a box", "cells met by boxes"),
-        (tally.pruned, "cell not reached", "cells not reached"),
+        // A primitive and a cell: each pair is looked at once.
+        (tally.rasterised, "time a box meets a cell", "times a box meets a cell"),
+        (tally.pruned, "time its primitive does not reach it", "times its primitive does not reach it"),
     ]
     .into_iter()
     .filter(|(count, ..)| *count > 0)

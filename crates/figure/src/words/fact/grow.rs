@@ -1,6 +1,7 @@
 //! Builds: a symbol for each kind of event, and a few words for each event.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use raystep_accel::{Grow, Place, Value};
 
@@ -11,11 +12,11 @@ use crate::words::VolumeName;
 const GROWS: Symbol = Symbol { sign: "▷", name: "box grows", role: Role::Here, rank: 0 };
 const WEIGHED: Symbol = Symbol { sign: "|", name: "weighed", role: Role::Candidate, rank: 1 };
 const RASTERISED: Symbol = Symbol { sign: "◇", name: "cell met", role: Role::Here, rank: 2 };
-const PRUNED: Symbol = Symbol { sign: "×", name: "pruned", role: Role::Dropped, rank: 3 };
+const PRUNED: Symbol = Symbol { sign: "×", name: "not reached", role: Role::Dropped, rank: 3 };
 const STORED: Symbol = Symbol { sign: "●", name: "stored", role: Role::Seen, rank: 4 };
 const SHARED: Symbol = Symbol { sign: "■", name: "on both sides", role: Role::Hit, rank: 4 };
 const LEAF: Symbol = Symbol { sign: "□", name: "leaf", role: Role::Seen, rank: 5 };
-const SPLIT: Symbol = Symbol { sign: "△", name: "split", role: Role::Plane, rank: 6 };
+const SPLIT: Symbol = Symbol { sign: "△", name: "taken", role: Role::Plane, rank: 6 };
 
 /// Every symbol of a build, in the order of a legend.
 pub(crate) const SYMBOLS: &[Symbol] = &[GROWS, RASTERISED, PRUNED, WEIGHED, SPLIT, SHARED, LEAF, STORED];
@@ -47,7 +48,8 @@ impl Fact for Grow {
         })
     }
 
-    fn short(&self, _: VolumeName) -> Cow<'static, str> {
+    fn short(&self, volume: VolumeName) -> Cow<'static, str> {
+        let cut = volume.cut;
         Cow::Borrowed(match self {
             Grow::Widen { grown: true, .. } => "the box grows",
             Grow::Widen { .. } => "it fits into the box",
@@ -57,8 +59,8 @@ impl Fact for Grow {
             Grow::Prune { .. } => "the primitive itself does not",
             Grow::Open { .. } => "a node comes to be",
             Grow::Normal { .. } => "a plane is proposed",
-            Grow::Weigh { .. } => "a split is weighed",
-            Grow::Split { .. } => "the split is taken",
+            Grow::Weigh { .. } => return format!("a {cut} is weighed").into(),
+            Grow::Split { .. } => return format!("the {cut} is taken").into(),
             Grow::Share { .. } => "it goes to both children",
             Grow::Divide { .. } => "the cell is divided",
             Grow::Touch { .. } => "a node is looked at",
@@ -72,7 +74,34 @@ impl Fact for Grow {
         })
     }
 
-    fn sentence(&self, _: VolumeName) -> String {
-        crate::words::sentence::of_grow(self)
+    fn sentence(&self, volume: VolumeName) -> String {
+        crate::words::sentence::of_grow(self, volume)
     }
+}
+
+/// What of a build was not kept, in words: "not kept: 260689 planes weighed".
+pub(crate) fn left_out(lost: &BTreeMap<&'static str, u64>, volume: VolumeName) -> String {
+    let mut kinds: Vec<(u64, String)> = lost.iter().map(|(name, count)| (*count, many(name, volume))).collect();
+    kinds.sort_by(|a, b| b.cmp(a));
+    let parts: Vec<String> = kinds.into_iter().map(|(count, what)| format!("{count} {what}")).collect();
+    if parts.is_empty() { String::new() } else { format!("not kept: {}", parts.join(", ")) }
+}
+
+/// What many events of that name are.
+fn many(name: &str, volume: VolumeName) -> String {
+    let what = match name {
+        "weigh" => return format!("{}s weighed", volume.cut),
+        "normal" => "planes proposed",
+        "rasterise" => "cells met by boxes",
+        "widen.same" => "primitives that lay in the box",
+        "touch" => "nodes looked at",
+        "settle" => "references stored",
+        "open" => "nodes",
+        "leaf" => "leaves",
+        "split" | "divide" => "nodes divided",
+        "share" => "primitives on both sides",
+        "prune" => "cells not reached",
+        other => return format!("× {other}"),
+    };
+    what.to_owned()
 }

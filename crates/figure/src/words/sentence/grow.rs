@@ -3,10 +3,11 @@
 use raystep_accel::{Grow, LeafReason, Place};
 
 use super::{cells, count};
-use crate::words::number;
+use crate::words::{VolumeName, number};
 
 /// One sentence about what just happened, with its numbers.
-pub(crate) fn of_grow(event: &Grow) -> String {
+pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
+    let shares = volume.cut == "way";
     match *event {
         Grow::Widen { prim, grown: true, .. } => format!("The box grows until it holds primitive {prim}."),
         Grow::Widen { prim, .. } => format!("Primitive {prim} lies in the box already."),
@@ -34,13 +35,21 @@ pub(crate) fn of_grow(event: &Grow) -> String {
             let normal = [normal_x, normal_y, normal_z].map(number).join(", ");
             format!("{who} the plane n · p = {} with n = ({normal}).", number(plane))
         }
+        Grow::Weigh { axis, below, above, cost, .. } if shares => format!(
+            "Along {axis} the first {below} would go to one child, the other {above} to the other: cost {}.",
+            number(cost)
+        ),
         Grow::Weigh { axis, plane, below, above, cost, .. } => format!(
-            "A split at {axis} = {} leaves {below} below and {above} above: cost {}.",
+            "The plane {axis} = {} leaves {below} below and {above} above: cost {}.",
             number(plane),
             number(cost)
         ),
+        Grow::Split { node, axis, plane, below, above, .. } if shares => format!(
+            "The primitives of node {node} are shared out along {axis}: those with their centre before {} go to node {below}, the others to node {above}.",
+            number(plane)
+        ),
         Grow::Split { node, axis, plane, below, above, .. } => {
-            format!("Node {node} is split at {axis} = {}: node {below} lies below, node {above} above.", number(plane))
+            format!("Node {node} is cut at {axis} = {}: node {below} lies below, node {above} above.", number(plane))
         }
         Grow::Share { prim, .. } => format!("Primitive {prim} lies on both sides: both children refer to it."),
         Grow::Divide { node, first, ways, .. } => {
@@ -51,8 +60,8 @@ pub(crate) fn of_grow(event: &Grow) -> String {
             let why = match why {
                 LeafReason::Few => "that is few enough",
                 LeafReason::Deep => "the tree may not become deeper",
-                LeafReason::Cheap => "no split is worth its price",
-                LeafReason::Inseparable => "no split separates them",
+                LeafReason::Cheap => "nothing that was weighed costs less than testing them all",
+                LeafReason::Inseparable => "nothing separates them",
                 LeafReason::Crowded => "the tree refers to its primitives often enough",
             };
             format!("Node {node} stays a leaf with {}: {why}.", count(prims, "primitive"))

@@ -121,7 +121,7 @@ pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
             format!("Node {node} is taken from the stack with {}; {depth} still {still}.", range(t_near, t_far))
         }
         Visit::Drop { node, t_near, best_t, .. } => format!(
-            "Node {node} begins at t = {}, behind the best hit at t = {}: it is never opened.",
+            "Node {node} begins at t = {}, behind the best hit at t = {}: it is thrown away.",
             number(t_near),
             number(best_t)
         ),
@@ -150,7 +150,7 @@ pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
             };
             format!("Cell {cell} is looked up in slot {slot}: {result}.")
         }
-        Visit::Skip { prim } => format!("Primitive {prim} has been tested already: its mailbox saves the test."),
+        Visit::Skip { prim } => format!("The ray has tested primitive {prim} already: its mailbox saves the test."),
         Visit::Test { prim, t, hit: true } => format!("The ray hits primitive {prim} at t = {}.", number(t)),
         Visit::Test { prim, .. } => format!("The ray misses primitive {prim}."),
         Visit::Better { prim, t, before } if before.is_infinite() => {
@@ -197,7 +197,7 @@ mod tests {
 
     use super::*;
 
-    const BOX: VolumeName = VolumeName { one: "box", many: "boxes" };
+    const BOX: VolumeName = VolumeName { one: "box", many: "boxes", cut: "plane" };
 
     #[test]
     fn events_in_words() {

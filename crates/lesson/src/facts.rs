@@ -1,0 +1,84 @@
+//! What is known at a step: the fields of its event, those of events before it, and how often things happened.
+
+use raystep_accel::{Event, Value};
+
+use crate::reading::Reading;
+use crate::vocabulary::{check_event, check_field};
+use crate::{Play, StageKind, Tape, names};
+
+/// What a slide can say at a step of what is played. Nothing in it comes from later steps.
+#[derive(Clone, Copy, Debug)]
+pub struct Facts<'a> {
+    tape: &'a Tape,
+    beside: Option<&'a Tape>,
+    /// How many events have happened; the last one is [`Facts::event`].
+    step: usize,
+    event: Event,
+    stage: StageKind,
+}
+
+impl<'a> Facts<'a> {
+    /// What is known at a step; nothing before the first.
+    pub fn at(play: &'a Play, step: usize) -> Option<Facts<'a>> {
+        let stage = if play.scene.flat { StageKind::Flat } else { StageKind::Solid };
+        Some(Facts { tape: &play.tape, beside: play.beside.as_ref(), step, event: play.event(step)?, stage })
+    }
+
+    /// The event of the step.
+    pub fn event(&self) -> &Event {
+        &self.event
+    }
+
+    /// The stage that it happens on.
+    pub fn stage(&self) -> StageKind {
+        self.stage
+    }
+
+    /// A fact by its name: `t` of this event, `plane.d` of the last such event before it, `count.test` of all
+    /// such events so far, `beside.count.test` of the play beside at its end. Nothing if that never happened.
+    pub fn field(&self, name: &str) -> Option<Value> {
+        if let Some(name) = name.strip_prefix(BESIDE) {
+            // Of the play beside everything has happened, its last event too.
+            let tape = self.beside?;
+            let event = tape.event(tape.len().checked_sub(1)?)?;
+            return Facts { tape, beside: None, step: tape.len() + 1, event, stage: self.stage }.field(name);
+        }
+        if let Some(event) = name.strip_prefix(COUNT) {
+            return self.tape.count(event, self.step).map(Value::Count);
+        }
+        match name.rsplit_once('.') {
+            Some((event, field)) => self.before(event)?.field(field),
+            None => self.event.field(name),
+        }
+    }
+
+    /// The last event of that name before this one.
+    fn before(&self, event: &str) -> Option<Event> {
+        let before = (0..self.step.saturating_sub(1)).rev();
+        before.filter_map(|index| self.tape.event(index)).find(|other| names(event, other.name()))
+    }
+}
+
+const BESIDE: &str = "beside.";
+const COUNT: &str = "count.";
+
+/// Says so if there can be no such fact where a beat waits for `event`.
+pub(crate) fn check_fact(event: &str, name: &str, at: usize, reading: &mut Reading<'_>) {
+    let (name, at) = match name.strip_prefix(BESIDE) {
+        Some(name) if reading.beside => (name, at + BESIDE.len()),
+        Some(_) => {
+            reading.problem(at, "nothing is played beside: give every stage `beside = { kind = \"...\" }`");
+            return;
+        }
+        None => (name, at),
+    };
+    if let Some(counted) = name.strip_prefix(COUNT) {
+        check_event(counted, at + COUNT.len(), reading);
+    } else if let Some((other, field)) = name.rsplit_once('.') {
+        if check_event(other, at, reading) {
+            check_field(other, field, at + other.len() + 1, reading);
+        }
+    } else {
+        check_field(event, name, at, reading);
+    }
+}
