@@ -143,7 +143,9 @@ impl<'a> Session<'a> {
     }
 
     fn picture(&self, reel: &Reel<'_>, still: &Still<'_>, size: Vec2, scale: f32, theme: &Theme) -> Figure {
-        let Some(shown) = still.space() else { return still.draw(Pane::Picture, &Ask::new(size, Look::WINDOW)) };
+        let Some(shown) = still.space().filter(|_| !still.has(Pane::Picture)) else {
+            return still.draw(Pane::Picture, &Ask::new(size, Look::WINDOW));
+        };
         let prims = reel.prims();
         let camera = self.ground.camera(&shown, size);
         if self.play.scene.flat {

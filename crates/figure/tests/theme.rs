@@ -3,7 +3,7 @@
 use raystep_figure::{Color, Role, Style, Theme};
 
 /// Roles that say what became of something.
-const STATES: [Role; 15] = [
+const STATES: [Role; 17] = [
     Role::Scene,
     Role::Ray,
     Role::Live,
@@ -17,6 +17,8 @@ const STATES: [Role; 15] = [
     Role::Best,
     Role::Plane,
     Role::Candidate,
+    Role::Below,
+    Role::Above,
     Role::Guess,
     Role::Wrong,
 ];

@@ -103,7 +103,8 @@ pub(super) fn stage(
         return None;
     };
     let look = Look::WINDOW;
-    let Some(space) = pictures.space.clone() else {
+    // A kind that draws the middle of the page itself needs no stage.
+    let Some(space) = pictures.space.clone().filter(|_| !pictures.has(Pane::Picture)) else {
         return figure::figure(ui, page, kept, Pane::Picture, rect, &look, asked);
     };
     let space = &*space;

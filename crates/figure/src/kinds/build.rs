@@ -1,17 +1,24 @@
 //! The building of a structure.
 
-use raystep_accel::{Aabb, Place, Primitives, Prims};
+use raystep_accel::{Aabb, Place, Primitives, Prims, Structure};
 
 use super::{Guess, Instant, Kind, best_of};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
     Ask, Pane, TreeView, cells_of_build, costs, legend, listing, space_of_build, stack_of_build, timeline_of_build,
-    tree_of_build, work_of_build,
+    tree_of_build, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, VolumeName, counted};
 use crate::world::Space;
+
+impl Build<'_> {
+    /// Whether a flat scene is divided by planes along the axes, or by shares of its primitives.
+    fn weighs_in_the_plane(&self) -> bool {
+        self.flat && matches!(self.structure, Structure::Kd(_) | Structure::Bvh(_))
+    }
+}
 
 impl Kind for Build<'_> {
     fn len(&self) -> usize {
@@ -32,6 +39,11 @@ impl Kind for Build<'_> {
         if self.structure.node_count() > 0 {
             panes.extend([Pane::Ruler, Pane::RulerLine, Pane::Stack, Pane::StackHere]);
         }
+        // What is weighed stands on the same axes as the space that it divides.
+        if self.weighs_in_the_plane() {
+            panes.retain(|pane| !matches!(pane, Pane::Ruler | Pane::RulerLine));
+            panes.push(Pane::Picture);
+        }
         panes
     }
 
@@ -39,12 +51,14 @@ impl Kind for Build<'_> {
         let moment: &GrowMoment = at.state();
         let Ask { size, ref look, hide, .. } = *ask;
         let nodes = self.structure.node_count() > 0;
+        let ruler = nodes && !self.weighs_in_the_plane();
         Some(match pane {
+            Pane::Picture if self.weighs_in_the_plane() => weighing(self, moment, hide, size, look),
             // Between two weighings there is nothing but the tree so far.
-            Pane::RulerLine if nodes && moment.weighed.is_empty() => {
+            Pane::RulerLine if ruler && moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)
             }
-            Pane::Ruler | Pane::RulerLine if nodes => costs(moment, VolumeName::of(self.structure), hide, size, look),
+            Pane::Ruler | Pane::RulerLine if ruler => costs(moment, VolumeName::of(self.structure), hide, size, look),
             Pane::Tree => tree_of_build(moment, ask.view.unwrap_or(&TreeView::default()), size, look),
             Pane::Cells => cells_of_build(self, moment, size, look),
             Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),

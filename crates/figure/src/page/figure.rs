@@ -122,6 +122,19 @@ pub enum Anchor {
     End,
 }
 
+impl Mark {
+    /// The same mark elsewhere on the page.
+    pub(crate) fn moved(mut self, by: Vec2) -> Mark {
+        match &mut self.ink {
+            Ink::Line { points } | Ink::Area { points } => points.iter_mut().for_each(|point| *point += by),
+            Ink::Rect { min, max, .. } | Ink::Image { min, max, .. } => (*min, *max) = (*min + by, *max + by),
+            Ink::Circle { center, .. } => *center += by,
+            Ink::Arrowhead { tip: at, .. } | Ink::Formula { at, .. } | Ink::Text { at, .. } => *at += by,
+        }
+        self
+    }
+}
+
 impl Figure {
     /// An empty drawing.
     pub fn new(size: Vec2) -> Figure {

@@ -12,6 +12,7 @@ mod space;
 mod stack;
 mod timeline;
 mod tree;
+mod weighing;
 mod work;
 
 pub use bytes::bytes;
@@ -26,4 +27,5 @@ pub use stack::{stack, stack_height, stack_of_build};
 pub(crate) use timeline::track;
 pub use timeline::{Track, timeline, timeline_of_build};
 pub use tree::{TreeView, tree, tree_of_build};
+pub(crate) use weighing::weighing;
 pub use work::{tested, work, work_of_build};

@@ -9,8 +9,14 @@ use crate::page::{Figure, Ink, Mark};
 const PAGES: f32 = 2.0;
 
 /// The figure without what lies far off its page; marks that reach no further stay as they are.
-pub(super) fn crop(figure: &mut Figure) {
-    let pad = Vec2::splat(figure.size.max_element() * PAGES);
+pub(super) fn crop_far(figure: &mut Figure) {
+    let pad = figure.size.max_element() * PAGES;
+    crop(figure, pad);
+}
+
+/// The figure without what lies further than `pad` off its page.
+pub(crate) fn crop(figure: &mut Figure, pad: f32) {
+    let pad = Vec2::splat(pad);
     let (min, max) = (-pad, figure.size + pad);
     let marks = std::mem::take(&mut figure.marks);
     figure.marks = marks.into_iter().flat_map(|mark| cropped(mark, min, max)).collect();
@@ -121,7 +127,7 @@ mod tests {
     fn check(ink: Ink) -> Vec<Ink> {
         let mut figure = Figure::new(Vec2::splat(100.0));
         figure.add(Role::Seen, None, ink);
-        crop(&mut figure);
+        crop_far(&mut figure);
         figure.marks.into_iter().map(|mark| mark.ink).collect()
     }
 

@@ -20,6 +20,7 @@ use crate::world::{Form, Space, corners};
 
 pub use axes::axes;
 pub use camera::Camera;
+pub(crate) use crop::crop;
 pub use shaded::{Shaded, shaded};
 
 /// What a picture shows of the primitives to which nothing has happened.
@@ -52,7 +53,7 @@ pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery:
     for mark in &space.marks {
         stage.form(&mark.form, mark.role, mark.place, prims);
     }
-    crop::crop(&mut stage.figure);
+    crop::crop_far(&mut stage.figure);
     labels::place(space, &stage.lens, &mut stage.figure);
     if !matches!(scenery, Scenery::Left) {
         stage.figure.marks.extend(axes(camera, size).marks);

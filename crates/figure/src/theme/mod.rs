@@ -232,6 +232,8 @@ impl Theme {
             Role::Best => look(stroke(self.hit, 3.0, Solid), Some(self.hit.alpha(200)), self.hit),
             Role::Plane => look(stroke(self.here, 2.4, Solid), tint(self.here), self.here),
             Role::Candidate => look(stroke(self.test, 2.4, Solid), None, self.test),
+            Role::Below => hatched(stroke(self.here, 1.5, Solid), tint(self.here), self.here),
+            Role::Above => look(stroke(self.quiet, 1.5, Dashed), Some(self.edge.alpha(self.tint + 20)), self.quiet),
             Role::Guess => look(stroke(self.here, 1.8, Dotted), None, self.here),
             Role::Hover => look(stroke(self.text, 2.6, Solid), Some(self.hover.alpha(96)), self.text),
             Role::Edge => look(stroke(self.edge, 1.0, Solid), None, self.quiet),

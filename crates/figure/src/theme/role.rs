@@ -29,6 +29,10 @@ pub enum Role {
     Plane,
     /// A split that was weighed and not taken: a short tick at the edge of the box.
     Candidate,
+    /// What lies below a split that is weighed: hatched.
+    Below,
+    /// What lies above it: dashed, not hatched.
+    Above,
     /// A possible answer to the open question.
     Guess,
     /// What the pointer is on, in every view.
@@ -55,7 +59,7 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 24] = [
+    pub const ALL: [Role; 26] = [
         Role::Scene,
         Role::Ray,
         Role::Live,
@@ -69,6 +73,8 @@ impl Role {
         Role::Best,
         Role::Plane,
         Role::Candidate,
+        Role::Below,
+        Role::Above,
         Role::Guess,
         Role::Hover,
         Role::Edge,

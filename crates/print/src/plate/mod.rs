@@ -148,7 +148,9 @@ impl Page<'_> {
         let caption = self.caption(area.size().x);
         let end = area.min.y + caption.size.y;
         set_in(&mut self.figure, caption, area.min);
-        let Some(shown) = self.plate.still.space() else { return };
+        // A picture that is no stage explains its own signs.
+        let still = &self.plate.still;
+        let Some(shown) = still.space().filter(|_| !still.has(Pane::Picture)) else { return };
         let margin = TEXT * 0.8;
         let height = self.plate.still.legend_height(&shown, area.size().x + 2.0 * margin, &self.look);
         // The legend keeps to the foot of the column, and gives way to a long text.

@@ -1,0 +1,410 @@
+//! The costs of the ways to divide a node: along x under the picture, along y beside it, on the picture's own axes.
+
+use glam::Vec2;
+use raystep_accel::{Axis, Direction, NodeId, Place, PrimId, Primitives, Structure};
+
+use super::sides::members;
+use super::{Area, Candidate, ROWS, ahead};
+use crate::moments::{Build, GrowMoment, Weighed};
+use crate::page::{Anchor, Figure, Ink, Look, Ticks, block, line, write};
+use crate::theme::{Face, Role, text_width};
+use crate::words::{VolumeName, number};
+
+/// The two plots.
+pub(super) struct Plot<'a> {
+    pub(super) figure: &'a mut Figure,
+    pub(super) build: &'a Build<'a>,
+    pub(super) moment: &'a GrowMoment,
+    pub(super) look: &'a Look,
+    pub(super) space: &'a Area,
+    /// How high the plot of x is with its list; nothing where nothing is weighed.
+    pub(super) costs: f32,
+    /// How wide the plot of y is with its list.
+    pub(super) beside: f32,
+    pub(super) hide: bool,
+}
+
+/// The node's primitives in the order of their centres, each with a place on the page: a hierarchy is cut between two.
+struct Order {
+    prims: Vec<PrimId>,
+}
+
+impl Plot<'_> {
+    pub(super) fn draw(&mut self, now: Option<Candidate>) {
+        let u = self.look.text;
+        let listed = self.moment.node.is_some_and(|node| self.order(node, Axis::X).is_some());
+        for axis in [Axis::X, Axis::Y] {
+            self.axis(axis, listed);
+        }
+        let Some(node) = self.moment.node else { return };
+        let ahead = ahead(self.build, self.moment, node);
+        let all: Vec<Weighed> = self.moment.weighed.iter().copied().chain(ahead.iter().copied()).collect();
+        // One scale of costs for both, of all that are weighed here: nothing jumps while they come.
+        let finite = all.iter().map(|weighed| weighed.cost).filter(|cost| cost.is_finite());
+        let (least, most) = finite.fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), cost| (a.min(cost), b.max(cost)));
+        let whole = self.whole(node, now);
+        let (least, most) = (least, most.max(whole.as_ref().map_or(most, |(_, cost)| *cost)));
+        if least > most {
+            return;
+        }
+        let pad = ((most - least) * 0.12).max(most.abs() * 0.01).max(1e-6);
+        let (low, high) = (least - pad, most + pad);
+        let bottom = self.bottom();
+        let up = Ticks { low, high, left: bottom, right: self.under() + u * 0.6 };
+        let right = Ticks { low, high, left: self.across(), right: self.across() + self.wide() };
+        if !self.hide {
+            self.scale(Axis::X, &up);
+            self.scale(Axis::Y, &right);
+        }
+        for axis in [Axis::X, Axis::Y] {
+            let order = self.order(node, axis);
+            self.list(axis, order.as_ref(), now);
+            let scale = if axis == Axis::X { up } else { right };
+            self.curve(node, axis, order.as_ref(), &ahead, &scale, whole.as_ref(), now);
+        }
+        self.legend(bottom);
+    }
+
+    /// Where the plot of x begins, under the picture and a list.
+    fn under(&self) -> f32 {
+        self.space.max.y + self.look.text * 3.0
+    }
+
+    /// Where it ends.
+    fn bottom(&self) -> f32 {
+        self.space.max.y + self.costs
+    }
+
+    /// How wide the plot of y is.
+    fn wide(&self) -> f32 {
+        self.beside - self.look.text * 3.4
+    }
+
+    /// Where the plot of y begins, beside the picture and a list.
+    fn across(&self) -> f32 {
+        self.space.max.x + self.look.text * 3.4
+    }
+
+    /// The picture's own axis, with ticks; a list that is cut has its own along x.
+    fn axis(&mut self, axis: Axis, listed: bool) {
+        let (u, small, space) = (self.look.text, self.look.small(), self.space);
+        let (low, high) = (space.seen.min[axis], space.seen.max[axis]);
+        let ticks = Ticks { low, high, left: 0.0, right: (space.at(axis, high) - space.at(axis, low)).abs() };
+        let bottom = self.bottom();
+        let values = if listed && axis == Axis::X { Vec::new() } else { ticks.marks(u * 4.0) };
+        for value in values {
+            let at = space.at(axis, value);
+            let (from, along, label, anchor) = match axis {
+                Axis::Y => (
+                    Vec2::new(space.min.x, at),
+                    Vec2::new(-u * 0.35, 0.0),
+                    Vec2::new(space.min.x - u * 0.6, at),
+                    Anchor::End,
+                ),
+                _ => (Vec2::new(at, bottom), Vec2::new(0.0, u * 0.35), Vec2::new(at, bottom + u * 1.0), Anchor::Middle),
+            };
+            self.figure.add(Role::Edge, None, line(from, from + along));
+            write(self.figure, Role::Quiet, None, label, &number(value), small, Face::Regular, anchor);
+        }
+        let (from, to) = (Vec2::new(space.min.x, bottom), Vec2::new(space.max.x, bottom));
+        match axis {
+            Axis::Y => {
+                let at = Vec2::new(space.min.x - u * 0.6, space.min.y - u * 0.9);
+                write(self.figure, Role::Quiet, None, at, "y", small, Face::Medium, Anchor::End);
+                if self.beside > 0.0 {
+                    let (from, to) = (Vec2::new(self.across(), space.max.y), Vec2::new(self.across(), space.min.y));
+                    self.figure.add(Role::Edge, None, line(from, to));
+                }
+            }
+            _ => {
+                self.figure.add(Role::Edge, None, line(from, to));
+                let at = to + Vec2::new(u * 0.9, u * 1.0);
+                let says = if listed { "along x" } else { "x" };
+                write(self.figure, Role::Quiet, None, at, says, small, Face::Medium, Anchor::Start);
+            }
+        }
+    }
+
+    /// The scale of the costs.
+    fn scale(&mut self, axis: Axis, ticks: &Ticks) {
+        let (u, small, space) = (self.look.text, self.look.small(), self.space);
+        let measure = Ticks { left: 0.0, right: (ticks.right - ticks.left).abs(), ..*ticks };
+        for cost in measure.marks(u * 3.2) {
+            let at = ticks.x(cost);
+            let (from, along, label, anchor) = match axis {
+                Axis::X => (
+                    Vec2::new(space.min.x, at),
+                    Vec2::new(-u * 0.35, 0.0),
+                    Vec2::new(space.min.x - u * 0.6, at),
+                    Anchor::End,
+                ),
+                _ => (
+                    Vec2::new(at, space.max.y),
+                    Vec2::new(0.0, u * 0.35),
+                    Vec2::new(at, space.max.y + u * 1.0),
+                    Anchor::Middle,
+                ),
+            };
+            self.figure.add(Role::Edge, None, line(from, from + along));
+            write(self.figure, Role::Quiet, None, label, &number(cost), small, Face::Regular, anchor);
+        }
+        let (from, to, at, says) = match axis {
+            Axis::X => {
+                let left = space.min.x;
+                let (from, to) = (Vec2::new(left, self.under()), Vec2::new(left, self.bottom()));
+                (from, to, from - Vec2::new(u * 0.6, 0.0), "cost")
+            }
+            _ => {
+                let (left, y) = (self.across(), space.max.y);
+                let at = Vec2::new(left + self.wide() * 0.5, space.min.y - u * 1.0);
+                (Vec2::new(left, y), Vec2::new(left + self.wide(), y), at, "cost, along y")
+            }
+        };
+        self.figure.add(Role::Edge, None, line(from, to));
+        let anchor = if axis == Axis::X { Anchor::End } else { Anchor::Middle };
+        write(self.figure, Role::Quiet, None, at, says, small, Face::Regular, anchor);
+    }
+
+    /// What the node costs if it stays whole, with the words for it.
+    fn whole(&self, node: NodeId, now: Option<Candidate>) -> Option<(String, f32)> {
+        let prims = self.moment.nodes.get(&node)?.prims;
+        let test = now.map(|now| now.test)?;
+        let cost = test * prims as f32;
+        Some((format!("not divided: {} · {prims} = {}", number(test), number(cost)), cost))
+    }
+
+    /// The sorted primitives, where a hierarchy has few.
+    fn order(&self, node: NodeId, axis: Axis) -> Option<Order> {
+        let Structure::Bvh(_) = self.build.structure else { return None };
+        let mut prims = members(self.build, node);
+        let center = |prim: &PrimId| self.build.prims.bounds(*prim).center()[axis];
+        prims.sort_by(|a, b| center(a).total_cmp(&center(b)).then(a.cmp(b)));
+        (prims.len() <= ROWS).then_some(Order { prims })
+    }
+
+    /// Where a cut lies along its axis: between two primitives of the list, or at its plane.
+    fn place_of(&self, axis: Axis, order: Option<&Order>, weighed: &Weighed) -> f32 {
+        let space = self.space;
+        match order {
+            Some(order) => {
+                let share = weighed.below as f32 / order.prims.len().max(1) as f32;
+                match axis {
+                    Axis::Y => space.max.y + (space.min.y - space.max.y) * share,
+                    _ => space.min.x + (space.max.x - space.min.x) * share,
+                }
+            }
+            None => space.at(axis, weighed.plane),
+        }
+    }
+
+    /// The list of primitives along an axis, each joined to its centre.
+    fn list(&mut self, axis: Axis, order: Option<&Order>, now: Option<Candidate>) {
+        let Some(order) = order else { return };
+        let (u, small, space) = (self.look.text, self.look.small(), self.space);
+        let count = order.prims.len() as f32;
+        for (index, &prim) in order.prims.iter().enumerate() {
+            let center = space.at(axis, self.build.prims.bounds(prim).center()[axis]);
+            let share = (index as f32 + 0.5) / count;
+            let (at, from, size) = match axis {
+                Axis::Y => {
+                    let y = space.max.y + (space.min.y - space.max.y) * share;
+                    let high = ((space.max.y - space.min.y) / count - 3.0).clamp(4.0, u * 1.6);
+                    let at = Vec2::new(space.max.x + u * 2.0, y);
+                    (at, Vec2::new(space.max.x, center), Vec2::new(u * 1.9, high))
+                }
+                _ => {
+                    let x = space.min.x + (space.max.x - space.min.x) * share;
+                    let wide = ((space.max.x - space.min.x) / count - 3.0).clamp(4.0, u * 3.0);
+                    let at = Vec2::new(x, space.max.y + u * 2.0);
+                    (at, Vec2::new(center, space.max.y), Vec2::new(wide, u * 1.5))
+                }
+            };
+            let role = match now {
+                Some(now) if now.axis == axis && !self.hide && (index as u32) < now.below => Role::Below,
+                Some(now) if now.axis == axis && !self.hide => Role::Above,
+                _ => Role::Edge,
+            };
+            let edge = if axis == Axis::Y { Vec2::new(size.x * 0.5, 0.0) } else { Vec2::new(0.0, size.y * 0.5) };
+            self.figure.add(Role::Hidden, None, line(from, at - edge));
+            self.figure.add(role, Some(Place::Prim(prim)), block(at - size * 0.5, size, u * 0.2));
+            let place = Some(Place::Prim(prim));
+            write(
+                self.figure,
+                Role::Text,
+                place,
+                at,
+                &prim.0.to_string(),
+                small.min(size.y),
+                Face::Regular,
+                Anchor::Middle,
+            );
+        }
+    }
+
+    /// The costs along an axis: what was weighed, the least so far, what is weighed now, what is still to come.
+    fn curve(
+        &mut self,
+        node: NodeId,
+        axis: Axis,
+        order: Option<&Order>,
+        ahead: &[Weighed],
+        scale: &Ticks,
+        whole: Option<&(String, f32)>,
+        now: Option<Candidate>,
+    ) {
+        let (u, small, space) = (self.look.text, self.look.small(), self.space);
+        let place = Some(Place::Node(node));
+        let own = |weighed: &&Weighed| weighed.axis == Direction::from(axis) && weighed.cost.is_finite();
+        let edge = if axis == Axis::Y { space.max.x + u * 0.4 } else { space.max.y + u * 0.4 };
+        let edge = if order.is_some() { edge + u * 2.5 } else { edge };
+        let point =
+            |across: f32, along: f32| if axis == Axis::Y { Vec2::new(along, across) } else { Vec2::new(across, along) };
+        let cost_at = |weighed: &Weighed| point(self.place_of(axis, order, weighed), scale.x(weighed.cost));
+        let tick = |weighed: &Weighed, length: f32| {
+            let across = self.place_of(axis, order, weighed);
+            line(point(across, edge), point(across, edge + length))
+        };
+        let waits: Vec<Ink> = ahead.iter().filter(own).map(|weighed| tick(weighed, u * 0.5)).collect();
+        let done: Vec<Weighed> = self.moment.weighed.iter().filter(own).copied().collect();
+        let ticks: Vec<Ink> = done.iter().map(|weighed| tick(weighed, u * 0.6)).collect();
+        let mut points: Vec<Vec2> = done.iter().map(cost_at).collect();
+        let least = self.moment.cheapest().filter(|least| own(&least));
+        let least = least.map(|least| (cost_at(&least), tick(&least, u * 0.7), least.cost));
+        let here = now.filter(|now| now.axis == axis).and_then(|_| done.last()).map(|last| (cost_at(last), *last));
+        let taken = self.moment.nodes.get(&node).and_then(|node| node.split);
+        self.figure.marks.extend(waits.into_iter().map(|ink| crate::page::Mark { ink, role: Role::Hidden, place }));
+        if self.hide {
+            for ink in ticks {
+                self.figure.add(Role::Candidate, place, ink);
+            }
+            return;
+        }
+        for ink in ticks {
+            self.figure.add(Role::Edge, place, ink);
+        }
+        if let Some((says, cost)) = whole.filter(|_| axis == Axis::X) {
+            let y = scale.x(*cost);
+            let (from, to) = (Vec2::new(space.min.x, y), Vec2::new(space.max.x, y));
+            self.figure.add(Role::Hidden, None, line(from, to));
+            let at = to - Vec2::new(u * 0.3, u * 0.8);
+            write(self.figure, Role::Quiet, None, at, says, small, Face::Regular, Anchor::End);
+        }
+        if let (Some(order), Axis::X) = (order, axis) {
+            self.cuts(order, now);
+        }
+        if axis == Axis::Y {
+            points.sort_by(|a, b| a.y.total_cmp(&b.y));
+        } else {
+            points.sort_by(|a, b| a.x.total_cmp(&b.x));
+        }
+        if points.len() > 1 {
+            self.figure.add(Role::Edge, None, Ink::Line { points: points.clone() });
+        }
+        for center in points {
+            self.figure.add(Role::Edge, place, Ink::Circle { center, radius: u * 0.2 });
+        }
+        if let Some((at, ink, cost)) = least {
+            self.figure.add(Role::Best, place, ink);
+            self.figure.add(Role::Best, place, Ink::Circle { center: at, radius: u * 0.34 });
+            let says = if taken.is_some() {
+                format!("taken: {}", number(cost))
+            } else {
+                format!("least so far: {}", number(cost))
+            };
+            self.beside_dot(axis, at, &says, Role::Best, u * 1.3);
+        }
+        if let Some((at, last)) = here {
+            let across = self.place_of(axis, order, &last);
+            let cut = match axis {
+                Axis::Y => line(Vec2::new(space.min.x, across), at),
+                _ => line(Vec2::new(across, space.min.y), at),
+            };
+            // A hierarchy does not cut space: its line begins at the list.
+            let cut = if order.is_some() { line(point(across, edge - u * 1.6), at) } else { cut };
+            self.figure.add(Role::Value, place, cut);
+            self.figure.add(Role::Tick, place, Ink::Circle { center: at, radius: u * 0.5 });
+            self.beside_dot(axis, at, &format!("cost {}", number(last.cost)), Role::Value, -u * 1.3);
+            let says = match order {
+                Some(_) => format!("{} | {}", last.below, last.above),
+                None => format!("{axis} = {}", number(last.plane)),
+            };
+            let at = match axis {
+                Axis::Y => Vec2::new(space.min.x - u * 0.2, across),
+                _ => Vec2::new(across, self.bottom() + u * 1.0),
+            };
+            let anchor = if axis == Axis::Y { Anchor::End } else { Anchor::Middle };
+            let (size, face) = (small, Face::Medium);
+            self.figure.add(Role::Value, place, Ink::Text { at, text: says, size, face, anchor, boxed: true });
+        }
+    }
+
+    /// Where a list can be cut, by how many come to its two sides.
+    fn cuts(&mut self, order: &Order, now: Option<Candidate>) {
+        let (u, small) = (self.look.text, self.look.small() * 0.92);
+        let (count, y) = (order.prims.len(), self.bottom());
+        for below in 1..count as u32 {
+            let x = self.space.min.x + (self.space.max.x - self.space.min.x) * below as f32 / count as f32;
+            let at = Vec2::new(x, y);
+            self.figure.add(Role::Edge, None, line(at, at + Vec2::new(0.0, u * 0.35)));
+            let now = now.is_some_and(|now| now.axis == Axis::X && now.below.abs_diff(below) <= 1);
+            let says = format!("{below}|{}", count as u32 - below);
+            let wide = (self.space.max.x - self.space.min.x) / count as f32;
+            if !now && text_width(&says, Face::Regular, small) < wide - 2.0 {
+                let at = at + Vec2::new(0.0, u);
+                write(self.figure, Role::Quiet, None, at, &says, small, Face::Regular, Anchor::Middle);
+            }
+        }
+    }
+
+    /// A boxed word beside a dot, on the side where there is room.
+    fn beside_dot(&mut self, axis: Axis, dot: Vec2, says: &str, role: Role, dy: f32) {
+        let (u, small) = (self.look.text, self.look.small());
+        let width = text_width(says, Face::Medium, small) + u * 1.2;
+        let (left, right) = match axis {
+            Axis::Y => (self.across(), self.figure.size.x - u * 0.4),
+            _ => (self.space.min.x, self.space.max.x),
+        };
+        let x = if dot.x + u + width < right { dot.x + u * 1.4 } else { dot.x - u * 0.6 - width };
+        let x = x.max(left + u * 0.4);
+        let (low, high) = match axis {
+            Axis::Y => (self.space.min.y, self.space.max.y),
+            _ => (self.under(), self.bottom()),
+        };
+        let dy = if dot.y + dy > high - u || dot.y + dy < low + u { -dy } else { dy };
+        let (at, anchor, face) = (Vec2::new(x, dot.y + dy), Anchor::Start, Face::Medium);
+        self.figure.add(role, None, Ink::Text { at, text: says.to_owned(), size: small, face, anchor, boxed: true });
+    }
+
+    /// What the signs mean, in the corner that the two plots leave.
+    fn legend(&mut self, bottom: f32) {
+        let (u, small) = (self.look.text, self.look.small());
+        let cut = VolumeName::of(self.build.structure).cut;
+        let rows = [
+            (Role::Tick, format!("{cut} weighed now")),
+            (Role::Edge, "weighed".to_owned()),
+            (Role::Best, "least so far".to_owned()),
+            (Role::Hidden, "still to weigh".to_owned()),
+            (Role::Below, "below".to_owned()),
+            (Role::Above, "above".to_owned()),
+        ];
+        let left = self.across() + u * 0.5;
+        let top = self.under() + u * 0.8;
+        let step = ((bottom - top) / rows.len() as f32).min(u * 1.7);
+        if step < u * 1.15 {
+            return;
+        }
+        for (index, (role, says)) in rows.into_iter().enumerate() {
+            let at = Vec2::new(left, top + step * (index as f32 + 0.3));
+            let ink = match role {
+                Role::Tick => Ink::Circle { center: at, radius: u * 0.5 },
+                Role::Edge => Ink::Circle { center: at, radius: u * 0.2 },
+                Role::Best => Ink::Circle { center: at, radius: u * 0.34 },
+                Role::Hidden => line(at - Vec2::new(0.0, u * 0.4), at + Vec2::new(0.0, u * 0.4)),
+                _ => block(at - Vec2::new(u * 0.7, u * 0.5), Vec2::new(u * 1.4, u), 0.0),
+            };
+            self.figure.add(role, None, ink);
+            let at = at + Vec2::new(u * 1.4, 0.0);
+            write(self.figure, Role::Quiet, None, at, &says, small, Face::Regular, Anchor::Start);
+        }
+    }
+}
