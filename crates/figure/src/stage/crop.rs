@@ -38,9 +38,15 @@ fn cropped(mark: Mark, min: Vec2, max: Vec2) -> Vec<Mark> {
             let seen = low.cmplt(high).all();
             if seen { vec![again(Ink::Rect { min: low, max: high, round: *round })] } else { Vec::new() }
         }
-        Ink::Circle { center, radius } if *radius > (max - min).max_element() => {
-            // So large a circle is nearly straight on the page.
-            let sides = 4096;
+        Ink::Circle { center, radius } => {
+            let (low, high) = (*center - *radius, *center + *radius);
+            if inside(&low) && inside(&high) {
+                return vec![mark];
+            }
+            if low.cmpgt(max).any() || high.cmplt(min).any() {
+                return Vec::new();
+            }
+            let sides = if *radius < 2000.0 { 256 } else { 4096 };
             let turn = std::f64::consts::TAU / f64::from(sides);
             let at = |side: i32| {
                 let (sin, cos) = (libm::sin(turn * f64::from(side)), libm::cos(turn * f64::from(side)));
@@ -48,10 +54,6 @@ fn cropped(mark: Mark, min: Vec2, max: Vec2) -> Vec<Mark> {
             };
             let points = polygon(&(0..sides).map(at).collect::<Vec<_>>(), min, max);
             if points.len() < 3 { Vec::new() } else { vec![again(Ink::Area { points })] }
-        }
-        Ink::Circle { center, radius } => {
-            let (low, high) = (*center - *radius, *center + *radius);
-            if low.cmplt(max).all() && high.cmpgt(min).all() { vec![mark] } else { Vec::new() }
         }
         Ink::Arrowhead { tip: at, .. } | Ink::Text { at, .. } | Ink::Formula { at, .. } if !inside(at) => Vec::new(),
         _ => vec![mark],
