@@ -2,7 +2,7 @@
 
 use raystep_accel::{Aabb, Place, Primitives, Prims, Structure};
 
-use super::{Guess, Instant, Kind, best_of};
+use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
@@ -95,7 +95,7 @@ impl Kind for Build<'_> {
     }
 
     fn best(&self) -> Option<Pane> {
-        best_of(self.structure).filter(|pane| *pane != Pane::Slabs)
+        Pane::best_of(self.structure).filter(|pane| *pane != Pane::Slabs)
     }
 
     fn height(&self, pane: Pane, look: &Look) -> Option<f32> {

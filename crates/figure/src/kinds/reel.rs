@@ -57,7 +57,7 @@ impl<'a> Reel<'a> {
 
     /// Whether there is anything to show in a pane.
     pub fn has(&self, pane: Pane) -> bool {
-        super::has(&*self.0, pane)
+        super::still::has(&*self.0, pane)
     }
 
     /// The pane in which it is best seen beside space.

@@ -2,7 +2,7 @@
 
 use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Visit};
 
-use super::{Guess, Instant, Kind, best_of};
+use super::{Guess, Instant, Kind};
 use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::{
@@ -94,7 +94,7 @@ impl Kind for Walk<'_> {
     }
 
     fn best(&self) -> Option<Pane> {
-        best_of(self.structure)
+        Pane::best_of(self.structure)
     }
 
     fn height(&self, pane: Pane, look: &Look) -> Option<f32> {

@@ -75,7 +75,7 @@ pub fn listing(
                 y += row;
                 let values = indented(line.indent + 1, values);
                 let letters = fitting(&values, letters);
-                put(&mut figure, Role::Value, event.map(|event| event.place()), y, &values, letters, Face::MonoMedium);
+                put(&mut figure, Role::Value, event.map(Fact::place), y, &values, letters, Face::MonoMedium);
             }
         } else if cut {
             put(&mut figure, Role::Quiet, None, y, &indented(line.indent, "…"), letters, Face::Mono);

@@ -1,6 +1,7 @@
 //! Which panes there are, and what one is told that is to be drawn.
 
 use glam::Vec2;
+use raystep_accel::Structure;
 
 use super::{ListingLine, TreeView};
 use crate::page::Look;
@@ -54,6 +55,16 @@ impl Pane {
         Pane::Legend,
         Pane::Timeline,
     ];
+
+    /// The pane in which a structure is best seen beside space; nothing if it has no parts.
+    pub(crate) fn best_of(structure: &Structure) -> Option<Pane> {
+        match structure {
+            Structure::Slab(_) => Some(Pane::Slabs),
+            Structure::List(_) => None,
+            structure if structure.grid().is_some() => Some(Pane::Cells),
+            _ => Some(Pane::Tree),
+        }
+    }
 
     /// What stands on its tab.
     pub fn name(self) -> &'static str {

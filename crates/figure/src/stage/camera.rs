@@ -3,8 +3,6 @@
 use glam::{Mat4, Vec2, Vec3};
 use raystep_accel::{Ray, RayError};
 
-use super::lens::Lens;
-
 /// A camera; the one type that projects the world onto a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Camera {
@@ -55,11 +53,6 @@ impl Camera {
                 clip_from_view * view_from_world(eye, target, up)
             }
         }
-    }
-
-    /// The point of the page (points, y down) that shows `world`, and its depth (reverse z); nothing behind the eye.
-    pub fn project(&self, world: Vec3, size: Vec2) -> Option<(Vec2, f32)> {
-        Lens::new(self, size).point(world)
     }
 
     /// The ray through a point of the page; in a flat scene, the ray straight down onto it.

@@ -18,6 +18,13 @@ pub(crate) struct Lens {
     near: Option<f32>,
 }
 
+impl Camera {
+    /// The point of the page (points, y down) that shows `world`, and its depth (reverse z); nothing behind the eye.
+    pub fn project(&self, world: Vec3, size: Vec2) -> Option<(Vec2, f32)> {
+        Lens::new(self, size).point(world)
+    }
+}
+
 impl Lens {
     pub(crate) fn new(camera: &Camera, size: Vec2) -> Lens {
         match *camera {

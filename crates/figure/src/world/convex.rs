@@ -3,7 +3,7 @@
 use glam::Vec3;
 use raystep_accel::{ConvexCell, FreePlane};
 
-use super::Form;
+use super::space::Form;
 
 /// What a cell looks like: its floor in a flat scene, its edges in a solid one.
 pub(crate) fn cell(cell: &ConvexCell, flat: bool) -> Vec<Form> {

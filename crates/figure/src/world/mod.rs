@@ -6,88 +6,12 @@ mod faces;
 mod globe;
 mod nodes;
 mod outlines;
-
-use glam::Vec3;
-use raystep_accel::{Aabb, Place, PrimId, Sphere};
-
-use crate::theme::Role;
+mod space;
 
 pub use body::lines;
 pub use faces::faces;
 pub(crate) use faces::ring;
 pub use globe::{circles, contour};
 pub use nodes::Nodes;
-
-/// What space shows at one step: lines, boxes, points and labels, in world coordinates. The primitives
-/// themselves are drawn from the scene; those to which something happened have a [`Form::Prim`] mark.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Space {
-    /// What is drawn, later ones on top.
-    pub marks: Vec<SpaceMark>,
-    /// What a camera should show.
-    pub bounds: Aabb,
-    /// Whether the scene is flat: seen from straight above, boxes are rectangles.
-    pub flat: bool,
-}
-
-impl Default for Space {
-    /// Nothing at all.
-    fn default() -> Space {
-        Space { marks: Vec::new(), bounds: Aabb::EMPTY, flat: true }
-    }
-}
-
-/// A form with a meaning and, where it is about one, a place.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SpaceMark {
-    /// The drawn form.
-    pub form: Form,
-    /// What it means.
-    pub role: Role,
-    /// What it is about.
-    pub place: Option<Place>,
-}
-
-/// A form in world space.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Form {
-    /// The twelve edges and the faint faces of a box.
-    Box(Aabb),
-    /// A rectangle in a plane: a split, or a slab's face. One of the box's sides has no length.
-    Sheet(Aabb),
-    /// A sphere: a circle in a flat scene, its outline and two circles around it in a solid one.
-    Sphere(Sphere),
-    /// A convex body in a solid scene by its edges: its outline strong, the others faint where they are many.
-    Body(Vec<[Vec3; 2]>),
-    /// A flat convex polygon: a cell or a volume of a flat scene, or what of a plane lies in a cell of a solid one.
-    Polygon(Vec<Vec3>),
-    /// A straight line.
-    Segment(Vec3, Vec3),
-    /// A line with a head at its end.
-    Arrow(Vec3, Vec3),
-    /// A ring around a point.
-    Point(Vec3),
-    /// A primitive, to be drawn in the mark's role.
-    Prim(PrimId),
-    /// A label in a rounded box.
-    Label {
-        /// What it labels, if that is a point.
-        at: Vec3,
-        /// What it labels, if that is a box: it lies in one of its corners.
-        within: Option<Aabb>,
-        /// The text.
-        text: String,
-    },
-}
-
-/// The corners of a box: bit 0 of the index is x, bit 1 y, bit 2 z.
-pub(crate) fn corners(bounds: &Aabb) -> [Vec3; 8] {
-    std::array::from_fn(|index| {
-        let pick = |bit: usize, low: f32, high: f32| if index & bit == 0 { low } else { high };
-        Vec3::new(
-            pick(1, bounds.min.x, bounds.max.x),
-            pick(2, bounds.min.y, bounds.max.y),
-            pick(4, bounds.min.z, bounds.max.z),
-        )
-    })
-}
+pub(crate) use space::corners;
+pub use space::{Form, Space, SpaceMark};

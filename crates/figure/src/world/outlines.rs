@@ -5,7 +5,8 @@ use std::collections::BTreeSet;
 use glam::Vec3;
 use raystep_accel::{Aabb, AnyBvh, NodeId, Outline, Sphere, Structure};
 
-use super::{Form, convex};
+use super::convex;
+use super::space::Form;
 
 /// What a node looks like; nothing if a box shows it.
 pub(crate) fn node(structure: &Structure, node: NodeId, flat: bool) -> Vec<Form> {
