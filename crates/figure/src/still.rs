@@ -3,6 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Event, Place, Primitives};
 
+use crate::ledger::weighed;
 use crate::work::{counted, tested};
 use crate::{
     Build, Figure, GrowMoment, ListingLine, Look, Moment, Role, Space, TreeView, VolumeName, Walk, bytes, cells,
@@ -187,11 +188,8 @@ impl Still<'_> {
                 format!("{tests} of {tested} tested")
             }
             Still::Build(build, moment) => {
-                let cut = VolumeName::of(build.structure).cut;
-                let tally = &moment.tally;
-                let weighed = counted(tally.weighed, &format!("{cut} weighed"), &format!("{cut}s weighed"));
-                let stored = counted(tally.stored, "reference stored", "references stored");
-                if tally.weighed > 0 { format!("{weighed} · {stored}") } else { stored }
+                let stored = counted(moment.tally.stored, "reference stored", "references stored");
+                weighed(build, moment).map_or_else(|| stored.clone(), |weighed| format!("{weighed} · {stored}"))
             }
         }
     }

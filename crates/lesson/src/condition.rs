@@ -64,7 +64,10 @@ impl Condition {
 
     /// The event that it asks for, if it does.
     pub(crate) fn event(&self) -> Option<&str> {
-        self.0.iter().find(|comparison| comparison.fact == "event" && comparison.relation == Relation::Is).map(|comparison| &*comparison.value)
+        self.0
+            .iter()
+            .find(|comparison| comparison.fact == "event" && comparison.relation == Relation::Is)
+            .map(|comparison| &*comparison.value)
     }
 
     /// The facts that must be a certain word, each with that word.
