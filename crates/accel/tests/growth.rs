@@ -166,17 +166,20 @@ fn what_is_weighed_says_where_its_cost_comes_from() {
         "kd split=median",
         "kd split=sah empty_bonus=0.5 traversal_cost=3 intersection_cost=7",
         "bsp",
+        "bsp planes=candidates",
         "bvh split=sweep",
         "bvh split=binned",
         "bvh split=middle",
         "bvh split=median",
     ];
     for line in lines {
-        for rule in [rule(line), rule(line).flat()] {
+        // No triangle in space lies in an upright plane: a flat BSP tree has nothing to cut there.
+        let flat = (line != "bsp").then(|| rule(line).flat());
+        for rule in [Some(rule(line)), flat].into_iter().flatten() {
             let mut events: Vec<Grow> = Vec::new();
             Structure::build(&mesh, &rule, &mut events).unwrap();
             let weighed = events.iter().filter(|event| matches!(event, Grow::Weigh { .. }));
-            assert!(weighed.clone().next().is_some(), "{line}");
+            assert!(weighed.clone().next().is_some(), "{line}: {rule:?}");
             for event in weighed {
                 let &Grow::Weigh {
                     below,

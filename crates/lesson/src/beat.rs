@@ -73,7 +73,12 @@ impl Beat {
 impl Paragraph {
     /// Whether it is said: its condition holds, and all that it names has happened.
     fn is_said(&self, facts: &Facts<'_>) -> bool {
-        self.only_if.as_ref().is_none_or(|condition| condition.holds(facts)) && self.is_known(facts)
+        self.is_asked_for(facts) && self.is_known(facts)
+    }
+
+    /// Whether its condition holds.
+    pub(crate) fn is_asked_for(&self, facts: &Facts<'_>) -> bool {
+        self.only_if.as_ref().is_none_or(|condition| condition.holds(facts))
     }
 
     /// Whether all that it names has happened.

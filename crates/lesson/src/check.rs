@@ -1,6 +1,6 @@
 //! Checks the lessons by playing them: every slide on each of its stages with each of its rays.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use raystep_accel::{Event, Rule, Value};
@@ -15,7 +15,7 @@ use crate::{
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well.
 pub fn check(library: &Library) -> Vec<Problem> {
     let mut checker =
-        Checker { library, problems: library.problems.clone(), built: HashMap::new(), said: HashSet::new() };
+        Checker { library, problems: library.problems.clone(), built: HashMap::new(), told: HashMap::new() };
     for slide in &library.slides {
         checker.slide(slide);
     }
@@ -29,8 +29,8 @@ struct Checker<'a> {
     problems: Vec<Problem>,
     /// What was built before: slides share scenes and structures.
     built: HashMap<String, Option<Built>>,
-    /// Where the paragraphs of the slide begin that can be said somewhere.
-    said: HashSet<Spot>,
+    /// Where the paragraphs of the slide begin that are asked for, and whether they can be said somewhere.
+    told: HashMap<Spot, bool>,
 }
 
 impl Checker<'_> {
@@ -45,7 +45,7 @@ impl Checker<'_> {
             let known: Vec<&str> = library.listings.iter().map(|listing| listing.name.as_str()).collect();
             self.say(slide, slide.listing_spot, misspelt("listing", &slide.listing, &known));
         }
-        self.said.clear();
+        self.told.clear();
         let mut played = true;
         for stage in &slide.stages {
             self.beat_rays(slide, stage);
@@ -65,11 +65,9 @@ impl Checker<'_> {
         self.library.problems.iter().all(|problem| problem.file != slide.file)
     }
 
-    /// Of every paragraph, all that it names happens somewhere.
+    /// Of every paragraph that is asked for, all that it names happens somewhere.
     fn silence(&mut self, slide: &Slide) {
-        let paragraphs = slide.beats.iter().flat_map(|beat| &beat.paragraphs);
-        let silent: Vec<Spot> = paragraphs.map(|paragraph| paragraph.spot).filter(|s| !self.said.contains(s)).collect();
-        for spot in silent {
+        for (spot, _) in std::mem::take(&mut self.told).into_iter().filter(|(_, said)| !said) {
             let what = if slide.plays == Plays::Build { "build" } else { "ray" };
             self.say(
                 slide,
@@ -202,8 +200,9 @@ impl Checker<'_> {
     fn hear(&mut self, slide: &Slide, play: &Play) {
         for (beat, step) in slide.beats.iter().zip(&play.beats) {
             let Some(facts) = step.and_then(|step| Facts::at(play, step)) else { continue };
-            let said = beat.paragraphs.iter().filter(|paragraph| paragraph.is_known(&facts));
-            self.said.extend(said.map(|paragraph| paragraph.spot));
+            for paragraph in beat.paragraphs.iter().filter(|paragraph| paragraph.is_asked_for(&facts)) {
+                *self.told.entry(paragraph.spot).or_default() |= paragraph.is_known(&facts);
+            }
         }
     }
 

@@ -82,6 +82,24 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
         ("reason for no answer", "- far: Only", "- fra: Only"),
         ("answer without reason", "- far: Only", "- far Only"),
         ("no question", "> ask {field=near}: Which child first?\n> - far: Only later.\n", ""),
+        ("condition without a comparison", "> if side=both", "> if side"),
+        ("condition on an event that is none", "> if side=both", "> if plain.t=3"),
+        ("comparison of what is no number", "> if side=both", "> if side<3"),
+        ("stage that is none", "> if side=both", "> if stage=sollid"),
+        ("text without a colon", "> if side=both: Both.", "> paper if side=both"),
+        ("count of an unknown event", "{{plane}}", "{{count.plain}}"),
+        ("field that an earlier event lacks", "{{best_t}}", "{{push.best_t}}"),
+        ("what never happened before", "It stands at {{plane}}.", "It stands at {{drop.t_near}}."),
+        ("nothing is played beside", "{{best_t}}", "{{beside.count.test}}"),
+        ("beside is an unknown structure", "min_objects = 2 }", "min_objects = 2 }\nbeside = { kind = \"kt\" }"),
+        ("unknown offer", "The best is {{best_t}}.", "> window: [Go](go:home)"),
+        ("offer on paper", "The best is {{best_t}}.", "[Less](set:max_depth=3)"),
+        ("offer of a wrong parameter", "The best is {{best_t}}.", "> window: [Less](set:max_dept=3)"),
+        ("offer of no value", "The best is {{best_t}}.", "> window: [Less](set:max_depth)"),
+        ("offer of an unknown slide", "The best is {{best_t}}.", "> window: [On](slide:9/9)"),
+        ("comparison with itself", "The best is {{best_t}}.", "> window: [Both](compare:kd)"),
+        ("comparison with nothing", "The best is {{best_t}}.", "> window: [Both](compare:kt)"),
+        ("other event on the solid stage", "{at=drop}", "{at=drop solid=pop}"),
         ("nothing to choose between", "The best is", "> ask {field=node}: Which?\n\nThe best is"),
     ];
     let mut table = String::new();
@@ -97,6 +115,7 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
     for (what, listing) in [
         ("listing with an unknown event", LISTING.replace("| end", "| ende")),
         ("listing with an unknown field", LISTING.replace("{{t}}", "{{tt}}")),
+        ("listing with a wrong condition", LISTING.replace("| plane :", "| plane if dd=0 :")),
         ("listing without a line for an event", LISTING.replace("push", "")),
     ] {
         table += &format!("{what}\n{}", of_files(SLIDE, &listing));

@@ -77,7 +77,7 @@ const LEADING: f32 = 1.5;
 const GAP: f32 = 0.6;
 
 /// Signs that stay with what they relate.
-const RELATIONS: [&str; 7] = ["=", "<", ">", "≤", "≥", "←", "·"];
+const RELATIONS: [&str; 8] = ["=", "<", ">", "≤", "≥", "←", "·", "/"];
 
 /// What is never broken.
 #[derive(Clone)]

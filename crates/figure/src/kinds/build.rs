@@ -7,7 +7,7 @@ use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
     Ask, Pane, TreeView, cells_of_build, costs, legend, listing, space_of_build, stack_of_build, timeline_of_build,
-    tree_of_build, weighing, work_of_build,
+    tree_of_build, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, VolumeName, counted};
@@ -125,11 +125,9 @@ impl Kind for Build<'_> {
     }
 
     fn tally(&self, at: &Instant) -> String {
-        let tally = &at.state::<GrowMoment>().tally;
-        let cut = VolumeName::of(self.structure).cut;
-        let weighed = counted(tally.weighed, &format!("{cut} weighed"), &format!("{cut}s weighed"));
-        let stored = counted(tally.stored, "reference stored", "references stored");
-        if tally.weighed > 0 { format!("{weighed} · {stored}") } else { stored }
+        let moment: &GrowMoment = at.state();
+        let stored = counted(moment.tally.stored, "reference stored", "references stored");
+        weighed(self, moment).map_or_else(|| stored.clone(), |weighed| format!("{weighed} · {stored}"))
     }
 
     fn guess(&self, at: &mut Instant, guesses: &[Guess]) {

@@ -28,4 +28,5 @@ pub(crate) use timeline::track;
 pub use timeline::{Track, timeline, timeline_of_build};
 pub use tree::{TreeView, tree, tree_of_build};
 pub(crate) use weighing::weighing;
+pub(crate) use work::weighed;
 pub use work::{tested, work, work_of_build};

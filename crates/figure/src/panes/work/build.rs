@@ -59,7 +59,7 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
         y += u * 0.9;
     }
 
-    for says in wrapped(&words(moment, VolumeName::of(build.structure)), width, u) {
+    for says in wrapped(&words(build, moment), width, u) {
         y += u * 0.4;
         write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
         y += u * 1.2;
@@ -68,20 +68,30 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
 }
 
 /// What else was done. Only what happened.
-fn words(moment: &GrowMoment, volume: VolumeName) -> Vec<String> {
+fn words(build: &Build<'_>, moment: &GrowMoment) -> Vec<String> {
     let tally = &moment.tally;
-    let (one_weighed, many_weighed) = (format!("{} weighed", volume.cut), format!("{}s weighed", volume.cut));
-    [
-        (tally.weighed, &*one_weighed, &*many_weighed),
+    let rest = [
         (tally.taken, "taken", "taken"),
         (tally.leaves, "leaf", "leaves"),
         (moment.waiting.len() as u64, "node waits", "nodes wait"),
         // A primitive and a cell: each pair is looked at once.
         (tally.rasterised, "time a box meets a cell", "times a box meets a cell"),
         (tally.pruned, "time its primitive does not reach it", "times its primitive does not reach it"),
-    ]
-    .into_iter()
-    .filter(|(count, ..)| *count > 0)
-    .map(|(count, one, many)| counted(count, one, many))
-    .collect()
+    ];
+    let rest = rest.into_iter().filter(|(count, ..)| *count > 0).map(|(count, one, many)| counted(count, one, many));
+    weighed(build, moment).into_iter().chain(rest).collect()
+}
+
+/// How many planes, or ways to share out, were weighed: `15 planes weighed`.
+pub(crate) fn weighed(build: &Build<'_>, moment: &GrowMoment) -> Option<String> {
+    let (name, kept, cut) = ("weigh", moment.tally.weighed, VolumeName::of(build.structure).cut);
+    let lost = build.lost.get(name).copied().unwrap_or(0);
+    let ahead = build.events.get(moment.step..).unwrap_or_default();
+    let (count, exact) = match ahead {
+        [] => (kept + lost, true),
+        // They are lost only after the last one that was kept.
+        _ => (kept, lost == 0 || ahead.iter().any(|event| event.name() == name)),
+    };
+    let says = counted(count, &format!("{cut} weighed"), &format!("{cut}s weighed"));
+    (count > 0).then(|| if exact { says } else { format!("at least {says}") })
 }

@@ -5,6 +5,7 @@ mod build;
 use glam::Vec2;
 use raystep_accel::{Cost, Primitives, Structure};
 
+pub(crate) use build::weighed;
 pub use build::work_of_build;
 
 use crate::moments::{Moment, Walk};
