@@ -179,7 +179,7 @@ impl<'a> Session<'a> {
         let here = |beat: &usize| self.step_of(*beat) == Some(step);
         let beat = beat.or_else(|| self.beats().find(here));
         match beat.and_then(|beat| self.ground.beats.get(beat)) {
-            Some(beat) => (told(&beat.title, event), told(&beat.text(event), event)),
+            Some(beat) => (told(&beat.title, event), told(&beat.text(event, self.ground.stage.kind), event)),
             None => {
                 let volume = VolumeName::of(&self.play.structure);
                 (capitalised(&short(event, volume)), sentence(event, volume))

@@ -64,7 +64,7 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
                 });
             }
             if let Some(at) = at {
-                prose.show(ui, formulas, &told(&beat.text(&at), &at));
+                prose.show(ui, formulas, &told(&beat.text(&at, state.view.stage), &at));
             }
             // Later events say what they do themselves.
             if later && let Some(says) = says {

@@ -7,7 +7,6 @@ use raystep_lesson::Library;
 use super::app::App;
 use super::remember::Remembered;
 use super::solid::Solid;
-use super::view::RayChoice;
 
 /// What the window shall show first.
 #[derive(Debug, Default)]
@@ -71,9 +70,8 @@ impl App {
         let first = if wishes.mesh.is_some() { tree().unwrap_or(0) } else { 0 };
         let slide = wishes.slide.as_ref().and_then(index).unwrap_or(first);
         let mut app = App::new(context, library, slide, remembered);
-        let named = |name: &String| app.state.stage()?.rays.iter().position(|ray| ray.name == *name);
-        if let Some(ray) = wishes.ray.as_ref().and_then(named) {
-            app.state.show_ray(RayChoice::Named(ray), true);
+        if let Some(name) = &wishes.ray {
+            app.state.show_named_ray(name);
         }
         if let Some(step) = wishes.step {
             app.state.open_at(step);

@@ -145,7 +145,7 @@ fn said(app: &mut App, ui: &mut Ui, body: f32) -> Option<Command> {
         Some((beat, _)) => {
             ui.label(RichText::new(&beat.title).font(font(Face::Medium, body * 1.1)).color(ink(app.theme, Role::Text)));
             if let Some(event) = event {
-                prose.show(ui, &mut app.formulas, &told(&beat.text(&event), &event));
+                prose.show(ui, &mut app.formulas, &told(&beat.text(&event, state.view.stage), &event));
             }
         }
         None => {

@@ -2,7 +2,7 @@
 
 use raystep_accel::Event;
 
-use crate::{Ask, Spot, Wait, wait};
+use crate::{Ask, Spot, StageKind, Wait, wait};
 
 /// The walk plays on to the next such event, and this is said there.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +19,8 @@ pub struct Beat {
     pub ask: Option<Ask>,
     /// Where its heading stands.
     pub(crate) spot: Spot,
+    /// Where its title stands.
+    pub(crate) title_spot: Spot,
     /// Where its ray is named.
     pub(crate) ray_spot: Spot,
 }
@@ -28,17 +30,18 @@ pub struct Beat {
 pub struct Paragraph {
     /// Markdown with `{{field}}` of the event, and formulas between `$` or `$$`.
     pub text: String,
-    /// Said only if this field has this value, or the `event` this name.
+    /// Said only if this field has this value, the `event` this name, or the `stage` is of this kind.
     pub only_if: Option<(String, String)>,
-    /// Where it begins.
-    pub(crate) spot: Spot,
+    /// Where each of its lines begins.
+    pub(crate) lines: Vec<Spot>,
 }
 
 impl Beat {
-    /// What the beat says at its event: Markdown, its `{{field}}` not yet filled in.
-    pub fn text(&self, event: &Event) -> String {
+    /// What the beat says at its event on a stage: Markdown, its `{{field}}` not yet filled in.
+    pub fn text(&self, event: &Event, stage: StageKind) -> String {
         let said = |paragraph: &&Paragraph| match &paragraph.only_if {
             None => true,
+            Some((field, name)) if field == "stage" => name == stage.name(),
             Some((field, name)) if field == "event" => wait::names(name, event.name()),
             Some((field, text)) => event.field(field).is_some_and(|value| wait::says(&value, text)),
         };
