@@ -22,6 +22,8 @@ pub use check::CheckArguments;
 pub use export::ExportArguments;
 pub use fault::Fault;
 pub use measure::MeasureArguments;
+pub use rays::read as read_rays;
+pub use spelt::rule as read_rule;
 pub use start::StartArguments;
 pub use trace::TraceArguments;
 pub(crate) use verify::thousands;
