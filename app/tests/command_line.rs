@@ -173,6 +173,58 @@ fn lessons_are_checked() {
 }
 
 #[test]
+fn texts_and_formulas_are_checked_as_they_are_set() {
+    let folder = folder("check-texts");
+    let [section, listings] = ["05-kd-tree", "listings"].map(|name| folder.join(name));
+    std::fs::create_dir_all(&section).unwrap();
+    std::fs::create_dir_all(&listings).unwrap();
+    let lessons = Path::new(env!("CARGO_MANIFEST_DIR")).join("../lessons");
+    std::fs::copy(lessons.join("listings/kd-walk.txt"), listings.join("kd-walk.txt")).unwrap();
+    let slide = std::fs::read_to_string(lessons.join("05-kd-tree/40-grid-or-tree.md")).unwrap();
+    // One after the other in the place of a beat's second sentence.
+    let said = |text: &str| {
+        let sentence = "A grid walks through all its cells on this way, one by one.";
+        assert!(slide.contains(sentence));
+        std::fs::write(section.join("40-wrong.md"), slide.replace(sentence, text)).unwrap();
+        let output = raystep(&folder, &["check", "05-kd-tree/40-wrong.md"]);
+        let all = raystep(&folder, &["check", "."]);
+        assert_eq!(output.status.code(), all.status.code());
+        text_of(&output)
+    };
+    let mut table = String::new();
+    for text in [
+        "",
+        "A formula $\\frac{1}{2$ without its end.",
+        "An unknown $\\foo$ command.",
+        "\n\n| a | b |\n|---|---|\n| 1 | 2 |",
+        "![A picture](picture.png)",
+        "So $\\frac{{{t_near}}}{2}$ is.",
+        "So ${{t_near}}^{2$ is.",
+        "- one\n- two $\\vec{d}$",
+    ] {
+        table += &format!("{text:?}\n{}", said(text));
+    }
+    insta::assert_snapshot!(table);
+
+    // Whatever lies in the folder: what is named is said, and the rest is checked.
+    said("");
+    std::fs::copy(section.join("40-wrong.md"), section.join("41-again.md")).unwrap();
+    std::fs::write(section.join("42-bytes.md"), [0xFF; 9]).unwrap();
+    std::fs::write(section.join(".#40-wrong.md"), [0xFF; 9]).unwrap();
+    let output = raystep(&folder, &["check", "."]);
+    insta::assert_snapshot!(text_of(&output));
+    let output = raystep(&folder, &["check", "listings/kd-walk.txt", "05-kd-tree/42-bytes.md", "/dev/zero"]);
+    insta::assert_snapshot!(text_of(&output));
+    let output = raystep(&section, &["check", "41-again.md"]);
+    assert!(text_of(&output).contains("slide 5/40 is"), "{}", text_of(&output));
+}
+
+/// What a call said of what is wrong, and its exit code.
+fn text_of(output: &Output) -> String {
+    format!("{}exit code {:?}\n", text(&output.stderr), output.status.code())
+}
+
+#[test]
 fn a_slide_is_drawn_twice_with_the_same_bytes() {
     let folder = folder("export");
     let call = |format: &str, out: &str| {

@@ -6,7 +6,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::{Beside, RayChoice};
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::{Allowed, Grain};
-use raystep_lesson::Library;
+use raystep_lesson::{Library, StageKind};
 
 fn window(slide: Option<&str>, size: [f32; 2]) -> Harness<'static, App> {
     let wishes = Wishes { slide: slide.map(str::to_owned), ..Wishes::default() };
@@ -348,4 +348,46 @@ fn while_something_is_made_the_page_stays_and_can_be_walked() {
     harness.run_steps(2);
     assert!(harness.state().state.is_current());
     assert!(harness.state().state.view.same_page(&before));
+}
+
+#[test]
+fn slides_open_on_the_stage_that_they_say_and_else_on_the_one_that_was_asked_for() {
+    use StageKind::{Flat, Solid};
+    let mut harness = window(Some("5/37"), [1280.0, 800.0]);
+    let shown = |harness: &Harness<'static, App>| {
+        let state = &harness.state().state;
+        (state.slide().unwrap().numbers[0].clone(), state.stage().unwrap().kind)
+    };
+    let turned = |harness: &mut Harness<'static, App>, key| {
+        press(harness, key);
+        settle(harness);
+        shown(harness)
+    };
+    assert_eq!(shown(&harness), ("37".to_owned(), Flat));
+    assert_eq!(turned(&mut harness, Key::PageDown), ("39".to_owned(), Solid));
+    assert_eq!(turned(&mut harness, Key::PageDown), ("40".to_owned(), Flat));
+    harness.state_mut().state.show_stage(Solid);
+    settle(&mut harness);
+    assert_eq!(turned(&mut harness, Key::PageUp), ("39".to_owned(), Solid));
+    assert_eq!(turned(&mut harness, Key::PageUp), ("37".to_owned(), Solid));
+    assert_eq!(turned(&mut harness, Key::PageDown), ("39".to_owned(), Solid));
+    // What was asked for stays when the slide's own ray and view come back.
+    harness.state_mut().state.show_stage(Flat);
+    settle(&mut harness);
+    assert_eq!(turned(&mut harness, Key::Backspace), ("39".to_owned(), Flat));
+
+    // A ray that was named is shown where it walks.
+    let named = |slide: &str, ray: &str| {
+        let wishes = Wishes { slide: Some(slide.to_owned()), ray: Some(ray.to_owned()), ..Wishes::default() };
+        let mut harness = Harness::builder()
+            .with_size([1280.0, 800.0])
+            .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
+        settle(&mut harness);
+        let state = &harness.state().state;
+        (state.stage().unwrap().kind, state.view.ray.clone())
+    };
+    assert_eq!(named("5/39", "a short way to the hit"), (Flat, RayChoice::Named(1)));
+    assert_eq!(named("5/39", "over the floor"), (Solid, RayChoice::Named(1)));
+    assert_eq!(named("5/37", "down onto the floor"), (Solid, RayChoice::Named(1)));
+    assert_eq!(named("5/39", "nobody"), (Solid, RayChoice::Named(0)));
 }

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use raystep_lesson::{Library, Problem, check};
+use raystep_lesson::{Library, Problem, Script, check, check_file};
+use raystep_print::{proof, proof_code, proof_plain};
 
 use crate::fault::{Fault, about};
 
@@ -18,10 +19,10 @@ pub struct CheckArguments {
 pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Fault> {
     let mut problems = Vec::new();
     if arguments.paths.is_empty() {
-        problems = check(&Library::embedded());
+        problems = check(&Library::embedded(), &set);
     }
     for path in &arguments.paths {
-        problems.extend(if path.is_dir() { folder(path)? } else { slide(path)? });
+        problems.extend(if path.is_dir() { folder(path)? } else { file(path)? });
     }
     if problems.is_empty() {
         return Ok(());
@@ -33,26 +34,41 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Fault> {
     Err(Fault::new(format!("{count} {} to mend", if count == 1 { "thing" } else { "things" })))
 }
 
+/// What of a text cannot be shown, as those say who set it.
+fn set(text: &str, script: Script) -> Vec<(usize, String)> {
+    match script {
+        Script::Plain => proof_plain(text),
+        Script::Markdown => proof(text),
+        Script::Code => proof_code(text),
+    }
+}
+
 fn folder(path: &Path) -> Result<Vec<Problem>, Fault> {
-    let problems = check(&Library::from_dir(path).map_err(about(path))?);
+    let problems = check(&Library::from_dir(path).map_err(about(path))?, &set);
     Ok(problems.into_iter().map(|problem| named(problem, path)).collect())
 }
 
-/// A slide is checked among the others of its lessons, whose listings it uses; a lonely one beside the
-/// listings in the program.
-fn slide(path: &Path) -> Result<Vec<Problem>, Fault> {
-    let text = std::fs::read_to_string(path).map_err(about(path))?;
-    let part = |path: Option<&Path>| path.and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
-    let section = part(path.parent()).unwrap_or_else(|| "00-section".to_owned());
-    let name = format!("{section}/{}", part(Some(path)).unwrap_or_default());
-    let mut library = Library::from_files([(name.clone(), text)]);
-    let lessons = path.parent().and_then(Path::parent).filter(|folder| folder.join("listings").is_dir());
-    library.listings = match lessons {
-        Some(folder) => Library::from_dir(folder).map_err(about(folder))?.listings,
-        None => Library::embedded().listings,
+/// A slide or a listing is checked among the others of its lessons; a lonely slide beside the listings in the
+/// program.
+fn file(path: &Path) -> Result<Vec<Problem>, Fault> {
+    let text = match Library::text_of(path) {
+        Ok(text) => text,
+        Err(problem) => return Ok(vec![problem]),
     };
-    let own = check(&library).into_iter().filter(|problem| problem.file == name);
-    Ok(own.map(|problem| Problem { file: path.display().to_string(), ..problem }).collect())
+    let whole = std::path::absolute(path).map_err(about(path))?;
+    let part = |path: Option<&Path>| path.and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
+    let section = part(whole.parent()).unwrap_or_else(|| "00-section".to_owned());
+    let name = format!("{section}/{}", part(Some(path)).unwrap_or_default());
+    let lessons = whole.parent().and_then(Path::parent).filter(|folder| folder.join("listings").is_dir());
+    let library = match lessons {
+        Some(folder) => Library::from_dir(folder).map_err(about(folder))?,
+        None => {
+            let listings = Library::embedded().listings;
+            Library { listings, ..Library::from_files([(name.clone(), text)]) }
+        }
+    };
+    let own = check_file(&library, &name, &set);
+    Ok(own.into_iter().map(|problem| Problem { file: path.display().to_string(), ..problem }).collect())
 }
 
 /// The problem with its file as it is found from here.

@@ -20,6 +20,8 @@ pub use crate::fault::Fault;
 pub use check::CheckArguments;
 pub use export::ExportArguments;
 pub use measure::MeasureArguments;
+pub use rays::read as read_rays;
+pub use spelt::rule as read_rule;
 pub use start::StartArguments;
 pub use trace::TraceArguments;
 pub use verify::{VerifyArguments, replay};

@@ -9,7 +9,10 @@ use crate::fault::Fault;
 const COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "t_min", "t_max"];
 
 /// The rays of a table: of each row its ray, or a sentence that says why there is none.
-pub(crate) fn read(bytes: &[u8], file: &str) -> Result<Vec<Result<Ray, String>>, Fault> {
+///
+/// # Errors
+/// It is no table of rays.
+pub fn read(bytes: &[u8], file: &str) -> Result<Vec<Result<Ray, String>>, Fault> {
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let mut reader =
         csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).comment(Some(b'#')).from_reader(bytes);

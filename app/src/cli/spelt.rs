@@ -5,7 +5,10 @@ use raystep_accel::{Rule, RuleError};
 use crate::fault::Fault;
 
 /// The rule that `kind key=value ...` spells.
-pub(crate) fn rule(line: &str) -> Result<Rule, Fault> {
+///
+/// # Errors
+/// It spells none.
+pub fn rule(line: &str) -> Result<Rule, Fault> {
     let wrong = |error: RuleError| Fault::new(error.to_string());
     let mut words = line.split_whitespace();
     let mut rule = Rule::default_for(words.next().unwrap_or_default()).map_err(wrong)?;

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use raystep_lesson::Library;
 
 use crate::shown::state::State;
-use crate::shown::view::RayChoice;
 
 /// What the window shall show first.
 #[derive(Debug, Default)]
@@ -37,9 +36,8 @@ impl Wishes {
 
     /// Goes to the ray and the step.
     pub(super) fn go(&self, state: &mut State) {
-        let named = |name: &String| state.stage()?.rays.iter().position(|ray| ray.name == *name);
-        if let Some(ray) = self.ray.as_ref().and_then(named) {
-            state.show_ray(RayChoice::Named(ray), true);
+        if let Some(name) = &self.ray {
+            state.show_named_ray(name);
         }
         if let Some(step) = self.step {
             state.open_at(step);

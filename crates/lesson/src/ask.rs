@@ -17,6 +17,8 @@ pub struct Ask {
     pub reasons: Vec<Reason>,
     /// Where it stands.
     pub(crate) spot: Spot,
+    /// Where each line of the question begins.
+    pub(crate) lines: Vec<Spot>,
 }
 
 /// What answers a question.
@@ -46,6 +48,8 @@ pub struct Reason {
     pub text: String,
     /// Where it stands.
     pub(crate) spot: Spot,
+    /// Where each line of the text begins.
+    pub(crate) lines: Vec<Spot>,
 }
 
 /// One possible answer.

@@ -10,20 +10,20 @@ pub(crate) struct Attribute {
     pub(crate) value_at: usize,
 }
 
-/// Reads what stands between the braces; `at` is its first byte.
-pub(crate) fn read(text: &str, at: usize, reading: &mut Reading<'_>) -> Vec<Attribute> {
+/// Reads what stands between the braces, unless something is wrong there; `at` is its first byte.
+pub(crate) fn read(text: &str, at: usize, reading: &mut Reading<'_>) -> Option<Vec<Attribute>> {
     let mut attributes = Vec::new();
     let mut rest = text;
     loop {
         rest = rest.trim_start();
         if rest.is_empty() {
-            return attributes;
+            return Some(attributes);
         }
         let key_at = at + text.len() - rest.len();
         let Some((key, after)) = rest.split_once('=').filter(|(key, _)| !key.contains(char::is_whitespace)) else {
             let word = rest.split_whitespace().next().unwrap_or_default();
             reading.problem(key_at, format!("`{word}` needs a value: write `key=value`, or `key=\"two words\"`"));
-            return attributes;
+            return None;
         };
         let value_at = key_at + key.len() + 1;
         let (value, value_at, after) = match after.strip_prefix('"') {
@@ -31,7 +31,7 @@ pub(crate) fn read(text: &str, at: usize, reading: &mut Reading<'_>) -> Vec<Attr
                 Some((value, after)) => (value, value_at + 1, after),
                 None => {
                     reading.problem(value_at, "the quotation mark is not closed");
-                    return attributes;
+                    return None;
                 }
             },
             None => {

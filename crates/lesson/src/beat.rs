@@ -19,6 +19,8 @@ pub struct Beat {
     pub ask: Option<Ask>,
     /// Where its heading stands.
     pub(crate) spot: Spot,
+    /// Where its title stands.
+    pub(crate) title_spot: Spot,
     /// Where its ray is named.
     pub(crate) ray_spot: Spot,
 }
@@ -36,6 +38,8 @@ pub struct Paragraph {
     pub offers: Vec<Offer>,
     /// Where it begins.
     pub(crate) spot: Spot,
+    /// Where each of its lines begins.
+    pub(crate) lines: Vec<Spot>,
 }
 
 /// Where a text is read.

@@ -4,7 +4,7 @@ use crate::attributes::{self, Attribute};
 use crate::problem::misspelt;
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{About, Ask, Beat, Condition, Medium, Paragraph, Plays, Reason, Wait, offer, template, wait};
+use crate::{About, Ask, Beat, Condition, Medium, Paragraph, Plays, Reason, Spot, Wait, limits, offer, template, wait};
 
 /// A line of the body with the byte where it begins.
 type Line<'a> = (usize, &'a str);
@@ -16,6 +16,10 @@ pub(crate) fn read(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Vec<Beat> {
     if let Some((at, _)) = lines[..first].iter().find(|(_, line)| !line.trim().is_empty()) {
         reading.problem(*at, "text stands below a heading: begin with `## Title {at=event}`");
     }
+    if let Some((at, _)) = lines.iter().filter(|line| heading(line)).nth(limits::BEATS) {
+        reading.problem(*at, format!("a slide has at most {} beats: this is one more", limits::BEATS));
+        return Vec::new();
+    }
     lines[first..].chunk_by(|_, next| !heading(next)).filter_map(|lines| beat(lines, reading)).collect()
 }
 
@@ -24,9 +28,14 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     let (&(at, heading), below) = lines.split_first()?;
     let text = heading.trim_start_matches("##");
     let (title, braces) = braces(text, at + heading.len() - text.len(), reading);
-    if title.trim().is_empty() {
+    let letters = title.trim().chars().count();
+    if letters == 0 {
         reading.problem(at, "the heading has no title: write `## Title {at=event}`");
+    } else if letters > limits::TITLE {
+        reading.problem(at, format!("the heading has {letters} letters: at most {} can be shown", limits::TITLE));
     }
+    // What stands between the braces could not be read.
+    let braces = braces?;
     let (mut waits, mut solid, mut ray) = (None, None, None);
     let mut fields = Vec::new();
     for Attribute { key, key_at, value, value_at } in braces {
@@ -55,6 +64,7 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     let (ray_spot, ray) = ray.map_or((reading.spot(at), None), |(at, name)| (reading.spot(at), Some(name)));
     let mut beat = Beat {
         title: title.trim().to_owned(),
+        title_spot: reading.spot(at + heading.len() - text.trim_start().len()),
         at: at_event,
         at_solid,
         ray,
@@ -103,7 +113,11 @@ fn read_block(block: &[Line<'_>], beat: &mut Beat, reading: &mut Reading<'_>) {
             beat.ask = ask(&quote(block), &beat.at.event, reading);
         }
         Some(text) if depends(text) => beat.paragraphs.extend(dependent(&quote(block), &beat.at, reading)),
-        _ => beat.paragraphs.push(paragraph(block, None, None, &beat.at.event, reading)),
+        Some(_) => reading.problem(
+            at,
+            "a line that begins with `>` asks (`> ask {field=near}: question`) or depends (`> if field=value: text`)",
+        ),
+        None => beat.paragraphs.push(paragraph(block, None, None, &beat.at.event, reading)),
     }
 }
 
@@ -144,7 +158,7 @@ fn paragraph(
         said.push(line.trim_end().to_owned());
     }
     let spot = reading.spot(lines.first().map_or(0, |(at, _)| *at));
-    Paragraph { text: said.join("\n"), only_if, only_in, offers, spot }
+    Paragraph { text: said.join("\n"), only_if, only_in, offers, spot, lines: spots(lines, reading) }
 }
 
 /// Where a paragraph may be said alone, as it is written.
@@ -191,7 +205,9 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
     let question_at = start + first.len() - question.len();
     let (mut about, mut alike) = (None, None);
     let mut options = Vec::new();
-    for Attribute { key, key_at, value, value_at } in attributes::read(braces, question_at - 2 - braces.len(), reading)
+    let before = reading.count();
+    for Attribute { key, key_at, value, value_at } in
+        attributes::read(braces, question_at - 2 - braces.len(), reading).unwrap_or_default()
     {
         match key.as_str() {
             "field" => {
@@ -220,13 +236,13 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
     if let Some(About::Count { alike: of, .. }) = &mut about {
         *of = alike;
     }
-    if about.is_none() {
+    if about.is_none() && reading.count() == before {
         reading.problem(start, "a question needs `field=` (of the coming event), `event=` (which comes) or `count=` (how many the walk has)");
     }
 
     // The question may run over several lines; each `-` begins an answer.
     let mut lines = lines.to_vec();
-    lines[0] = (question_at, question.trim_start());
+    lines[0] = (start + first.len() - question.trim_start().len(), question.trim_start());
     let dash = |line: &Line<'_>| line.1.trim_start().starts_with("- ");
     let first_answer = lines.iter().position(dash).unwrap_or(lines.len());
     let (question, answers) = lines.split_at(first_answer);
@@ -235,7 +251,8 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
     }
     check_fields(question, event, reading);
     let reasons = answers.chunk_by(|_, next| !dash(next)).filter_map(|lines| reason(lines, event, reading)).collect();
-    Some(Ask { question: joined(question), about: about?, options, reasons, spot: reading.spot(start) })
+    let (spot, lines) = (reading.spot(start), spots(question, reading));
+    Some(Ask { question: joined(question), about: about?, options, reasons, spot, lines })
 }
 
 /// `- answer: reason` or `- answer (what the button says): reason`
@@ -247,23 +264,30 @@ fn reason(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<
         return None;
     };
     let mut said = lines.to_vec();
-    said[0] = (start + first.len() - why.len(), why.trim_start());
+    said[0] = (start + first.len() - why.trim_start().len(), why.trim_start());
     check_fields(&said, event, reading);
-    let spot = reading.spot(start + first.len() - text.len());
+    let answer_at = start + first.len() - text.len();
+    let letters = answer.trim().chars().count();
+    if letters > limits::TITLE {
+        reading
+            .problem(answer_at, format!("the answer has {letters} letters: a button shows at most {}", limits::TITLE));
+    }
+    let (spot, lines) = (reading.spot(answer_at), spots(&said, reading));
     let (answer, label) = match answer.trim().strip_suffix(')').and_then(|answer| answer.split_once('(')) {
         Some((answer, label)) => (answer.trim().to_owned(), Some(label.trim().to_owned())),
         None => (answer.trim().to_owned(), None),
     };
-    Some(Reason { answer, label, text: joined(&said), spot })
+    Some(Reason { answer, label, text: joined(&said), spot, lines })
 }
 
-/// Splits `Title {at=...}` into the title and what stands between the braces; `at` is its first byte.
-fn braces<'a>(text: &'a str, at: usize, reading: &mut Reading<'_>) -> (&'a str, Vec<Attribute>) {
-    let Some((title, inside)) = text.split_once('{') else { return (text, Vec::new()) };
+/// Splits `Title {at=...}` into the title and what stands between the braces, if that can be read; `at` is its
+/// first byte.
+fn braces<'a>(text: &'a str, at: usize, reading: &mut Reading<'_>) -> (&'a str, Option<Vec<Attribute>>) {
+    let Some((title, inside)) = text.split_once('{') else { return (text, Some(Vec::new())) };
     let inside_at = at + title.len() + 1;
     let Some(inside) = inside.trim_end().strip_suffix('}') else {
         reading.problem(inside_at - 1, "`{` is not closed by `}` at the end of the heading");
-        return (title, Vec::new());
+        return (title, None);
     };
     (title, attributes::read(inside, inside_at, reading))
 }
@@ -278,4 +302,9 @@ fn check_fields(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) {
 /// Lines as one text.
 fn joined(lines: &[Line<'_>]) -> String {
     lines.iter().map(|(_, line)| line.trim_end()).collect::<Vec<_>>().join("\n")
+}
+
+/// Where each of some lines begins.
+fn spots(lines: &[Line<'_>], reading: &Reading<'_>) -> Vec<Spot> {
+    lines.iter().map(|(at, _)| reading.spot(*at)).collect()
 }

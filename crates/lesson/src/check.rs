@@ -8,15 +8,31 @@ use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
 use crate::{
-    About, Act, Ask, Beat, Built, Facts, Library, Listing, Plan, Play, Plays, Problem, Slide, Spot, Stage, StageKind,
-    condition, names,
+    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter, Slide,
+    Spot, Stage, StageKind, condition, names,
 };
 
-/// Everything that is wrong in the lessons, by file and line; nothing if all is well.
-pub fn check(library: &Library) -> Vec<Problem> {
+/// Everything that is wrong in the lessons, by file and line; nothing if all is well. `setter` says what in
+/// their texts cannot be shown.
+pub fn check(library: &Library, setter: Setter<'_>) -> Vec<Problem> {
+    check_those(library, setter, |_| true)
+}
+
+/// Everything that is wrong in one file of the lessons.
+pub fn check_file(library: &Library, file: &str, setter: Setter<'_>) -> Vec<Problem> {
+    let mut problems = check_those(library, setter, |slide| slide.file == file);
+    problems.retain(|problem| problem.file == file);
+    problems
+}
+
+fn check_those(library: &Library, setter: Setter<'_>, wanted: impl Fn(&Slide) -> bool) -> Vec<Problem> {
     let mut checker =
-        Checker { library, problems: library.problems.clone(), built: HashMap::new(), told: HashMap::new() };
-    for slide in &library.slides {
+        Checker { library, setter, problems: library.problems.clone(), built: HashMap::new(), told: HashMap::new() };
+    checker.numbers();
+    for listing in &library.listings {
+        checker.listing(listing);
+    }
+    for slide in library.slides.iter().filter(|slide| wanted(slide)) {
         checker.slide(slide);
     }
     checker.problems.sort();
@@ -26,6 +42,7 @@ pub fn check(library: &Library) -> Vec<Problem> {
 
 struct Checker<'a> {
     library: &'a Library,
+    setter: Setter<'a>,
     problems: Vec<Problem>,
     /// What was built before: slides share scenes and structures.
     built: HashMap<String, Option<Built>>,
@@ -38,8 +55,43 @@ impl Checker<'_> {
         self.problems.push(Problem::new(&slide.file, spot, message));
     }
 
+    /// No two slides are called the same.
+    fn numbers(&mut self) {
+        let mut first: HashMap<String, &Slide> = HashMap::new();
+        let library = self.library;
+        for slide in library.slides.iter().filter(|slide| !slide.numbers.is_empty()) {
+            if let Some(other) = first.get(&slide.id()) {
+                let message = format!("slide {} is {} already: another number is needed", slide.id(), other.file);
+                self.say(slide, slide.numbers_spot, message);
+            } else {
+                first.insert(slide.id(), slide);
+            }
+        }
+    }
+
+    /// Every line of a listing can be shown.
+    fn listing(&mut self, listing: &Listing) {
+        for (number, line) in (1..).zip(&listing.lines) {
+            for (byte, message) in (self.setter)(&line.text, Script::Code) {
+                let letters = line.text.get(..byte).unwrap_or_default().chars().count();
+                let spot = Spot { line: number, column: (1 + 2 * line.indent + letters) as u32 };
+                self.problems.push(Problem::new(&listing.file, spot, message));
+            }
+        }
+    }
+
+    /// Every text can be shown as it is written.
+    fn texts(&mut self, slide: &Slide) {
+        for said in slide.texts() {
+            for (byte, message) in (self.setter)(&said.filled(), said.script) {
+                self.say(slide, said.spot(byte), message);
+            }
+        }
+    }
+
     fn slide(&mut self, slide: &Slide) {
         let library = self.library;
+        self.texts(slide);
         let listing = library.listing(&slide.listing);
         if listing.is_none() && !slide.listing.is_empty() {
             let known: Vec<&str> = library.listings.iter().map(|listing| listing.name.as_str()).collect();
@@ -126,7 +178,9 @@ impl Checker<'_> {
         if scene.flat != (stage.kind == StageKind::Flat) {
             let is = if scene.flat { "flat" } else { "solid" };
             self.say(slide, stage.scene_spot, format!("the scene `{}` is {is}, the stage is not", stage.scene));
+            return None;
         }
+        self.camera(slide, stage, &scene);
         // Every wrong parameter, not only the first.
         let mut good = true;
         for plan in std::iter::once(&stage.plan).chain(&stage.beside) {
@@ -157,6 +211,26 @@ impl Checker<'_> {
         let scene: &Arc<Scene> = &built.scene;
         let beside = || stage.build_beside(scene, slide.plays).ok().flatten();
         self.built.entry(key(slide, stage, stage.beside.as_ref()?)).or_insert_with(beside).clone()
+    }
+
+    /// From the stage's camera something of its scene is to be seen, neither dust nor one spot of it.
+    fn camera(&mut self, slide: &Slide, stage: &Stage, scene: &Scene) {
+        let Some(look) = stage.camera else { return };
+        let bounds = scene.bounds();
+        let size = bounds.extent().max_element();
+        // How large what is looked at may be, and how far the middle of the picture lies from the scene.
+        let (what, seen, middle) = match look {
+            Look::Flat { center, half_height } => ("`half_height`", half_height, center.extend(0.0)),
+            Look::Solid { eye, target, .. } => ("the way from `eye` to `target`", (target - eye).length(), target),
+        };
+        let [least, most] = [size / 1000.0, size * 100.0];
+        let apart = (middle - middle.clamp(bounds.min, bounds.max)).length();
+        if !(least..=most).contains(&seen) {
+            let message = format!("{what} is {seen}: of this scene something can be seen from {least} to {most}");
+            self.say(slide, stage.camera_spot, message);
+        } else if apart > seen * 4.0 {
+            self.say(slide, stage.camera_spot, format!("the camera looks {apart} units beside the scene"));
+        }
     }
 
     /// Plays every ray of a stage, or its build.

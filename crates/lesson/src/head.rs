@@ -5,9 +5,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::keys::{At, FromToml, Keys, wrong};
-use crate::problem::misspelt;
+use crate::problem::{misspelt, short};
 use crate::reading::Reading;
-use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, wait};
+use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, limits, wait};
 
 /// The format that this program reads.
 const FORMAT: f32 = 1.0;
@@ -16,22 +16,25 @@ const FORMAT: f32 = 1.0;
 #[derive(Default)]
 pub(crate) struct Head {
     pub(crate) numbers: Vec<String>,
+    pub(crate) numbers_spot: Spot,
     pub(crate) title: String,
+    pub(crate) title_spot: Spot,
     pub(crate) listing: String,
     pub(crate) listing_spot: Spot,
     pub(crate) show: Vec<Show>,
     pub(crate) stages: Vec<Stage>,
+    pub(crate) opens: Option<StageKind>,
 }
 
-/// Reads a head. `text` is the file up to the head's end, its first `+++` blanked, so that a byte of it is
+/// Reads a head; none if it is no TOML. `text` is the file up to the head's end, its first `+++` blanked, so that a byte of it is
 /// the same byte of the file.
-pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Head {
+pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     let (table, errors) = DeTable::parse_recoverable(text);
-    for error in &errors {
-        reading.problem(error.span().map_or(0, |span| span.start), format!("the head is no TOML: {}", error.message()));
-    }
-    if !errors.is_empty() {
-        return Head::default();
+    // What follows the first mistake is read wrongly because of it.
+    if let Some(error) = errors.iter().min_by_key(|error| error.span().map_or(0, |span| span.start)) {
+        let message = format!("the head is no TOML: {}", short_lines(error.message()));
+        reading.problem(error.span().map_or(0, |span| span.start), message);
+        return None;
     }
     let mut keys = Keys::new(table.get_ref(), 0);
 
@@ -40,10 +43,12 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Head {
     {
         reading.problem(at, format!("format {format} is not known here: this program reads format {FORMAT}"));
     }
-    let numbers = keys.need::<Numbers>("slide", reading).map(|(_, Numbers(numbers))| numbers).unwrap_or_default();
+    let (numbers_at, numbers) = numbers(&mut keys, reading);
     let (title_at, title) = keys.need::<String>("title", reading).unwrap_or_default();
     if title_at > 0 && title.trim().is_empty() {
         reading.problem(title_at, "the title is empty");
+    } else {
+        check_length("the title", title_at, &title, reading);
     }
     // Everything that follows names the events of what is played.
     reading.plays = plays(&mut keys, reading);
@@ -61,8 +66,76 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Head {
     if !keys.has("flat") && !keys.has("solid") {
         stages.extend(stage_in_head(&mut keys, reading));
     }
+    let opens = opens(&mut keys, &stages, reading);
     keys.finish(reading);
-    Head { numbers, title, listing, listing_spot: reading.spot(listing_at), show, stages }
+    let [numbers_spot, title_spot, listing_spot] = [numbers_at, title_at, listing_at].map(|at| reading.spot(at));
+    Some(Head { numbers, numbers_spot, title, title_spot, listing, listing_spot, show, stages, opens })
+}
+
+/// A message in one line.
+fn short_lines(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Says so if a name is too long to be shown anywhere.
+fn check_length(what: &str, at: usize, text: &str, reading: &mut Reading<'_>) {
+    let letters = text.chars().count();
+    if letters > limits::TITLE {
+        reading.problem(at, format!("{what} has {letters} letters: at most {} can be shown", limits::TITLE));
+    }
+}
+
+/// Says so if a list is longer than anything that is read or played.
+fn check_count(what: &str, at: usize, count: usize, most: usize, reading: &mut Reading<'_>) -> bool {
+    let good = count <= most;
+    if !good {
+        reading.problem(at, format!("here are {count} {what}: at most {most} are allowed"));
+    }
+    good
+}
+
+/// The slide's numbers, and where they stand: they name the slide, on the command line and in names of files.
+fn numbers(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> At<Vec<String>> {
+    let Some((at, Numbers(mut numbers))) = keys.need::<Numbers>("slide", reading) else { return At::default() };
+    if numbers.is_empty() {
+        reading.problem(at, format!("`slide` is empty here, but should be {}", Numbers::WHAT));
+    }
+    if !check_count("numbers", at, numbers.len(), limits::ENTRIES, reading) {
+        numbers.truncate(limits::ENTRIES);
+    }
+    for index in 0..numbers.len() {
+        let number = &numbers[index];
+        if !is_number(number) {
+            let number = short(number);
+            reading.problem(at, format!("`{number}` is no slide's number: write up to four digits, with a letter or two behind them if need be, as in \"13a\""));
+        } else if numbers[..index].contains(number) {
+            reading.problem(at, format!("the number {number} is there twice"));
+        }
+    }
+    numbers.retain(|number| is_number(number));
+    (at, numbers)
+}
+
+/// Whether it is up to four digits and perhaps a letter or two.
+fn is_number(text: &str) -> bool {
+    let digits = text.bytes().take_while(u8::is_ascii_digit).count();
+    let letters = &text[digits..];
+    (1..=4).contains(&digits) && letters.len() <= 2 && letters.bytes().all(|letter| letter.is_ascii_lowercase())
+}
+
+/// The stage that the slide opens on, if it says one.
+fn opens(keys: &mut Keys<'_>, stages: &[Stage], reading: &mut Reading<'_>) -> Option<StageKind> {
+    let (at, name) = keys.get::<String>("opens", reading)?;
+    let Some(kind) = StageKind::ALL.into_iter().find(|kind| kind.name() == name) else {
+        reading.problem(at, misspelt("stage", &name, &StageKind::ALL.map(StageKind::name)));
+        return None;
+    };
+    // A stage that could not be read has been told already.
+    if !stages.is_empty() && !stages.iter().any(|stage| stage.kind == kind) && !keys.has(kind.name()) {
+        reading.problem(at, format!("the slide opens on a {name} stage, but has none: write a table [{name}]"));
+        return None;
+    }
+    Some(kind)
 }
 
 /// What the slide plays: a walk if it does not say.
@@ -81,7 +154,7 @@ fn show(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<Show> {
         return vec![Show::Space, Show::Listing];
     };
     let mut show = Vec::new();
-    for name in names {
+    for name in names.into_iter().take(limits::ENTRIES) {
         match Show::NAMES.iter().find(|(known, _)| *known == name) {
             Some((_, pane)) => show.push(*pane),
             None => reading.problem(at, misspelt("pane", &name, &Show::NAMES.map(|(known, _)| known))),
@@ -116,19 +189,22 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     };
     let beside = keys.table("beside", reading).and_then(|mut table| plan(&mut table, reading));
     reading.beside |= beside.is_some();
-    let camera = keys.table("camera", reading).and_then(|mut table| {
-        let look = look(kind, &mut table, reading);
+    let mut camera = keys.table("camera", reading);
+    let camera_at = camera.as_ref().map_or(0, Keys::at);
+    let look = camera.as_mut().and_then(|table| look(kind, table, reading));
+    if let Some(table) = camera {
         table.finish(reading);
-        look
-    });
+    }
     let (scene_at, scene) = scene?;
-    Some(Stage { kind, scene, plan: own?, beside, rays, camera, scene_spot: reading.spot(scene_at) })
+    let [scene_spot, camera_spot] = [scene_at, camera_at].map(|at| reading.spot(at));
+    Some(Stage { kind, scene, plan: own?, beside, rays, camera: look, scene_spot, camera_spot })
 }
 
 /// `{ kind = "kd", max_depth = 6 }`
 fn plan(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Plan> {
-    let (at, kind) = keys.need::<String>("kind", reading)?;
-    let rest = keys.rest(reading);
+    let kind = keys.need::<String>("kind", reading);
+    keys.say_missing(reading);
+    let ((at, kind), rest) = (kind?, keys.rest(reading));
     let setting = |((at, key), value): (At<String>, String)| Setting { key, value, spot: reading.spot(at) };
     Some(Plan { kind, settings: rest.into_iter().map(setting).collect(), spot: reading.spot(at) })
 }
@@ -144,6 +220,9 @@ fn rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
         wrong("rays", WHAT, value, reading);
         return Vec::new();
     };
+    if !check_count("rays", value.span().start, list.len(), limits::RAYS, reading) {
+        return Vec::new();
+    }
     let mut rays: Vec<NamedRay> = Vec::new();
     for value in list {
         let Some(ray) = ray(value, reading) else { continue };
@@ -183,7 +262,11 @@ fn ray(value: &Spanned<DeValue<'_>>, reading: &mut Reading<'_>) -> Option<NamedR
     let promises = keys.get::<Vec<String>>("promise", reading);
     keys.finish(reading);
 
-    let ((_, name), (_, from)) = (name?, from?);
+    let ((name_at, name), (_, from)) = (name?, from?);
+    check_length("the ray's name", name_at, &name, reading);
+    if name.trim().is_empty() {
+        reading.problem(name_at, "the ray's name is empty: it says what is to be seen");
+    }
     let (direction_at, direction) = match (towards, direction) {
         (Some((at, towards)), None) => (at, (towards - from).normalize_or_zero()),
         (None, Some(direction)) => direction,
@@ -196,25 +279,71 @@ fn ray(value: &Spanned<DeValue<'_>>, reading: &mut Reading<'_>) -> Option<NamedR
     let valid = raystep_accel::Ray::new(from, direction).and_then(|ray| ray.within(range[0], range[1]));
     let ray =
         valid.map_err(|error| reading.problem(direction_at, format!("the ray cannot be walked: {error}"))).ok()?;
-    let promises = promises
-        .map_or(Vec::new(), |(at, texts)| texts.iter().filter_map(|text| wait::parse(text, at, reading)).collect());
-    Some(NamedRay { name, ray, promises, spot: reading.spot(at) })
+    let (promises_at, promises) = promises.unwrap_or_default();
+    check_count("promises", promises_at, promises.len(), limits::ENTRIES, reading);
+    let promises = promises.iter().take(limits::ENTRIES);
+    let promises = promises.filter_map(|text| wait::parse(text, promises_at, reading)).collect();
+    Some(NamedRay { name, ray, promises, spot: reading.spot(at), name_spot: reading.spot(name_at) })
 }
 
-/// A camera.
+/// A camera from which something can be seen.
 fn look(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Look> {
-    Some(match kind {
-        StageKind::Flat => Look::Flat {
-            center: keys.need::<Vec2>("center", reading)?.1,
-            half_height: keys.need::<f32>("half_height", reading)?.1,
-        },
-        StageKind::Solid => Look::Solid {
-            eye: keys.need::<Vec3>("eye", reading)?.1,
-            target: keys.need::<Vec3>("target", reading)?.1,
-            up: keys.get::<Vec3>("up", reading).map_or(Vec3::Z, |(_, up)| up),
-            fov_degrees: keys.get::<f32>("fov_degrees", reading).map_or(40.0, |(_, fov)| fov),
-        },
-    })
+    match kind {
+        StageKind::Flat => {
+            let (center, half_height) =
+                (keys.need::<Vec2>("center", reading), keys.need::<f32>("half_height", reading));
+            let ((center_at, center), (height_at, half_height)) = (center?, half_height?);
+            let good = is_seen_at("center", center_at, center.extend(0.0), reading);
+            if !(MIN_HALF_HEIGHT..=FURTHEST).contains(&half_height) {
+                let message =
+                    format!("`half_height` is {half_height}: it is a number from {MIN_HALF_HEIGHT} to {FURTHEST}");
+                reading.problem(height_at, message);
+                return None;
+            }
+            good.then_some(Look::Flat { center, half_height })
+        }
+        StageKind::Solid => {
+            let (eye, target) = (keys.need::<Vec3>("eye", reading), keys.need::<Vec3>("target", reading));
+            let (up, fov) = (keys.get::<Vec3>("up", reading), keys.get::<f32>("fov_degrees", reading));
+            let ((eye_at, eye), (target_at, target)) = (eye?, target?);
+            let (up_at, up) = up.unwrap_or((eye_at, Vec3::Z));
+            let (fov_at, fov_degrees) = fov.unwrap_or((eye_at, 40.0));
+            let places = [("eye", eye_at, eye), ("target", target_at, target), ("up", up_at, up)];
+            if !places.into_iter().fold(true, |good, (key, at, point)| is_seen_at(key, at, point, reading) && good) {
+                return None;
+            }
+            if !(1.0..=170.0).contains(&fov_degrees) {
+                reading.problem(fov_at, format!("`fov_degrees` is {fov_degrees}: it is a number from 1 to 170"));
+                return None;
+            }
+            let along = (target - eye).normalize_or_zero();
+            if along == Vec3::ZERO {
+                reading.problem(target_at, "`target` is where the `eye` is: nothing can be seen from there");
+                return None;
+            }
+            if up.normalize_or_zero().cross(along).length() < 1e-3 {
+                reading
+                    .problem(up_at, "`up` points along the view, or nowhere: choose another one, as in up = [0, 1, 0]");
+                return None;
+            }
+            Some(Look::Solid { eye, target, up, fov_degrees })
+        }
+    }
+}
+
+/// From the middle of a picture to its upper edge, at least.
+const MIN_HALF_HEIGHT: f32 = 0.001;
+/// A camera's places and heights lie no further out.
+const FURTHEST: f32 = 1e7;
+
+/// Says so if a camera's place lies nowhere.
+fn is_seen_at(key: &str, at: usize, point: Vec3, reading: &mut Reading<'_>) -> bool {
+    let good = point.abs().cmple(Vec3::splat(FURTHEST)).all();
+    if !good {
+        reading
+            .problem(at, format!("`{key}` lies nowhere: its coordinates are numbers from -{FURTHEST} to {FURTHEST}"));
+    }
+    good
 }
 
 /// The numbers of slides: 33, "13a", or several.

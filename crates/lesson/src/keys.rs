@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::problem::misspelt;
+use crate::problem::{misspelt, nearest};
 use crate::reading::Reading;
 
 /// A value with the byte of the file where it stands.
@@ -16,6 +16,8 @@ pub(crate) struct Keys<'t> {
     table: &'t DeTable<'t>,
     at: usize,
     asked: Vec<&'static str>,
+    /// Keys that every such table has and this one lacks, with what to write.
+    missing: Vec<(&'static str, &'static str)>,
 }
 
 /// What a value of the head can be.
@@ -30,7 +32,7 @@ pub(crate) trait FromToml: Sized {
 impl<'t> Keys<'t> {
     /// The keys of the table that begins at byte `at`.
     pub(crate) fn new(table: &'t DeTable<'t>, at: usize) -> Keys<'t> {
-        Keys { table, at, asked: Vec::new() }
+        Keys { table, at, asked: Vec::new(), missing: Vec::new() }
     }
 
     /// Where the table begins.
@@ -57,10 +59,10 @@ impl<'t> Keys<'t> {
         read(key, value, reading)
     }
 
-    /// The value of a key that every such table has.
+    /// The value of a key that every such table has. That it is missing is said by [`Keys::finish`].
     pub(crate) fn need<T: FromToml>(&mut self, key: &'static str, reading: &mut Reading<'_>) -> Option<At<T>> {
         if self.raw(key).is_none() {
-            reading.problem(self.at, format!("`{key}` is missing: write `{key} = ` and {}", T::WHAT));
+            self.missing.push((key, T::WHAT));
         }
         self.get(key, reading)
     }
@@ -90,12 +92,22 @@ impl<'t> Keys<'t> {
         rest
     }
 
-    /// Says which keys nobody asked for.
-    pub(crate) fn finish(self, reading: &mut Reading<'_>) {
+    /// Says which keys nobody asked for, and which are missing: of a misspelling that is meant, only the one.
+    pub(crate) fn finish(mut self, reading: &mut Reading<'_>) {
         for key in self.table.keys() {
             if !self.asked.iter().any(|asked| asked == key.get_ref()) {
+                let meant = nearest(key.get_ref(), &self.asked);
+                self.missing.retain(|(missing, _)| Some(*missing) != meant);
                 reading.problem(key.span().start, misspelt("key here", key.get_ref(), &self.asked));
             }
+        }
+        self.say_missing(reading);
+    }
+
+    /// Says which keys are missing, in a table that may have any others.
+    pub(crate) fn say_missing(&mut self, reading: &mut Reading<'_>) {
+        for (key, what) in self.missing.drain(..) {
+            reading.problem(self.at, format!("`{key}` is missing: write `{key} = ` and {what}"));
         }
     }
 }

@@ -2,7 +2,9 @@
 
 use include_dir::{Dir, include_dir};
 
-use crate::{Listing, Problem, Slide};
+use crate::problem::misspelt;
+use crate::reading::Reading;
+use crate::{Listing, Problem, Slide, limits};
 
 /// The lessons as they were when the program was built.
 static LESSONS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../lessons");
@@ -34,34 +36,13 @@ impl Library {
         for (path, text) in &files {
             library.add(path, text);
         }
-        for (path, text) in &files {
-            if path == "sections.txt" {
-                library.name_sections(text);
-            }
+        let sections = files.iter().filter_map(|(path, _)| path.strip_suffix(".md")?.rsplit_once('/'));
+        let mut sections: Vec<&str> = sections.map(|(section, _)| section).collect();
+        sections.dedup();
+        for (path, text) in files.iter().filter(|(path, _)| path == "sections.txt") {
+            library.name_sections(path, text, &sections);
         }
         library
-    }
-
-    /// The lessons in a folder.
-    ///
-    /// # Errors
-    /// When the folder or a file in it cannot be read.
-    #[cfg(not(target_arch = "wasm32"))]
-    pub fn from_dir(folder: &std::path::Path) -> std::io::Result<Library> {
-        let mut files = Vec::new();
-        let mut folders = vec![folder.to_path_buf()];
-        while let Some(next) = folders.pop() {
-            for entry in std::fs::read_dir(next)? {
-                let path = entry?.path();
-                if path.is_dir() {
-                    folders.push(path);
-                } else if wanted(&path) {
-                    let name = path.strip_prefix(folder).unwrap_or(&path).to_string_lossy().replace('\\', "/");
-                    files.push((name, std::fs::read_to_string(&path)?));
-                }
-            }
-        }
-        Ok(Library::from_files(files))
     }
 
     /// Adds what one file holds: `section/slide.md` or `listings/name.txt`.
@@ -82,11 +63,31 @@ impl Library {
     }
 
     /// Names the sections by lines of `folder : title`.
-    fn name_sections(&mut self, text: &str) {
-        for (folder, title) in text.lines().filter_map(|line| line.split_once(" : ")) {
-            for slide in self.slides.iter_mut().filter(|slide| slide.section == folder.trim()) {
-                title.trim().clone_into(&mut slide.section_title);
+    fn name_sections(&mut self, path: &str, text: &str, sections: &[&str]) {
+        let mut reading = Reading::new(path, text);
+        if !reading.is_too_large() {
+            for (at, line) in reading.lines().filter(|(_, line)| !line.trim().is_empty()) {
+                self.name_section(at, line, sections, &mut reading);
             }
+        }
+        self.problems.extend(reading.finish());
+    }
+
+    fn name_section(&mut self, at: usize, line: &str, sections: &[&str], reading: &mut Reading<'_>) {
+        let Some((folder, title)) = line.split_once(" : ") else {
+            reading.problem(at, "a line that names a section is `folder : title`");
+            return;
+        };
+        let (folder, title) = (folder.trim(), title.trim());
+        if !sections.contains(&folder) {
+            reading.problem(at, misspelt("folder with a slide in it", folder, sections));
+        }
+        if title.is_empty() || title.chars().count() > limits::TITLE {
+            reading.problem(at, format!("a section's title has from 1 to {} letters", limits::TITLE));
+            return;
+        }
+        for slide in self.slides.iter_mut().filter(|slide| slide.section == folder) {
+            title.clone_into(&mut slide.section_title);
         }
     }
 
@@ -104,7 +105,7 @@ impl Library {
 }
 
 /// Whether a file of the lessons' folder may be a slide or a listing.
-fn wanted(path: &std::path::Path) -> bool {
+pub(crate) fn wanted(path: &std::path::Path) -> bool {
     path.extension().is_some_and(|ending| ending == "md" || ending == "txt")
 }
 

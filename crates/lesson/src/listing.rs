@@ -54,8 +54,11 @@ impl Listing {
     /// Reads `code | event event if condition : values` line by line.
     pub(crate) fn read(name: &str, file: &str, text: &str) -> (Listing, Vec<Problem>) {
         let mut reading = Reading::new(file, text);
-        reading.plays = whose(&reading);
-        let mut lines: Vec<Line> = reading.lines().map(|(at, line)| read_line(at, line, &mut reading)).collect();
+        let mut lines: Vec<Line> = Vec::new();
+        if !reading.is_too_large() {
+            reading.plays = whose(&reading);
+            lines.extend(reading.lines().map(|(at, line)| read_line(at, line, &mut reading)));
+        }
         while lines.last().is_some_and(|line| line.text.is_empty()) {
             lines.pop();
         }

@@ -12,12 +12,8 @@ pub struct Spot {
 }
 
 impl Spot {
-    /// Where byte `offset` of `text` stands.
-    pub fn of(text: &str, offset: usize) -> Spot {
-        let before = text.get(..offset).unwrap_or(text);
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        Spot { line: 1 + before.matches('\n').count() as u32, column: 1 + before[line_start..].chars().count() as u32 }
-    }
+    /// Where a file begins.
+    pub(crate) const START: Spot = Spot { line: 1, column: 1 };
 }
 
 /// Something wrong in a lesson's file.
@@ -36,7 +32,13 @@ pub struct Problem {
 impl Problem {
     /// A problem at a spot of a file.
     pub fn new(file: &str, spot: Spot, message: impl Into<String>) -> Problem {
-        Problem { file: file.to_owned(), line: spot.line, column: spot.column, message: message.into() }
+        let mut message = message.into();
+        // Whatever it quotes: it stays a sentence.
+        if let Some((end, _)) = message.char_indices().nth(LONGEST_MESSAGE) {
+            message.truncate(end);
+            message.push('…');
+        }
+        Problem { file: file.to_owned(), line: spot.line, column: spot.column, message }
     }
 }
 
@@ -48,19 +50,39 @@ impl fmt::Display for Problem {
 
 impl std::error::Error for Problem {}
 
+/// The letters of a message, at most.
+const LONGEST_MESSAGE: usize = 1500;
+
+/// Longer words are no misspellings of anything.
+const LONGEST_WORD: usize = 60;
+
 /// The allowed spelling nearest to what was found; none if nothing is near.
 pub(crate) fn nearest<'a>(found: &str, allowed: &[&'a str]) -> Option<&'a str> {
-    let limit = 2.max(found.chars().count() / 2);
+    let letters = found.chars().count();
+    if letters > LONGEST_WORD {
+        return None;
+    }
+    let limit = 2.max(letters / 2);
     let distances = allowed.iter().map(|word| (strsim::damerau_levenshtein(found, word), *word));
     distances.filter(|(distance, _)| *distance <= limit).min().map(|(_, word)| word)
 }
 
 /// "`split.bth` is no event of a walk: did you mean `split.both`?" or, with nothing near, all that is allowed.
 pub(crate) fn misspelt(what: &str, found: &str, allowed: &[&str]) -> String {
-    match nearest(found, allowed) {
+    let near = nearest(found, allowed);
+    let found = &short(found);
+    match near {
         Some(word) => format!("`{found}` is no {what}: did you mean `{word}`?"),
         None if allowed.is_empty() => format!("`{found}` is no {what}: there are none here"),
         None => format!("`{found}` is no {what}: allowed are {}", listed(allowed)),
+    }
+}
+
+/// What was found, as far as a sentence has room for it.
+pub(crate) fn short(found: &str) -> String {
+    match found.char_indices().nth(LONGEST_WORD) {
+        Some((end, _)) => format!("{}…", &found[..end]),
+        None => found.to_owned(),
     }
 }
 

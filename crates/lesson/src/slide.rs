@@ -27,11 +27,17 @@ pub struct Slide {
     pub show: Vec<Show>,
     /// Where it plays: flat first if it has both.
     pub stages: Vec<Stage>,
+    /// The stage that it opens on, if it says so.
+    pub opens: Option<StageKind>,
     /// What it says, in the order of what it plays.
     pub beats: Vec<Beat>,
     /// The file it was read from.
     pub file: String,
-    /// Where in the file its listing is named.
+    /// Where in the file its numbers stand.
+    pub(crate) numbers_spot: Spot,
+    /// Where its title stands.
+    pub(crate) title_spot: Spot,
+    /// Where its listing is named.
     pub(crate) listing_spot: Spot,
 }
 
@@ -65,6 +71,9 @@ impl Slide {
     }
 
     fn parts(section: &str, name: &str, file: &str, text: &str, reading: &mut Reading<'_>) -> Option<Slide> {
+        if reading.is_too_large() {
+            return None;
+        }
         let lines: Vec<(usize, &str)> = reading.lines().collect();
         let fence = |line: &&(usize, &str)| line.1.trim_end() == "+++";
         if !lines.first().as_ref().is_some_and(fence) {
@@ -78,9 +87,12 @@ impl Slide {
         // Blanks in place of the first fence: a byte of the head is the same byte of the file.
         let head = head::read(&format!("   {}", &text[3..lines[end].0]), reading);
         let before = reading.count();
-        let beats = body::read(&lines[end + 1..], reading);
+        // Without a head nobody knows what is played, nor which events there are.
+        let beats = if head.is_some() { body::read(&lines[end + 1..], reading) } else { Vec::new() };
+        let readable = head.is_some();
+        let head = head.unwrap_or_default();
         // What could not be read may have been a beat or a question.
-        let complete = reading.count() == before;
+        let complete = readable && reading.count() == before;
         if complete && beats.is_empty() {
             reading.problem(lines[end].0, "a slide has a beat or more: `## Title {at=event}`");
         } else if complete && beats.iter().all(|beat| beat.ask.is_none()) {
@@ -96,8 +108,11 @@ impl Slide {
             listing: head.listing,
             show: head.show,
             stages: head.stages,
+            opens: head.opens,
             beats,
             file: file.to_owned(),
+            numbers_spot: head.numbers_spot,
+            title_spot: head.title_spot,
             listing_spot: head.listing_spot,
         })
     }
@@ -105,6 +120,13 @@ impl Slide {
     /// The stage of that kind, if the slide offers it.
     pub fn stage(&self, kind: StageKind) -> Option<&Stage> {
         self.stages.iter().find(|stage| stage.kind == kind)
+    }
+
+    /// The stage that it opens on for someone who wishes to see this kind: the one it says, else that one if it
+    /// has it, else its first.
+    pub fn opening_stage(&self, wished: StageKind) -> Option<&Stage> {
+        let kind = self.opens.unwrap_or(wished);
+        self.stage(kind).or(self.stages.first())
     }
 
     /// The ray that a beat is played on: the one it names, else the one of the beats before it, else
@@ -154,6 +176,8 @@ pub struct Stage {
     pub camera: Option<Look>,
     /// Where its scene is named.
     pub(crate) scene_spot: Spot,
+    /// Where its camera stands.
+    pub(crate) camera_spot: Spot,
 }
 
 impl Stage {
@@ -197,6 +221,8 @@ pub struct NamedRay {
     pub promises: Vec<crate::Wait>,
     /// Where it stands in the file.
     pub(crate) spot: Spot,
+    /// Where its name stands.
+    pub(crate) name_spot: Spot,
 }
 
 /// Where a stage is seen from.

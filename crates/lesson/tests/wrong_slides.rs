@@ -15,7 +15,7 @@ fn said(from: &str, to: &str) -> String {
 fn of_files(slide: &str, listing: &str) -> String {
     let file = |path: &str, text: &str| (path.to_owned(), text.to_owned());
     let library = Library::from_files([file("05-kd-tree/1-first.md", slide), file("listings/walk.txt", listing)]);
-    check(&library).iter().map(|problem| format!("  {problem}\n")).collect()
+    check(&library, &|_, _| Vec::new()).iter().map(|problem| format!("  {problem}\n")).collect()
 }
 
 #[test]
@@ -100,6 +100,23 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
         ("comparison with itself", "The best is {{best_t}}.", "> window: [Both](compare:kd)"),
         ("comparison with nothing", "The best is {{best_t}}.", "> window: [Both](compare:kt)"),
         ("other event on the solid stage", "{at=drop}", "{at=drop solid=pop}"),
+        ("one bracket missing", "slide = [33, 38]", "slide = [33, 38"),
+        ("one quotation mark missing", "listing = \"walk\"", "listing = \"walk"),
+        ("no number at all", "slide = [33, 38]", "slide = []"),
+        ("number that is a path", "slide = [33, 38]", "slide = \"../33\""),
+        ("same number twice", "slide = [33, 38]", "slide = [33, 33]"),
+        ("opens on a stage that is not there", "title = \"First\"", "title = \"First\"\nopens = \"solid\""),
+        ("opens on nothing", "title = \"First\"", "title = \"First\"\nopens = \"sollid\""),
+        ("text for a stage that is not", "> if side=both", "> if stage=sollid"),
+        ("quote that neither asks nor depends", "> if side=both", "> when side=both"),
+        ("camera from nowhere", "rays = [", "camera = { center = [nan, 0], half_height = 3 }\nrays = ["),
+        ("camera of no height", "rays = [", "camera = { center = [0, 0], half_height = 0 }\nrays = ["),
+        ("camera of negative height", "rays = [", "camera = { center = [0, 0], half_height = -3 }\nrays = ["),
+        ("camera on a grain", "rays = [", "camera = { center = [4, 3], half_height = 1e-5 }\nrays = ["),
+        ("camera on a speck", "rays = [", "camera = { center = [4, 3], half_height = 0.002 }\nrays = ["),
+        ("camera from afar", "rays = [", "camera = { center = [4, 3], half_height = 1e6 }\nrays = ["),
+        ("camera beside the scene", "rays = [", "camera = { center = [400, 3], half_height = 3 }\nrays = ["),
+        ("camera without a height", "rays = [", "camera = { center = [4, 3], half_hight = 3 }\nrays = ["),
         ("nothing to choose between", "The best is", "> ask {field=node}: Which?\n\nThe best is"),
     ];
     let mut table = String::new();
@@ -109,6 +126,23 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
         } else {
             said(from, to)
         };
+        assert!(!found.is_empty(), "{what} goes unnoticed");
+        table += &format!("{what}\n{found}");
+    }
+    for (what, camera) in [
+        ("eye at the target", "eye = [1, 2, 3], target = [1, 2, 3]"),
+        ("eye in the target", "eye = [1e-20, 0, 0], target = [0, 0, 0]"),
+        ("eye at no number", "eye = [nan, 2, 3], target = [1, 2, inf]"),
+        ("up along the view", "eye = [0, 0, 9], target = [0, 0, 0]"),
+        ("up is nothing", "eye = [0, 9, 0], target = [0, 0, 0], up = [0, 0, 0]"),
+        ("angle of nothing", "eye = [0, 9, 0], target = [0, 0, 0], fov_degrees = 0"),
+        ("angle behind the eye", "eye = [0, 9, 0], target = [0, 0, 0], fov_degrees = 180"),
+        ("eye too far", "eye = [0, 9e5, 0], target = [0, 0, 0]"),
+    ] {
+        let solid = SLIDE.replace("[flat]", &format!("[solid]\ncamera = {{ {camera} }}"));
+        let solid = solid.replace("flat-twelve", "teapot-6321").replace(", promise = [\"drop\"]", "");
+        let solid = solid.replace("{at=drop}\nThe best is {{best_t}}.", "{at=end}");
+        let found = of_files(&solid, LISTING);
         assert!(!found.is_empty(), "{what} goes unnoticed");
         table += &format!("{what}\n{found}");
     }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ratex_layout::{LayoutOptions, layout, to_display_list, validate_layout};
+use ratex_layout::{LayoutBox, LayoutOptions, layout, to_display_list, validate_layout};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 use ratex_types::path_command::PathCommand;
 use raystep_figure::{Color, Face, fonts};
@@ -26,13 +26,15 @@ pub struct Extent {
 /// How much room a formula takes at this size of its letters.
 pub fn extent(tex: &str, size: f32) -> Extent {
     match set(tex) {
-        Some(list) => Extent {
+        Ok(list) => Extent {
             width: list.width as f32 * size,
             height: list.height as f32 * size,
             depth: list.depth as f32 * size,
         },
-        // What cannot be set stands there as it was typed.
-        None => Extent { width: fonts::text_width(tex, Face::Italic, size), height: size * 0.75, depth: size * 0.25 },
+        Err(_) => {
+            let width = fonts::text_width(typed(tex), Face::Italic, size);
+            Extent { width, height: size * 0.75, depth: size * 0.25 }
+        }
     }
 }
 
@@ -54,8 +56,8 @@ pub fn formula(tex: &str, size: f32, color: Color) -> String {
 
 /// Writes a formula with its left end on the baseline at `x`, `y`; filled as the group around it says.
 pub(crate) fn draw(out: &mut String, glyphs: &mut Glyphs, tex: &str, size: f32, x: f32, y: f32) {
-    let Some(list) = set(tex) else {
-        glyphs.line(out, tex, Face::Italic, size, x, y);
+    let Ok(list) = set(tex) else {
+        glyphs.line(out, typed(tex), Face::Italic, size, x, y);
         return;
     };
     // The layout measures in em from the upper left corner.
@@ -79,12 +81,100 @@ pub(crate) fn draw(out: &mut String, glyphs: &mut Glyphs, tex: &str, size: f32, 
     }
 }
 
-/// The formula laid out; nothing when it is not one.
-fn set(tex: &str) -> Option<DisplayList> {
-    let nodes = ratex_parser::parse(tex).ok()?;
+/// Why a formula cannot be shown.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unset {
+    /// The byte of its TeX at which this was found.
+    pub at: usize,
+    /// A sentence.
+    pub why: String,
+}
+
+impl Unset {
+    pub(crate) fn new(at: usize, why: impl Into<String>) -> Unset {
+        Unset { at, why: why.into() }
+    }
+}
+
+/// Bytes of a formula.
+const MOST_BYTES: usize = 2000;
+/// How wide a formula may be, in sizes of its letters, and how high.
+const LARGEST: [f64; 2] = [400.0, 40.0];
+
+/// Says why a formula would not be shown as its TeX says.
+///
+/// # Errors
+/// It cannot be set, or something in it is lost.
+pub(crate) fn proof_formula(tex: &str) -> Result<(), Unset> {
+    let list = set(tex)?;
+    if list.items.is_empty() {
+        return Err(Unset::new(0, "the formula shows nothing"));
+    }
+    list.items.iter().try_for_each(|item| proof_item(item).map_err(|why| Unset::new(0, why)))
+}
+
+/// What is drawn lies in a shipped face, in the colour of the text around it.
+fn proof_item(item: &DisplayItem) -> Result<(), String> {
+    let color = match item {
+        DisplayItem::GlyphPath { font, char_code, color, .. } => {
+            let letter = char::from_u32(*char_code).unwrap_or(char::REPLACEMENT_CHARACTER);
+            let shipped = MathFont::of(font).map(|font| Typeface::Math(font).parsed());
+            if shipped.is_none_or(|face| face.glyph_index(letter).is_none()) {
+                return Err(format!("`{letter}` in the face {font} is not among the letters that formulas have"));
+            }
+            color
+        }
+        DisplayItem::Line { color, dashed, .. } => {
+            if *dashed {
+                return Err("dashed lines are drawn solid in formulas".to_owned());
+            }
+            color
+        }
+        DisplayItem::Rect { color, .. } => color,
+        DisplayItem::Path { color, fill, .. } => {
+            if !fill {
+                return Err("outlines without a filling are not drawn in formulas".to_owned());
+            }
+            color
+        }
+    };
+    if *color == ratex_types::color::Color::BLACK {
+        Ok(())
+    } else {
+        Err("formulas have the colour of the text around them".to_owned())
+    }
+}
+
+/// The formula as boxes in boxes.
+pub(crate) fn boxes(tex: &str) -> Result<LayoutBox, Unset> {
+    if tex.len() > MOST_BYTES {
+        let why = format!("the formula has {} letters: at most {MOST_BYTES} can be set", tex.len());
+        return Err(Unset::new(0, why));
+    }
+    let nodes = ratex_parser::parse(tex).map_err(|error| {
+        let at = error.loc.map_or(0, |place| place.start).min(tex.len());
+        Unset::new(at, format!("the formula cannot be set: {}", error.message))
+    })?;
     let boxed = layout(&nodes, &LayoutOptions::default());
-    validate_layout(&boxed).ok()?;
-    Some(to_display_list(&boxed))
+    validate_layout(&boxed).map_err(|why| Unset::new(0, format!("the formula cannot be set: {why}")))?;
+    let [width, height] = [boxed.width, boxed.height + boxed.depth];
+    if (0.0..=LARGEST[0]).contains(&width) && (0.0..=LARGEST[1]).contains(&height) {
+        Ok(boxed)
+    } else {
+        let [most_width, most_height] = LARGEST;
+        let why = format!("the formula is too large: at most {most_width} letters wide and {most_height} high");
+        Err(Unset::new(0, why))
+    }
+}
+
+/// The formula laid out.
+fn set(tex: &str) -> Result<DisplayList, Unset> {
+    Ok(to_display_list(&boxes(tex)?))
+}
+
+/// A formula that cannot be set stands there as it was typed, as far as there is room for it.
+fn typed(tex: &str) -> &str {
+    tex.char_indices().nth(200).map_or(tex, |(end, _)| &tex[..end])
 }
 
 fn rect(out: &mut String, (x, y): (f32, f32), width: f32, height: f32) {

@@ -21,9 +21,8 @@ impl Glyphs {
     pub(crate) fn line(&mut self, out: &mut String, text: &str, face: Face, size: f32, x: f32, y: f32) {
         let scale = size / EM;
         let _ = write!(out, r#"<g transform="translate({} {}) scale({scale:.5})">"#, decimal(x), decimal(y));
-        for (index, letter) in text.char_indices().filter(|(_, letter)| !letter.is_whitespace()) {
-            // The pen stands where the letters before it end: the same advances as in every layout.
-            let pen = fonts::text_width(&text[..index], face, EM);
+        // The pen stands where the letters before it end: the same advances as in every layout.
+        for (_, letter, pen) in fonts::pens(text, face, EM).filter(|(_, letter, _)| !letter.is_whitespace()) {
             if let Some(id) = self.id(Typeface::Text(face), letter) {
                 let _ = write!(out, r##"<use href="#{id}" x="{}"/>"##, decimal(pen));
             }

@@ -16,6 +16,7 @@ pub fn prose(markdown: &str, width: f32, size: f32, face: Face, role: Role) -> F
         plain: face,
         role,
         line: Vec::new(),
+        filled: 0.0,
         word: Vec::new(),
         y: 0.0,
         bottom: 0.0,
@@ -119,6 +120,33 @@ impl Piece {
         }
     }
 
+    /// Itself, or if it is a text that is wider than `room`, its parts that are not.
+    fn broken(self, room: f32) -> Vec<Piece> {
+        let Content::Text(text, face, size) = &self.content else { return vec![self] };
+        if self.width <= room {
+            return vec![self];
+        }
+        let part = |text: &str, width: f32| Piece {
+            content: Content::Text(text.to_owned(), *face, *size),
+            width,
+            height: self.height,
+            depth: self.depth,
+        };
+        let ends = fonts::pens(text, *face, *size).map(|(index, _, pen)| (index, pen));
+        // Where this part begins, and where the letter before does.
+        let (mut first, mut last) = ((0, 0.0), (0, 0.0));
+        let mut parts = Vec::new();
+        for end in ends.chain([(text.len(), self.width)]) {
+            if end.1 - first.1 > room && last.0 > first.0 {
+                parts.push(part(&text[first.0..last.0], last.1 - first.1));
+                first = last;
+            }
+            last = end;
+        }
+        parts.push(part(&text[first.0..], self.width - first.1));
+        parts
+    }
+
     fn space(face: Face, size: f32) -> Piece {
         Piece { content: Content::Space, width: fonts::text_width(" ", face, size), height: 0.0, depth: 0.0 }
     }
@@ -131,6 +159,8 @@ struct Setter {
     role: Role,
     /// Words of the current line, with the spaces between them.
     line: Vec<Piece>,
+    /// How wide they are.
+    filled: f32,
     /// Pieces since the last space: wrapped together.
     word: Vec<Piece>,
     y: f32,
@@ -163,17 +193,34 @@ impl Setter {
     fn space(&mut self) {
         self.word_end();
         if !self.line.is_empty() {
-            self.line.push(Piece::space(self.plain, self.size));
+            self.place(Piece::space(self.plain, self.size));
         }
     }
 
-    /// Puts the finished word on this line, or on the next if it does not fit.
+    /// Puts the finished word on this line, or on the next if it does not fit; a word that is wider than the
+    /// column is broken where it must.
     fn word_end(&mut self) {
         let room = self.figure.size.x - self.indent;
-        if !self.line.is_empty() && total(&self.line) + total(&self.word) > room {
+        let word = std::mem::take(&mut self.word);
+        let width = word.iter().map(|piece| piece.width).sum::<f32>();
+        if !self.line.is_empty() && self.filled + width > room {
             self.break_line();
         }
-        self.line.append(&mut self.word);
+        if width <= room {
+            return word.into_iter().for_each(|piece| self.place(piece));
+        }
+        for part in word.into_iter().flat_map(|piece| piece.broken(room)) {
+            if !self.line.is_empty() && self.filled + part.width > room {
+                self.break_line();
+            }
+            self.place(part);
+        }
+    }
+
+    /// Puts a piece at the end of the line.
+    fn place(&mut self, piece: Piece) {
+        self.filled += piece.width;
+        self.line.push(piece);
     }
 
     fn line_end(&mut self) {
@@ -200,7 +247,7 @@ impl Setter {
         if width > room {
             size *= room / width;
         }
-        self.line.push(Piece::formula(tex, size));
+        self.place(Piece::formula(tex, size));
         self.break_line();
         self.indent = indent;
         self.y += self.size * GAP * 0.6;
@@ -222,6 +269,7 @@ impl Setter {
 
     /// Sets the line.
     fn break_line(&mut self) {
+        self.filled = 0.0;
         while matches!(self.line.last(), Some(Piece { content: Content::Space, .. })) {
             self.line.pop();
         }
@@ -257,8 +305,4 @@ impl Setter {
         self.figure.size.y = self.bottom;
         self.figure
     }
-}
-
-fn total(pieces: &[Piece]) -> f32 {
-    pieces.iter().map(|piece| piece.width).sum()
 }

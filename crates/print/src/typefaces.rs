@@ -42,7 +42,13 @@ impl MathFont {
 
     /// The face that the layout calls `name`; the upright one for faces that are not shipped.
     pub(crate) fn named(name: &str) -> MathFont {
-        match name {
+        MathFont::of(name).unwrap_or(MathFont::Main)
+    }
+
+    /// The face that the layout calls `name`, if it is shipped.
+    pub(crate) fn of(name: &str) -> Option<MathFont> {
+        Some(match name {
+            "Main-Regular" => MathFont::Main,
             "Main-Bold" => MathFont::Bold,
             "Main-Italic" => MathFont::Italic,
             "Math-Italic" => MathFont::Variable,
@@ -51,8 +57,8 @@ impl MathFont {
             "Size2-Regular" => MathFont::Size2,
             "Size3-Regular" => MathFont::Size3,
             "Size4-Regular" => MathFont::Size4,
-            _ => MathFont::Main,
-        }
+            _ => return None,
+        })
     }
 
     fn bytes(self) -> &'static [u8] {

@@ -32,6 +32,10 @@ impl SceneError {
 
 /// The allowed spelling closest to `found`, if one is close enough to be meant.
 pub(crate) fn nearest<'a>(found: &str, allowed: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    // Longer words are no misspellings of anything.
+    if found.len() > 200 {
+        return None;
+    }
     let alike = |word: &&str| strsim::damerau_levenshtein(found, word);
     allowed
         .into_iter()

@@ -1,5 +1,8 @@
 //! Flat scenes: shapes of the plane from TOML, standing in a thin slab around z = 0.
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
 use glam::Vec2;
 use raystep_accel::{Prism, Shape, Sphere, Wall};
 use serde::Deserialize;
@@ -13,6 +16,13 @@ const SLAB: [f32; 2] = [-0.25, 0.25];
 
 /// Coordinates further out would overflow when multiplied.
 const FURTHEST: f32 = 1e6;
+
+/// Bytes of a file.
+const MOST_BYTES: usize = 1 << 20;
+/// Shapes of a scene: each is drawn by itself.
+const MOST_SHAPES: usize = 10_000;
+/// Corners of an outline: each is a wall that a ray is tested against.
+const MOST_CORNERS: usize = 1000;
 
 /// What a file says.
 pub(crate) struct Flat {
@@ -64,6 +74,11 @@ impl TryFrom<Vec<f32>> for Corner {
 
 /// Reads a flat scene; `file` names it in errors.
 pub(crate) fn parse(text: &str, file: &str) -> Result<Flat, SceneError> {
+    if text.len() > MOST_BYTES {
+        let message =
+            format!("the file has {} KB: a scene has at most {} KB", text.len().div_ceil(1024), MOST_BYTES >> 10);
+        return Err(SceneError::at_byte(file, text, 0, message));
+    }
     let read: Text = toml::from_str(text).map_err(|wrong| {
         let byte = wrong.span().map_or(0, |span| span.start);
         SceneError::at_byte(file, text, byte, advise(wrong.message()))
@@ -71,6 +86,10 @@ pub(crate) fn parse(text: &str, file: &str) -> Result<Flat, SceneError> {
     if read.shapes.is_empty() {
         let byte = text.find("shapes").unwrap_or(0);
         return Err(SceneError::at_byte(file, text, byte, "`shapes` is empty; a scene needs at least one shape"));
+    }
+    if let Some(item) = read.shapes.get(MOST_SHAPES) {
+        let message = format!("here are {} shapes: a scene has at most {MOST_SHAPES}", read.shapes.len());
+        return Err(SceneError::at_byte(file, text, item.span().start, message));
     }
     let mut shapes = Vec::new();
     for item in &read.shapes {
@@ -82,6 +101,8 @@ pub(crate) fn parse(text: &str, file: &str) -> Result<Flat, SceneError> {
 
 /// Adds the nearest allowed key to what toml says of an unknown one.
 fn advise(message: &str) -> String {
+    // Whatever it quotes: it stays a sentence.
+    let message = message.char_indices().nth(200).map_or(message, |(end, _)| &message[..end]);
     let mut quoted = message.split('`').skip(1).step_by(2);
     if message.starts_with("unknown field")
         && let Some(found) = quoted.next()
@@ -140,14 +161,24 @@ fn rectangle([low, high]: [Vec2; 2]) -> Result<Shape<'static>, String> {
 }
 
 /// A closed polygon of at least three corners, none of which repeats its neighbour.
-///
-/// Its outline lives as long as the program, a few bytes each, so that shapes stay `Copy`.
 fn outline(corners: &[Vec2]) -> Result<Shape<'static>, String> {
     if corners.len() < 3 {
         return Err(format!("a polygon has at least 3 corners; found {}", corners.len()));
     }
+    if corners.len() > MOST_CORNERS {
+        return Err(format!("a polygon has at most {MOST_CORNERS} corners; found {}", corners.len()));
+    }
     if (0..corners.len()).any(|i| corners[i] == corners[(i + 1) % corners.len()]) {
         return Err("neighbouring corners differ; the outline closes by itself".to_owned());
     }
-    Ok(Shape::Prism(Prism { outline: corners.to_vec().leak(), z: SLAB }))
+    Ok(Shape::Prism(Prism { outline: kept(corners), z: SLAB }))
+}
+
+/// The outline, living as long as the program so that shapes stay `Copy`: a few bytes each, and the same ones
+/// however often a scene is read.
+fn kept(corners: &[Vec2]) -> &'static [Vec2] {
+    static KEPT: Mutex<BTreeMap<Vec<[u32; 2]>, &'static [Vec2]>> = Mutex::new(BTreeMap::new());
+    let bits = corners.iter().map(|corner| corner.to_array().map(f32::to_bits)).collect();
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    kept.entry(bits).or_insert_with(|| corners.to_vec().leak())
 }

@@ -73,6 +73,11 @@ fn what_is_said_of_wrong_scenes() {
         ("point for a segment", shape("{ segment = [[1, 1], [1, 1]] }")),
         ("two corners", shape("{ polygon = [[1, 1], [2, 1]] }")),
         ("closed twice", shape("{ polygon = [[0, 0], [1, 0], [0, 1], [0, 0]] }")),
+        ("a megabyte", format!("title = \"{}\"", "t".repeat(1 << 20))),
+        ("many shapes", shape(&["{ disc = [0, 0], radius = 1 }"; 10_001].join(", "))),
+        ("many corners", shape(&format!("{{ polygon = [{}] }}", "[0, 0], [1, 0], ".repeat(501)))),
+        ("a long word", shape(&format!("{{ {} = 1 }}", "x".repeat(100_000)))),
+        ("deep", format!("title = {}1{}", "[".repeat(1000), "]".repeat(1000))),
         ("triangle of four", shape("{ triangle = [[0, 0], [1, 0], [0, 1], [1, 1]] }")),
     ];
     let said: Vec<String> = table

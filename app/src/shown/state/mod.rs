@@ -57,6 +57,8 @@ pub struct State {
     landing: Landing,
     history: History,
     waited: f32,
+    /// The kind of stage that was asked for: on it slides open that do not say on which.
+    wished: StageKind,
 }
 
 /// An answer.
@@ -97,8 +99,8 @@ impl State {
     /// The first slide, or the one asked for.
     pub fn new(library: Arc<Library>, slide: usize) -> State {
         let slide = slide.min(library.slides.len().saturating_sub(1));
-        let stage = first_stage(&library, slide, StageKind::Flat);
-        let view = View::of_slide(slide, stage);
+        let wished = StageKind::Flat;
+        let view = View::of_slide(slide, opening_stage(&library, slide, wished));
         State {
             library,
             wanted: Some(view.clone()),
@@ -120,6 +122,7 @@ impl State {
             landing: Landing::Opening,
             history: History::default(),
             waited: 0.0,
+            wished,
         }
     }
 
@@ -203,7 +206,7 @@ impl State {
             return;
         }
         self.keep();
-        let stage = first_stage(&self.library, slide, self.target().stage);
+        let stage = opening_stage(&self.library, slide, self.wished);
         self.beside = Beside::Nothing;
         self.want(View::of_slide(slide, stage), Landing::Opening);
     }
@@ -213,6 +216,7 @@ impl State {
         let View { slide, stage: now, .. } = *self.target();
         let offered = self.library.slides.get(slide).is_some_and(|slide| slide.stage(stage).is_some());
         if offered && stage != now {
+            self.wished = stage;
             self.keep();
             self.want(View::of_slide(slide, stage), Landing::Opening);
         }
@@ -228,6 +232,18 @@ impl State {
         }
         let landing = if matches!(ray, RayChoice::Named(_)) { Landing::Opening } else { Landing::Keep };
         self.want(View { ray, ..self.target().clone() }, landing);
+    }
+
+    /// The ray of that name, on whichever stage it walks.
+    pub fn show_named_ray(&mut self, name: &str) {
+        let index = |stage: &Stage| stage.rays.iter().position(|ray| ray.name == name);
+        let Some(slide) = self.slide() else { return };
+        let mut stages = self.stage().into_iter().chain(&slide.stages);
+        let found = stages.find_map(|stage| Some((stage.kind, index(stage)?)));
+        if let Some((stage, ray)) = found {
+            self.show_stage(stage);
+            self.show_ray(RayChoice::Named(ray), true);
+        }
     }
 
     /// How the structure is built that is shown, or asked for over the same scene.
@@ -346,7 +362,13 @@ impl State {
     }
 }
 
-/// The stage a slide opens on: the wanted one if it has it.
+/// The stage a slide opens on: the one that it says, else the wished one if it has it.
+fn opening_stage(library: &Library, slide: usize, wished: StageKind) -> StageKind {
+    let stage = library.slides.get(slide).and_then(|slide| slide.opening_stage(wished));
+    stage.map_or(StageKind::Flat, |stage| stage.kind)
+}
+
+/// The wanted stage if the slide has it, else its first.
 fn first_stage(library: &Library, slide: usize, wanted: StageKind) -> StageKind {
     let stages = library.slides.get(slide).map_or(&[][..], |slide| slide.stages.as_slice());
     let wanted = stages.iter().find(|stage| stage.kind == wanted);

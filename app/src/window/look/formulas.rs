@@ -22,13 +22,15 @@ struct Key {
 #[derive(Default)]
 pub(crate) struct Formulas {
     pictures: HashMap<Key, Option<TextureHandle>>,
+    /// How wide each is with letters of size 1.
+    widths: HashMap<String, f32>,
 }
 
 impl Formulas {
     /// Shows a formula with letters of this size, smaller if there is no room for it.
     pub(crate) fn show(&mut self, ui: &mut Ui, tex: &str, size: f32, color: Color) {
         let room = ui.available_width();
-        let width = extent(tex, size).width;
+        let width = self.width(tex) * size;
         let size = if width > room { size * room / width } else { size };
         match self.picture(ui, tex, size, color) {
             Some((texture, size)) => {
@@ -38,6 +40,19 @@ impl Formulas {
                 ui.label(tex);
             }
         }
+    }
+
+    /// How wide a formula is with letters of size 1.
+    fn width(&mut self, tex: &str) -> f32 {
+        if let Some(width) = self.widths.get(tex) {
+            return *width;
+        }
+        if self.widths.len() > MOST {
+            self.widths.clear();
+        }
+        let width = extent(tex, 1.0).width;
+        self.widths.insert(tex.to_owned(), width);
+        width
     }
 
     /// The picture of a formula and its size in points.

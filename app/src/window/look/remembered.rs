@@ -71,7 +71,7 @@ impl Remembered {
     }
 
     /// What a text says, as far as it makes sense.
-    fn read(text: &str) -> Remembered {
+    pub fn read(text: &str) -> Remembered {
         let read: Remembered = toml::from_str(text).unwrap_or_default();
         let sound = |size: Option<f32>| size.filter(|size| (1.0..1e5).contains(size));
         let Heights { work, stack, tree, ruler } = read.heights;

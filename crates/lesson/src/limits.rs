@@ -1,0 +1,22 @@
+//! How large lessons may be: a file that says more is no slide, and what it does say stays quick to read and to play.
+
+/// Bytes of a slide, of a listing, of the names of sections.
+pub(crate) const BYTES: usize = 128 * 1024;
+/// Beats of a slide.
+pub(crate) const BEATS: usize = 64;
+/// Rays of a stage.
+pub(crate) const RAYS: usize = 32;
+/// Promises of a ray, numbers of a slide, panes that it shows.
+pub(crate) const ENTRIES: usize = 32;
+/// Letters of a title, of a name, of what a button says.
+pub(crate) const TITLE: usize = 120;
+/// Problems that are told of one file.
+pub(crate) const PROBLEMS: usize = 50;
+/// Files in a folder of lessons, all together.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) const FILES: usize = 2000;
+
+/// What is said of a file with so many bytes.
+pub(crate) fn too_large(bytes: u64) -> String {
+    format!("the file has {} KB: a slide or a listing has at most {} KB", bytes.div_ceil(1024), BYTES / 1024)
+}

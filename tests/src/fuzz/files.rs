@@ -1,0 +1,115 @@
+//! Slides, listings, names of sections, and scenes.
+
+use raystep_accel::Primitives;
+use raystep_lesson::{Library, check};
+use raystep_scene::Scene;
+
+use super::Target;
+
+pub(super) const TARGET: Target = Target {
+    name: "files",
+    body: files,
+    words: &[
+        "+++\n",
+        "\n\n",
+        "\n",
+        "## ",
+        "## Title {at=end}\n",
+        "{at=split}",
+        "{at=",
+        "}",
+        "{{",
+        "}}",
+        "{{t}}",
+        "> ",
+        "> ask {field=near}: Which?\n",
+        "> ask {count=test}: How many?\n",
+        "> ask {event=pop|drop}: Which?\n",
+        "> - far: No.\n",
+        "> - else: No.\n",
+        "> if hit=yes: So.\n",
+        "> if stage=flat: So.\n",
+        "> if event=pop: So.\n",
+        "#2",
+        "|",
+        "axis=x",
+        " ray=\"a\"",
+        "plays = \"build\"\n",
+        "opens = \"solid\"\n",
+        "[flat]\n",
+        "[solid]\n",
+        "camera = { center = [0, 0], half_height = 1 }\n",
+        "kind = \"grid\"",
+        "kind = \"bvh\"",
+        "kind = \"list\"",
+        "slab",
+        "max_depth = 3",
+        "resolution = \"3n\"",
+        "nx = 512",
+        "scene = \"flat-twelve\"",
+        "promise = \"drop\"",
+        "= [",
+        "]",
+        "\"",
+        "'''",
+        "\"\"\"",
+        "\u{1}",
+        "\u{2}",
+        " | ",
+        " : ",
+        "split push\n",
+        "enter.leaf",
+        "title = \"\"\n",
+        "shapes = [",
+        "{ disc = [0, 0], radius = 1 },",
+        "{ polygon = [[0, 0], [1, 0], [0, 1]] },",
+        "{ box = [[0, 0], [1, 1]] },",
+        "\r\n",
+        "\u{feff}",
+        "→",
+        "\0",
+    ],
+    seeds: &[("lessons", "md"), ("lessons/listings", "txt"), ("assets/scenes", "toml")],
+};
+
+/// Which byte begins another file: slide, then listing, then names of sections.
+const NEXT: char = '\u{1}';
+/// Which byte begins a scene instead.
+const SCENE: char = '\u{2}';
+
+/// Reads files of lessons and checks them where all is flat and small, or reads a scene; what is wrong is said in
+/// sentences with a place.
+///
+/// # Panics
+/// If that does not hold.
+pub fn files(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    if let Some(scene) = text.strip_prefix(SCENE).or(text.starts_with("title").then_some(&*text)) {
+        return self::scene(scene);
+    }
+    let mut parts = text.split(NEXT);
+    let names = ["05-kd-tree/1-first.md", "listings/walk.txt", "sections.txt"];
+    let files = names.into_iter().filter_map(|name| Some((name.to_owned(), parts.next()?.to_owned())));
+    let library = Library::from_files(files);
+    let playable = |scene: &str| ["flat-twelve", "flat-overlap", "flat-trap", "flat-wall"].contains(&scene);
+    let stages = library.slides.iter().flat_map(|slide| &slide.stages);
+    // Only what is quick to play.
+    let small = stages.clone().count() <= 2 && stages.clone().all(|stage| playable(&stage.scene));
+    let problems = if small { check(&library, &|_, _| Vec::new()) } else { library.problems };
+    for problem in &problems {
+        let known = names.contains(&problem.file.as_str());
+        assert!(known && problem.line >= 1 && problem.column >= 1 && !problem.message.is_empty(), "{problem}");
+        assert!(problem.message.chars().count() <= 1501, "a sentence of {} letters", problem.message.len());
+    }
+    assert!(problems.len() <= 500, "{} problems", problems.len());
+}
+
+fn scene(text: &str) {
+    match Scene::from_toml(text, "scene.toml") {
+        Ok(scene) => {
+            assert!(!scene.prims.is_empty() && scene.flat);
+            assert!(scene.bounds().min.is_finite() && scene.bounds().max.is_finite());
+        }
+        Err(wrong) => assert!(wrong.line >= 1 && !wrong.message.is_empty() && wrong.message.len() < 3000, "{wrong}"),
+    }
+}

@@ -1,0 +1,91 @@
+//! The settings of the window, and what names a place in the lecture: slides, structures, sizes, scenes.
+
+use raystep::cli::{Size, read_rule};
+use raystep::window::Remembered;
+use raystep_lesson::Library;
+use raystep_scene::Scene;
+
+use super::Target;
+
+pub(super) const TARGET: Target = Target {
+    name: "settings",
+    body: settings,
+    words: &[
+        "theme = \"dark\"\n",
+        "zoom = 1.5\n",
+        "predict = false\n",
+        "lesson = 300.0\n",
+        "walk = 300.0\n",
+        "[heights]\n",
+        "work = 100.0\n",
+        "stack = 90.0\n",
+        "tree = 200.0\n",
+        "ruler = 70.0\n",
+        "nan",
+        "inf",
+        "=",
+        "[",
+        "]",
+        "\"",
+        "'",
+        "\n",
+        "5/33",
+        "05-kd-tree/33-which-child-first",
+        "/",
+        "33",
+        "kd max_depth=3",
+        "grid nx=512",
+        "bvh volume=hull",
+        "=",
+        " ",
+        "1600x1000",
+        "x",
+        "×",
+        "teapot:",
+        "forest:",
+        "trial:",
+        "flat-twelve",
+        "trial:slivers:1",
+        "#",
+        ",",
+        "{",
+        "}",
+        "\0",
+    ],
+    seeds: &[],
+};
+
+/// Reads settings, and the names of places.
+///
+/// # Panics
+/// If settings make no sense, or a name stands for something else.
+pub fn settings(bytes: &[u8]) {
+    let text = String::from_utf8_lossy(bytes);
+    let read = Remembered::read(&text);
+    assert!((0.5..=3.0).contains(&read.zoom), "zoom {}", read.zoom);
+    let heights = [read.heights.work, read.heights.stack, read.heights.tree, read.heights.ruler];
+    for size in heights.into_iter().chain([read.lesson, read.walk]).flatten() {
+        assert!((1.0..1e5).contains(&size), "a pane of {size} points");
+    }
+    let word = text.lines().next().unwrap_or_default();
+    thread_local!(static LIBRARY: Library = Library::embedded());
+    LIBRARY.with(|library| {
+        if let Some(slide) = library.slide(word) {
+            assert!(
+                [slide.id(), slide.name.clone(), format!("{}/{}", slide.section, slide.name)]
+                    .contains(&word.to_owned())
+            );
+        }
+    });
+    if let Ok(size) = word.parse::<Size>() {
+        assert_eq!(size.to_string().parse::<Size>(), Ok(size), "{word}");
+    }
+    if let Ok(rule) = read_rule(word) {
+        assert!(word.trim_start().starts_with(rule.kind()), "{word}");
+    }
+    // Scenes that take long to make are not made.
+    let is_large = ["teapot", "forest", "stadium", "grass", "trial"].iter().any(|large| word.starts_with(large));
+    if !is_large && let Ok(scene) = Scene::named(word) {
+        assert_eq!(scene.name, word);
+    }
+}
