@@ -2,5 +2,6 @@
 
 pub mod cli;
 mod export;
+mod reading;
 mod reel;
 pub mod window;
