@@ -4,10 +4,16 @@ use std::io::{ErrorKind, Write};
 use std::path::Path;
 
 use crate::fault::{Fault, about};
+use crate::reading;
 
-/// Reads a file.
+/// Reads a table, or a text of that size.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Fault> {
-    std::fs::read(path).map_err(about(path))
+    reading::read(path, reading::TABLE, &|| true).map_err(about(path))
+}
+
+/// Reads a mesh.
+pub(crate) fn read_mesh(path: &Path) -> Result<Vec<u8>, Fault> {
+    reading::read(path, reading::MESH, &|| true).map_err(about(path))
 }
 
 /// Writes a file under another name first: what was there stays until the new one is whole.

@@ -5,5 +5,6 @@ mod counts;
 mod export;
 mod fault;
 mod files;
+mod reading;
 pub mod shown;
 pub mod window;

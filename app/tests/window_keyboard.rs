@@ -386,7 +386,7 @@ fn slides_open_on_the_stage_that_they_say_and_else_on_the_one_that_was_asked_for
         let state = &harness.state().state;
         (state.stage().unwrap().kind, state.view.ray.clone())
     };
-    assert_eq!(named("5/39", "a short way to the hit"), (Flat, RayChoice::Named(1)));
+    assert_eq!(named("5/39", "through the lid"), (Flat, RayChoice::Named(1)));
     assert_eq!(named("5/39", "over the floor"), (Solid, RayChoice::Named(1)));
     assert_eq!(named("5/37", "down onto the floor"), (Solid, RayChoice::Named(1)));
     assert_eq!(named("5/39", "nobody"), (Solid, RayChoice::Named(0)));

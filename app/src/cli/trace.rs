@@ -33,9 +33,13 @@ pub struct TraceArguments {
     #[arg(long, value_name = "KEY=VALUE")]
     rule: Vec<String>,
     /// A table of rays with the header ox,oy,oz,dx,dy,dz[,t_min,t_max].
-    #[arg(long, value_name = "FILE.csv", conflicts_with = "pixel", required_unless_present = "pixel")]
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "pixel", required_unless_present_any = ["pixel", "ray"])]
     rays: Option<PathBuf>,
-    /// The ray through the middle of a pixel, counted from the upper left one.
+    /// One ray: where it starts, its direction, and the t that count.
+    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ[,T_MIN,T_MAX]", conflicts_with_all = ["pixel", "rays"],
+          allow_hyphen_values = true)]
+    ray: Option<String>,
+    /// The ray through the middle of a pixel of a solid scene, counted from the upper left one.
     #[arg(long, value_name = "X,Y", value_parser = pixel)]
     pixel: Option<[u32; 2]>,
     /// The size of the picture that the pixel belongs to.
@@ -51,6 +55,9 @@ pub struct TraceArguments {
 
 /// How many events of one walk are kept.
 const TAPE: usize = 1_000_000;
+
+/// So many rays walk before their hits are written.
+const SOME: usize = 1 << 16;
 
 /// Walks the rays.
 pub(crate) fn run(arguments: &TraceArguments) -> Result<(), Fault> {
@@ -78,7 +85,7 @@ fn scene(arguments: &TraceArguments) -> Result<Scene, Fault> {
         let name = arguments.scene.as_deref().unwrap_or_default();
         return Scene::named(name).map_err(|error| Fault::new(error.to_string()));
     };
-    let bytes = files::read(path)?;
+    let bytes = files::read_mesh(path)?;
     let scene = Scene::from_obj(&bytes, &name(path), &mut |_| true).map_err(|error| Fault::new(error.to_string()))?;
     for note in scene.note.lines() {
         eprintln!("raystep: {}: {note}", name(path));
@@ -104,7 +111,24 @@ fn rule(arguments: &TraceArguments, flat: bool) -> Result<Rule, Fault> {
 
 fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, String>>, Fault> {
     if let Some(path) = &arguments.rays {
-        return rays::read(&files::read(path)?, &name(path));
+        let rays = rays::read_moved(&files::read(path)?, &name(path), scene.origin)?;
+        let unusable = rays.iter().filter(|ray| ray.is_err()).count();
+        if unusable > 0 {
+            let (file, all) = (name(path), rays.len());
+            eprintln!("raystep: {file}: {unusable} of {all} rows are no rays; the table of hits says why");
+        }
+        return Ok(rays);
+    }
+    if let Some(line) = &arguments.ray {
+        let ray = rays::read_one(line, scene.origin).map_err(|why| Fault::new(format!("--ray {line}: {why}")))?;
+        return Ok(vec![Ok(ray)]);
+    }
+    if scene.flat {
+        return Err(Fault::new(format!(
+            "--pixel: {} is flat, and a ray through a pixel would fall onto it from above; write one in its plane, as \
+             in --ray 0,1,0,1,0.5,0",
+            scene.name
+        )));
     }
     let [x, y] = arguments.pixel.unwrap_or_default();
     let size: Vec2 = arguments.size.into();
@@ -123,22 +147,20 @@ fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>]) -> R
     } else {
         ProgressBar::hidden()
     };
-    let answers: Vec<Result<(Option<Hit>, Cost), &str>> = rays
-        .par_iter()
-        .map(|ray| {
-            bar.inc(1);
-            let ray = ray.as_ref().map_err(String::as_str)?;
-            let mut cost = Cost::default();
-            Ok((structure.intersect(&scene.prims, ray, &mut cost), cost))
-        })
-        .collect();
-    bar.finish_and_clear();
+    let answer = |ray: &Result<Ray, String>| -> Result<(Option<Hit>, Cost), String> {
+        bar.inc(1);
+        let ray = ray.as_ref().map_err(String::clone)?;
+        let mut cost = Cost::default();
+        Ok((structure.intersect(&scene.prims, ray, &mut cost), cost))
+    };
     let mut writer = csv::Writer::from_writer(Vec::new());
     let broken = |error: csv::Error| Fault::new(error.to_string());
     writer
         .write_record(["ray", "hit", "t", "prim", "prim_tests", "node_visits", "cell_steps", "box_tests"])
         .map_err(broken)?;
-    for (index, answer) in answers.iter().enumerate() {
+    // Some at a time, so that only their rows fill the memory.
+    let answers = rays.chunks(SOME).flat_map(|some| some.par_iter().map(answer).collect::<Vec<_>>());
+    for (index, answer) in answers.enumerate() {
         let none = String::new;
         let row = match answer {
             Err(why) => [index.to_string(), format!("unusable: {why}"), none(), none(), none(), none(), none(), none()],
@@ -155,6 +177,7 @@ fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>]) -> R
         };
         writer.write_record(row).map_err(broken)?;
     }
+    bar.finish_and_clear();
     let bytes = writer.into_inner().map_err(|error| Fault::new(error.to_string()))?;
     String::from_utf8(bytes).map_err(|error| Fault::new(error.to_string()))
 }
@@ -165,6 +188,7 @@ fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray) -> String 
     let hit = structure.intersect(&scene.prims, ray, &mut tape);
     raystep_print::json(&Record {
         scene: &scene.name,
+        origin: scene.origin.to_array(),
         kind: rule.kind(),
         parameters: &rule.parameters().into_iter().map(|p| (p.key.to_owned(), p.value)).collect::<Vec<_>>(),
         nodes: structure.node_count(),

@@ -133,6 +133,7 @@ impl<'a> Session<'a> {
         let rule = &self.ground.rule;
         json(&Record {
             scene: &self.play.scene.name,
+            origin: self.play.scene.origin.to_array(),
             kind: rule.kind(),
             parameters: &rule.parameters().into_iter().map(|p| (p.key.to_owned(), p.value)).collect::<Vec<_>>(),
             nodes: self.play.structure.node_count(),

@@ -92,3 +92,38 @@ fn nested_grids_of_one_level_are_a_uniform_grid() {
         assert_eq!(steps(walked(&nested, prims, &ray)), steps(walked(&uniform, prims, &ray)), "{ray:?}");
     }
 }
+
+/// So many cells are looked at while grids are built, and so many tests a ray then makes.
+fn work(kind: &str, triangles: Vec<Triangle>) -> (u64, u64) {
+    let shapes: Vec<Shape<'static>> = triangles.into_iter().map(Shape::Triangle).collect();
+    let prims = Prims::Few(shapes);
+    let mut looked_at = 0;
+    let mut watch = Each(|event| looked_at += u64::from(matches!(event, Grow::Rasterise { .. })));
+    let grid = Structure::build(&prims, &Rule::default_for(kind).unwrap(), &mut watch).unwrap();
+    let (mut cost, mut hits) = (Cost::default(), 0);
+    for i in 0..16 {
+        let ray = Ray::new(Vec3::new(0.03 + 0.02 * i as f32, 0.3, 3.0), Vec3::new(0.1, 0.01, -1.0)).unwrap();
+        let hit = grid.intersect(&prims, &ray, &mut cost);
+        assert_eq!(hit, List.intersect(&prims, &ray, &mut ()), "{kind}: {ray:?}");
+        hits += usize::from(hit.is_some());
+    }
+    assert!(hits > 4, "{kind}: {hits}");
+    (looked_at, cost.prim_tests / 16)
+}
+
+#[test]
+fn what_no_grid_separates_makes_no_large_one() {
+    let slanted = Triangle { a: Vec3::ZERO, b: Vec3::new(1.0, 0.3, 0.2), c: Vec3::new(0.1, 1.0, 0.7) };
+    let count = 20_000;
+    // Long thin ones side by side along a diagonal: all their boxes overlap, and cells separate them.
+    let hair = |i: usize| {
+        let at = Vec3::new(i as f32 * 1e-4, 0.0, 0.0);
+        Triangle { a: at, b: at + Vec3::new(-1.0, 1.0, 0.5), c: at + Vec3::new(-0.999, 1.001, 0.5) }
+    };
+    for kind in ["grid", "hashed-grid", "nested-grid"] {
+        let (looked_at, _) = work(kind, vec![slanted; count]);
+        assert!(looked_at <= 4 << 16, "{kind}: {looked_at}");
+        let (_, tests) = work(kind, (0..count).map(hair).collect());
+        assert!(tests < count as u64 / 4, "{kind}: {tests}");
+    }
+}

@@ -8,6 +8,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 pub struct Record<'a> {
     /// The scene's name.
     pub scene: &'a str,
+    /// What was subtracted from the coordinates of the scene's file, so that single precision keeps their digits.
+    pub origin: [f64; 3],
     /// The structure's kind: `list`, `grid`, `kd`, `bvh`.
     pub kind: &'a str,
     /// The structure's parameters with their values as text.
@@ -45,6 +47,7 @@ pub fn json(record: &Record<'_>) -> String {
     let structure =
         Built { kind: record.kind, parameters: Pairs(record.parameters), nodes: record.nodes, bytes: record.bytes };
     let (scene, lost, version) = (record.scene, record.lost, 1);
+    let origin = Some(record.origin).filter(|origin| *origin != [0.0; 3]);
     match record.told {
         Told::Walk { name, ray, events, hit } => {
             let mut cost = Cost::default();
@@ -55,10 +58,11 @@ pub fn json(record: &Record<'_>) -> String {
                 format: "raystep-walk",
                 version,
                 scene,
+                origin,
                 structure,
                 ray: Line {
                     name,
-                    o: ray.o.to_array().map(Number),
+                    o: [0, 1, 2].map(|axis| Coordinate { seen: ray.o[axis], from: record.origin[axis] }),
                     d: ray.d.to_array().map(Number),
                     t_min: Number(ray.t_min),
                     t_max: Number(ray.t_max),
@@ -71,7 +75,7 @@ pub fn json(record: &Record<'_>) -> String {
         }
         Told::Build(events) => {
             let events = steps(events.iter().copied().map(Event::Build));
-            text(&Grown { format: "raystep-build", version, scene, structure, lost, events })
+            text(&Grown { format: "raystep-build", version, scene, origin, structure, lost, events })
         }
     }
 }
@@ -90,6 +94,8 @@ struct Walked<'a> {
     format: &'static str,
     version: u32,
     scene: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origin: Option<[f64; 3]>,
     structure: Built<'a>,
     ray: Line<'a>,
     hit: Option<Answer>,
@@ -103,6 +109,8 @@ struct Grown<'a> {
     format: &'static str,
     version: u32,
     scene: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origin: Option<[f64; 3]>,
     structure: Built<'a>,
     lost: u64,
     events: Vec<Step>,
@@ -119,7 +127,7 @@ struct Built<'a> {
 #[derive(serde::Serialize)]
 struct Line<'a> {
     name: Option<&'a str>,
-    o: [Number; 3],
+    o: [Coordinate; 3],
     d: [Number; 3],
     t_min: Number,
     t_max: Number,
@@ -142,6 +150,22 @@ impl Serialize for Number {
             serializer.serialize_str("nan")
         } else {
             serializer.serialize_str(if self.0 > 0.0 { "inf" } else { "-inf" })
+        }
+    }
+}
+
+/// A coordinate of the scene's file, seen from a place.
+struct Coordinate {
+    seen: f32,
+    from: f64,
+}
+
+impl Serialize for Coordinate {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.from == 0.0 {
+            Number(self.seen).serialize(serializer)
+        } else {
+            serializer.serialize_f64(f64::from(self.seen) + self.from)
         }
     }
 }

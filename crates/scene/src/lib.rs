@@ -3,6 +3,7 @@
 //! Everything loads from bytes. What is wrong in a file is a [`SceneError`]: a sentence with file, line and
 //! column that says what was found and what is allowed.
 
+mod decimal;
 mod error;
 mod flat;
 mod obj;
@@ -15,6 +16,7 @@ mod tree;
 pub mod trial;
 mod view;
 
+pub use decimal::decimal;
 pub use error::SceneError;
 pub use obj::{Loaded, ObjError, read_obj};
 pub use outdoors::MOST_TREES;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::{Mat3, Vec3};
+use glam::{DVec3, Mat3, Vec3};
 use raystep_accel::{Aabb, BvhRule, Instances, Mesh, Model, PrimId, Primitives, Prims, Random, Rule, Transform};
 
 use crate::tree::tree;
@@ -82,6 +82,7 @@ fn outdoors(
         view: View::fitting(&bounds, Vec3::new(0.4, -1.0, 0.35), Vec3::Z),
         note: note(instances.triangles()),
         prims: Prims::Instances(instances),
+        origin: DVec3::ZERO,
     }
 }
 

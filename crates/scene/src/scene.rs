@@ -1,6 +1,6 @@
 //! A scene: primitives and how to look at them.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use raystep_accel::{Aabb, PrimId, Primitives, Prims};
 
 use crate::{ObjError, SceneError, View, flat, read_obj};
@@ -20,6 +20,8 @@ pub struct Scene {
     pub view: View,
     /// A sentence or more about it: its source, or what to look for. May be empty.
     pub note: String,
+    /// What was subtracted from its file's coordinates, so that single precision keeps their digits; mostly 0.
+    pub origin: DVec3,
 }
 
 impl Scene {
@@ -31,7 +33,7 @@ impl Scene {
         let flat::Flat { title, note, shapes } = flat::parse(text, name)?;
         let prims = Prims::Few(shapes);
         let view = View::fitting(&bounds(&prims), Vec3::Z, Vec3::Y);
-        Ok(Scene { name: name.to_owned(), title, prims, flat: true, view, note })
+        Ok(Scene { name: name.to_owned(), title, prims, flat: true, view, note, origin: DVec3::ZERO })
     }
 
     /// A scene from the bytes of an OBJ file, y up. What the reader repaired stands in `note`, a line each.
@@ -49,7 +51,18 @@ impl Scene {
             flat: false,
             view,
             note: loaded.notes.join("\n"),
+            origin: loaded.origin,
         })
+    }
+
+    /// A point of the scene's file as the primitives count it.
+    pub fn moved(&self, p: DVec3) -> Vec3 {
+        (p - self.origin).as_vec3()
+    }
+
+    /// A point of the primitives as the scene's file counts it.
+    pub fn moved_back(&self, p: Vec3) -> DVec3 {
+        p.as_dvec3() + self.origin
     }
 
     /// The smallest box around all primitives.

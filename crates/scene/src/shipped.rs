@@ -1,6 +1,6 @@
 //! The scenes that come with the program.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use include_dir::{Dir, include_dir};
 use raystep_accel::{Aabb, Prims};
 use thiserror::Error;
@@ -125,6 +125,7 @@ fn teapot_on_floor() -> Scene {
         note: "Newell's 32 patches (1975), each cut into 10×10 quads: 6400 triangles, less the 80 that collapse \
                at the poles of lid and base. The floor, one triangle more, is our guess at the lecture's 6321."
             .to_owned(),
+        origin: DVec3::ZERO,
     }
 }
 
@@ -138,6 +139,7 @@ fn teapot_alone(steps: u32) -> Scene {
         flat: false,
         view: View::fitting(&bounds, FROM, Vec3::Z),
         note: format!("Newell's 32 patches (1975), each cut into {steps}×{steps} quads."),
+        origin: DVec3::ZERO,
     }
 }
 
@@ -146,5 +148,6 @@ fn on_trial(case: Case) -> Scene {
     let Case { name, prims, flat } = case;
     let (from, up) = if flat { (Vec3::Z, Vec3::Y) } else { (FROM, Vec3::Z) };
     let view = View::fitting(&bounds(&prims), from, up);
-    Scene { title: name.clone(), name, prims, flat, view, note: "What structures are tried on.".to_owned() }
+    let note = "What structures are tried on.".to_owned();
+    Scene { title: name.clone(), name, prims, flat, view, note, origin: DVec3::ZERO }
 }

@@ -1,6 +1,6 @@
 //! The teapot in a stadium, slide 23: where a grid of equal cells does not adapt.
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 use raystep_accel::{Aabb, Mesh, Prims};
 
 use crate::{Scene, View, teapot};
@@ -48,6 +48,7 @@ pub(crate) fn stadium() -> Scene {
             mesh.triangles.len() - pot
         ),
         prims: Prims::Mesh(mesh),
+        origin: DVec3::ZERO,
     }
 }
 

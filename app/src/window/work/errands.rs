@@ -12,6 +12,7 @@ use raystep_lesson::Library;
 use raystep_scene::Scene;
 
 use super::task::Task;
+use crate::reading;
 
 /// What came back.
 pub(crate) enum News {
@@ -133,7 +134,11 @@ impl Errands {
 }
 
 fn read(path: &Path, name: &str, task: &Task) -> News {
-    let bytes = match std::fs::read(path) {
+    // A pipe or a device may never end, or never begin.
+    if !path.is_file() {
+        return News::Failed(format!("{name} cannot be read: it is no file."));
+    }
+    let bytes = match reading::read(path, reading::MESH, &|| !task.is_stopped()) {
         Ok(bytes) => bytes,
         Err(error) => return News::Failed(format!("{name} cannot be read: {error}.")),
     };

@@ -237,7 +237,7 @@ fn scene_of(mistake: Mistake) -> Scene {
     let bounds = (0..prims.len() as u32).fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(PrimId(prim))));
     let view = raystep_scene::View::fitting(&bounds, Vec3::Z, Vec3::Y);
     let (name, title) = (mistake.name().to_owned(), mistake.title().to_owned());
-    Scene { name, title, prims, flat: true, view, note: String::new() }
+    Scene { name, title, prims, flat: true, view, note: String::new(), origin: glam::DVec3::ZERO }
 }
 
 /// Counts what a builder has settled and asks it to give up.

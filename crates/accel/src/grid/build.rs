@@ -1,7 +1,7 @@
 //! Building a grid, slides 17 and 18: the same steps whatever the cells are stored in.
 
 use super::cells::Reference;
-use super::resolution::{Room, asked};
+use super::resolution::{FEW_REFERENCES, Room, asked};
 use super::{Dense, Grid, GridOf, Lattice};
 use crate::events::{BETWEEN_LOOKS, patiently};
 use crate::{Aabb, Axis, Cancelled, CellId, GridRule, Grow, Margin, Observer, Place, PrimId, Primitives, around};
@@ -35,6 +35,9 @@ impl<C> GridOf<C> {
     }
 }
 
+/// So many primitives say whether a grid separates them.
+const FEW: usize = 64;
+
 /// A build under way.
 pub(super) struct Building<'a, P> {
     prims: &'a P,
@@ -66,7 +69,11 @@ impl<'a, P: Primitives> Building<'a, P> {
     pub(super) fn whole(&self, rule: &GridRule, watch: &mut impl Observer<Grow>) -> Result<Lattice, Cancelled> {
         let (bounds, prims) = (self.bounds, self.prims.len());
         let mut lattice = Lattice { bounds, resolution: asked(rule, &bounds, prims), first: CellId(0) };
-        Room::over(prims).fit(&mut lattice, &self.reaches, watch)?;
+        let touched = Room::over(prims).fit(&mut lattice, &self.reaches, watch)?;
+        let everything = |i: usize| PrimId(i as u32);
+        if touched > FEW_REFERENCES && !self.separates(&lattice, prims, everything) {
+            Room::few().fit(&mut lattice, &self.reaches, watch)?;
+        }
         let [nx, ny, nz] = lattice.resolution;
         watch.on(Grow::Resolve { bounds, nx, ny, nz, prims: prims as u32 });
         Ok(lattice)
@@ -89,8 +96,30 @@ impl<'a, P: Primitives> Building<'a, P> {
         }
         let mut lattice = Lattice { bounds, resolution, first };
         let reaches: Vec<Aabb> = held.iter().map(|prim| self.reaches[prim.index()]).collect();
-        let touched = self.room.fit(&mut lattice, &reaches, watch)?;
+        let mut touched = self.room.fit(&mut lattice, &reaches, watch)?;
+        if touched > FEW_REFERENCES && !self.separates(&lattice, held.len(), |i| held[i]) {
+            touched = Room::few().fit(&mut lattice, &reaches, watch)?;
+        }
         Ok(self.room.give(&lattice, touched).then_some(lattice))
+    }
+
+    /// Whether the cells of a large grid separate its primitives, judged by a few of them: identical ones, and others
+    /// that lie in one another, are together in every cell, and dividing that makes references and saves no test.
+    fn separates(&self, lattice: &Lattice, count: usize, prim: impl Fn(usize) -> PrimId) -> bool {
+        let few = count.min(FEW);
+        let held = (0..few).map(|i| prim(i * count / few));
+        let mut cells: Vec<CellId> = held.flat_map(|prim| self.cells_held(lattice, prim)).collect();
+        cells.sort_unstable();
+        let references = cells.len();
+        cells.dedup();
+        // Half of them in each cell, on average.
+        2 * references < few * cells.len()
+    }
+
+    /// The cells that a primitive reaches into.
+    fn cells_held(&self, lattice: &Lattice, prim: PrimId) -> impl Iterator<Item = CellId> {
+        let touched = lattice.cells_of(&self.reaches[prim.index()]);
+        touched.filter(move |cell| !self.prune || self.overlaps(prim, &lattice.cell_bounds(*cell)))
     }
 
     /// Inserts one primitive after the other: finds the cells that are to refer to it.

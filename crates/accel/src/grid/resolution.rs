@@ -9,6 +9,9 @@ const MOST_CELLS: u64 = 1 << 24;
 /// No grid has more references than this, unless there are more primitives.
 const MOST_REFERENCES: u64 = 1 << 24;
 
+/// A grid with at most so many references costs little, even if it separates nothing.
+pub(super) const FEW_REFERENCES: u64 = 1 << 16;
+
 /// The number of cells that `rule` asks for along each axis of a box with `prims` primitives in it.
 pub(super) fn asked(rule: &GridRule, bounds: &Aabb, prims: usize) -> [u32; 3] {
     let extent = bounds.extent();
@@ -59,6 +62,11 @@ impl Room {
         Room { cells: share(128, MOST_CELLS), references: share(128, MOST_REFERENCES) }
     }
 
+    /// The room for a grid that separates nothing.
+    pub(super) fn few() -> Room {
+        Room { cells: FEW_REFERENCES, references: FEW_REFERENCES }
+    }
+
     /// Halves the finest axis until the cells and the references of primitives that reach so far have room, or
     /// there is one cell. Returns how many cells the primitives' boxes touch, all together.
     pub(super) fn fit(
@@ -67,9 +75,14 @@ impl Room {
         reaches: &[Aabb],
         watch: &impl Observer<Grow>,
     ) -> Result<u64, Cancelled> {
+        // Each primitive touches a cell: where there is no room for that, nothing is counted.
+        if reaches.len() as u64 > self.references {
+            lattice.resolution = [1; 3];
+        }
         loop {
             let cells: u64 = lattice.resolution.iter().map(|&n| u64::from(n)).product();
-            let touched = lattice.touched(reaches, watch)?;
+            let most = if cells > self.cells { 0 } else { self.references };
+            let touched = lattice.touched(reaches, most, watch)?;
             let finest = lattice.resolution.iter_mut().max().expect("a grid has three axes");
             if *finest == 1 || (cells <= self.cells && touched <= self.references) {
                 return Ok(touched);
@@ -91,11 +104,19 @@ impl Room {
 }
 
 impl Lattice {
-    /// How many cells the boxes touch, all together.
-    fn touched(&self, reaches: &[Aabb], watch: &impl Observer<Grow>) -> Result<u64, Cancelled> {
-        let touched = |reach: &Aabb| -> u64 {
-            self.rasterise(reach).map(|range| u64::from(range.end() - range.start() + 1)).iter().product()
-        };
-        patiently(reaches, watch).try_fold(0, |all: u64, reach| Ok(all.saturating_add(touched(reach?))))
+    /// How many cells the boxes touch, all together; where there are more than `most`, it stops counting.
+    fn touched(&self, reaches: &[Aabb], most: u64, watch: &impl Observer<Grow>) -> Result<u64, Cancelled> {
+        if self.resolution == [1; 3] {
+            return Ok(reaches.len() as u64);
+        }
+        let mut touched = 0;
+        for reach in patiently(reaches, watch) {
+            let along = self.rasterise(reach?).map(|range| u64::from(range.end() - range.start() + 1));
+            touched += along.iter().product::<u64>();
+            if touched > most {
+                break;
+            }
+        }
+        Ok(touched)
     }
 }

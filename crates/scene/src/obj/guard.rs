@@ -1,42 +1,18 @@
 //! Every line of an OBJ file, checked before tobj sees it.
+//!
+//! Refused is only what makes the geometry doubtful: a wrong number or index of a vertex that a face uses. Whatever
+//! else is wrong is left out and counted ([`LeftOut`]).
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use super::ObjError;
-use super::text::{Line, count, lines, whole_file};
-use crate::SceneError;
-use crate::error::nearest;
+use super::left_out::LeftOut;
+use super::progress::Progress;
+use super::text::{Line, count, lines, not_text, shown, whole_file};
+use super::{ObjError, keywords};
+use crate::{SceneError, decimal};
 
 /// Coordinates further out overflow when a ray's arithmetic multiplies them.
-const FURTHEST: f32 = 1e18;
-
-/// Keywords that carry no triangles; lines of these are passed over without a word.
-const SILENT: [&str; 14] = [
-    "o",
-    "g",
-    "s",
-    "mg",
-    "vp",
-    "usemtl",
-    "usemap",
-    "maplib",
-    "bevel",
-    "c_interp",
-    "d_interp",
-    "lod",
-    "shadow_obj",
-    "trace_obj",
-];
-
-/// Keywords for things other than triangles; lines of these are counted in the notes.
-const OTHER: [&str; 22] = [
-    "p", "l", "curv", "curv2", "surf", "cstype", "deg", "bmat", "step", "parm", "trim", "hole", "scrv", "sp", "end",
-    "con", "ctech", "stech", "call", "csh", "bzp", "bsp",
-];
-
-/// How the notes speak of material libraries.
-const LIBRARY: &str = "mtllib (materials are not needed; no other file is opened)";
+const FURTHEST: f64 = 1e18;
 
 /// How many of each an index may name.
 #[derive(Clone, Copy, Default)]
@@ -51,45 +27,35 @@ pub(super) fn check(
     text: &str,
     file: &str,
     notes: &mut Vec<String>,
-    progress: &mut dyn FnMut(f32) -> bool,
+    progress: &mut Progress<'_>,
 ) -> Result<String, ObjError> {
     let all = totals(text);
-    let mut so_far = Counts::default();
-    let mut guard = Guard { file, clean: String::new(), all, faces: 0, shortened: 0 };
-    let mut skipped: BTreeMap<String, usize> = BTreeMap::new();
+    let (clean, used, out) = (String::new(), vec![false; all.v], LeftOut::default());
+    let mut guard = Guard { file, clean, all, so_far: Counts::default(), used, wrong: Vec::new(), faces: 0, out };
     let mut read = 0;
-    for (i, line) in lines(text).enumerate() {
+    for line in lines(text) {
+        progress.reach(read, text.len())?;
         read += line.text.len() + 1;
-        if i % 16_384 == 0 && !progress(read as f32 / text.len() as f32) {
-            return Err(ObjError::Cancelled);
-        }
         let Some(keyword) = line.text.split_whitespace().next() else { continue };
         match keyword {
-            "v" => {
-                so_far.v += 1;
-                guard.vertex(&line)?;
-            }
+            "v" => guard.vertex(&line),
             // Texture coordinates and normals are not drawn; only their number matters.
-            "vt" => so_far.vt += 1,
-            "vn" => so_far.vn += 1,
-            "f" | "fo" => guard.face(&line, so_far)?,
-            "mtllib" => *skipped.entry(LIBRARY.to_owned()).or_default() += 1,
-            _ if SILENT.contains(&keyword) => {}
-            _ if OTHER.contains(&keyword) => *skipped.entry(keyword.to_owned()).or_default() += 1,
-            _ => return Err(guard.unknown(&line, keyword).into()),
+            "vt" => guard.so_far.vt += 1,
+            "vn" => guard.so_far.vn += 1,
+            "f" | "fo" => guard.face(&line, progress)?,
+            _ if keywords::SILENT.contains(&keyword) => {}
+            _ => guard.out.pass_over(keyword, &line),
         }
     }
     if guard.faces == 0 {
-        let found = count(all.v, "vertex").replace("vertexs", "vertices");
-        return Err(
-            whole_file(file, format!("found {found} and no face; a face is `f` with three or more vertices")).into()
-        );
+        return Err(guard.no_face(text).into());
     }
-    if guard.shortened > 0 {
-        notes
-            .push(format!("{} with more than x y z: colours and weights left out", count(guard.shortened, "`v` line")));
+    // A vertex that no face uses may be anything.
+    if let Some(&vertex) = guard.wrong.iter().find(|vertex| guard.used[**vertex]) {
+        return Err(wrong_vertex(text, file, vertex).into());
     }
-    notes.extend(skipped.iter().map(|(keyword, &n)| format!("{} passed over: {keyword}", count(n, "line"))));
+    guard.out.vertices = guard.wrong.len();
+    notes.extend(guard.out.notes());
     Ok(guard.clean)
 }
 
@@ -111,116 +77,155 @@ struct Guard<'a> {
     file: &'a str,
     clean: String,
     all: Counts,
+    so_far: Counts,
+    /// Which vertices faces use.
+    used: Vec<bool>,
+    /// The vertices that are no points.
+    wrong: Vec<usize>,
     faces: usize,
-    shortened: usize,
+    out: LeftOut,
 }
 
 impl Guard<'_> {
     /// `v x y z`, then perhaps a weight or a colour.
-    fn vertex(&mut self, line: &Line<'_>) -> Result<(), SceneError> {
-        let words: Vec<&str> = line.text.split_whitespace().skip(1).collect();
-        let Some(&[x, y, z]) = words.first_chunk::<3>() else {
-            let found = count(words.len(), "number");
-            return Err(self.wrong(line, "v", format!("a vertex is `v x y z`; found {found}")));
-        };
-        self.clean.push('v');
-        for word in [x, y, z] {
-            let number: f32 = word
-                .parse()
-                .map_err(|_| self.wrong(line, word, format!("`{word}` is not a number; a vertex is `v x y z`")))?;
-            if number.is_nan() || number.abs() > FURTHEST {
-                let message =
-                    format!("`{word}` is no usable coordinate; numbers from -{FURTHEST:e} to {FURTHEST:e} are");
-                return Err(self.wrong(line, word, message));
-            }
-            let _ = write!(self.clean, " {number}");
-        }
-        self.clean.push('\n');
-        self.shortened += usize::from(words.len() > 3);
-        Ok(())
+    fn vertex(&mut self, line: &Line<'_>) {
+        let [x, y, z] = point(line, self.file).unwrap_or_else(|_| {
+            self.wrong.push(self.so_far.v);
+            [0.0; 3]
+        });
+        self.so_far.v += 1;
+        let _ = writeln!(self.clean, "v {x:?} {y:?} {z:?}");
+        self.out.longer += usize::from(line.text.split_whitespace().nth(4).is_some());
     }
 
     /// `f` with three or more of `v`, `v/vt`, `v//vn`, `v/vt/vn`.
-    fn face(&mut self, line: &Line<'_>, so_far: Counts) -> Result<(), SceneError> {
+    fn face(&mut self, line: &Line<'_>, progress: &mut Progress<'_>) -> Result<(), ObjError> {
         let words = line.text.split_whitespace().skip(1);
-        let found = words.clone().count();
-        if found < 3 {
-            let found = count(found, "corner");
-            return Err(self.wrong(line, "f", format!("a face has three or more corners; found {found}")));
+        let corners = words.clone().take(3).count();
+        if corners < 3 {
+            let found = count(corners, "corner");
+            self.out.short(|| line.wrong(self.file, "", format!("a face has three or more corners; found {found}")));
+            return Ok(());
         }
         self.clean.push('f');
+        let (mut no_texture, mut no_normal, mut odd) = (false, false, false);
         for word in words {
+            progress.step()?;
             let mut parts = word.split('/');
             let position = parts.next().unwrap_or_default();
-            let position = self.index(line, word, position, ["vertex", "vertices"], so_far.v, self.all.v)?;
-            for (part, names, so_far, all) in [
-                (parts.next(), ["texture coordinate", "texture coordinates"], so_far.vt, self.all.vt),
-                (parts.next(), ["normal", "normals"], so_far.vn, self.all.vn),
+            let vertex = index(position, self.so_far.v, self.all.v)
+                .map_err(|no_index| line.wrong(self.file, word, no_index.says(word, position)))?;
+            self.used[vertex - 1] = true;
+            let _ = write!(self.clean, " {vertex}");
+            // Texture and normal are thrown away: right or wrong, they change no triangle.
+            let (texture, normal) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
+            for (part, so_far, all, missing) in [
+                (texture, self.so_far.vt, self.all.vt, &mut no_texture),
+                (normal, self.so_far.vn, self.all.vn, &mut no_normal),
             ] {
-                if let Some(part) = part.filter(|part| !part.is_empty()) {
-                    self.index(line, word, part, names, so_far, all)?;
+                match index(part, so_far, all) {
+                    Err(NoIndex::Word) => odd |= !part.is_empty(),
+                    found => *missing |= found.is_err(),
                 }
             }
-            if parts.next().is_some() {
-                return Err(self.wrong(line, word, format!("`{word}`: a corner is v, v/vt, v//vn or v/vt/vn")));
-            }
-            let _ = write!(self.clean, " {position}");
+            odd |= parts.next().is_some();
         }
         self.clean.push('\n');
         self.faces += 1;
+        self.out.textures += usize::from(no_texture);
+        self.out.normals += usize::from(no_normal);
+        self.out.odd += usize::from(odd);
         Ok(())
     }
 
-    /// An index from 1, or one counted back from here: -1 is the latest.
-    fn index(
-        &self,
-        line: &Line<'_>,
-        word: &str,
-        part: &str,
-        [one, many]: [&str; 2],
-        so_far: usize,
-        all: usize,
-    ) -> Result<usize, SceneError> {
-        let digits = part.strip_prefix(['-', '+']).unwrap_or(part);
-        if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-            return Err(self.wrong(
-                line,
-                word,
-                format!("`{word}`: a corner is v, v/vt, v//vn or v/vt/vn, each a whole number"),
-            ));
+    /// Why there is nothing to hit.
+    fn no_face(self, text: &str) -> SceneError {
+        if let Some(short) = self.out.first_short {
+            return short;
         }
-        // No file has so many; a number with too many digits is cut off there.
-        const BEYOND: i64 = u32::MAX as i64;
-        let back = part.starts_with('-');
-        let number = digits.parse().unwrap_or(BEYOND).min(BEYOND);
-        let index = if back { so_far as i64 + 1 - number } else { number };
-        let last = if back { so_far } else { all };
-        if number != 0 && (1..=last as i64).contains(&index) {
-            return Ok(index as usize);
+        if let Some(not_text) = not_text(self.file, text) {
+            return not_text;
         }
-        let allowed = match (last, back) {
-            (0, _) => format!("there are no {many}"),
-            (_, true) => format!("so far there are {last} {many}, so -{last} to -1 are allowed"),
-            (1, _) => format!("there is one {one}"),
-            (_, false) => format!("the file has {last} {many}, so 1 to {last} are allowed"),
-        };
-        Err(self.wrong(line, word, format!("`{part}` is not the number of a {one}; {allowed}")))
+        let found = count(self.all.v, "vertex");
+        let mut message = format!("found {found} and no face; a face is `f` with three or more vertices");
+        if let Some((word, line)) = self.out.first_unknown {
+            let _ = write!(message, " (the first word that is no keyword of OBJ is {} in line {line})", shown(&word));
+        }
+        whole_file(self.file, message)
     }
+}
 
-    fn unknown(&self, line: &Line<'_>, keyword: &str) -> SceneError {
-        let known = ["v", "vt", "vn", "f", "mtllib"].into_iter().chain(SILENT).chain(OTHER);
-        let advice = match nearest(keyword, known) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None => "an OBJ line begins with v, vt, vn, f, o, g, s, usemtl, mtllib or #".to_owned(),
+/// The point of a vertex.
+fn point(line: &Line<'_>, file: &str) -> Result<[f64; 3], SceneError> {
+    let mut point = [0.0; 3];
+    let mut words = line.text.split_whitespace().skip(1);
+    for (found, coordinate) in point.iter_mut().enumerate() {
+        let Some(word) = words.next() else {
+            let found = count(found, "number");
+            return Err(line.wrong(file, "", format!("a vertex is `v x y z`; found {found}")));
         };
-        let shown: String = keyword.chars().take(24).collect();
-        self.wrong(line, keyword, format!("`{shown}` is not a keyword of OBJ; {advice}"))
+        let Some(number) = decimal(word) else {
+            let message = format!("{} is not a number; a vertex is `v x y z`", shown(word));
+            return Err(line.wrong(file, word, message));
+        };
+        if number.is_nan() || number.abs() > FURTHEST {
+            let word_shown = shown(word);
+            let message =
+                format!("{word_shown} is no usable coordinate; numbers from -{FURTHEST:e} to {FURTHEST:e} are");
+            return Err(line.wrong(file, word, message));
+        }
+        *coordinate = number;
     }
+    Ok(point)
+}
 
-    /// A mistake at `word`, a part of the line's text; at its beginning if `word` is not.
-    fn wrong(&self, line: &Line<'_>, word: &str, message: String) -> SceneError {
-        let byte = word.as_ptr().addr().wrapping_sub(line.text.as_ptr().addr());
-        let column = line.text.get(..byte).map_or(1, |before| before.chars().count() + 1);
-        SceneError { file: self.file.to_owned(), line: line.number, column, message }
+/// What is wrong with the vertex of this place.
+fn wrong_vertex(text: &str, file: &str, vertex: usize) -> SceneError {
+    let vertices = lines(text).filter(|line| line.text.split_whitespace().next() == Some("v"));
+    let wrong = vertices.skip(vertex).find_map(|line| point(&line, file).err());
+    wrong.unwrap_or_else(|| whole_file(file, "a vertex is not a point"))
+}
+
+/// Why a part of a corner is no index.
+enum NoIndex {
+    /// It is no whole number.
+    Word,
+    /// It counts back from here, and there are only so many.
+    Back(usize),
+    /// There are only so many.
+    Beyond(usize),
+}
+
+/// An index from 1, or one counted back from here: -1 is the latest.
+fn index(part: &str, so_far: usize, all: usize) -> Result<usize, NoIndex> {
+    let digits = part.strip_prefix(['-', '+']).unwrap_or(part);
+    if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+        return Err(NoIndex::Word);
+    }
+    // No file has so many; a number with too many digits is cut off there.
+    const BEYOND: i64 = u32::MAX as i64;
+    let back = part.starts_with('-');
+    let number = digits.parse().unwrap_or(BEYOND).min(BEYOND);
+    let index = if back { so_far as i64 + 1 - number } else { number };
+    let last = if back { so_far } else { all };
+    if number != 0 && (1..=last as i64).contains(&index) {
+        return Ok(index as usize);
+    }
+    Err(if back { NoIndex::Back(last) } else { NoIndex::Beyond(last) })
+}
+
+impl NoIndex {
+    /// A sentence about the vertex `part` of the corner `word`.
+    fn says(&self, word: &str, part: &str) -> String {
+        let allowed = match self {
+            NoIndex::Word => {
+                return format!("{}: a corner is v, v/vt, v//vn or v/vt/vn, each a whole number", shown(word));
+            }
+            NoIndex::Back(0) | NoIndex::Beyond(0) => "there are no vertices".to_owned(),
+            NoIndex::Back(last) => format!("so far there are {last} vertices, so -{last} to -1 are allowed"),
+            NoIndex::Beyond(1) => "there is one vertex".to_owned(),
+            NoIndex::Beyond(last) => format!("the file has {last} vertices, so 1 to {last} are allowed"),
+        };
+        format!("{} is not the number of a vertex; {allowed}", shown(part))
     }
 }
