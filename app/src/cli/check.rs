@@ -6,6 +6,7 @@ use clap::Args;
 use raystep_lesson::{Library, Problem, check};
 
 use super::fault::{Fault, about};
+use super::files;
 
 /// What to check.
 #[derive(Args, Debug)]
@@ -27,7 +28,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Fault> {
         return Ok(());
     }
     for problem in &problems {
-        eprintln!("{problem}");
+        files::tell(&problem.to_string());
     }
     let count = problems.len();
     Err(Fault::new(format!("{count} {} to mend", if count == 1 { "thing" } else { "things" })))
