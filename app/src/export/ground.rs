@@ -8,6 +8,7 @@ use raystep_figure::{Camera, Nodes, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
 use super::camera::{self, Seen};
+use super::names::{of_own_ray, of_ray, of_slide, slug};
 use super::session::Session;
 use crate::cli::Fault;
 
@@ -77,7 +78,7 @@ impl<'a> Ground<'a> {
             None => {
                 let kind = stage.kind.name();
                 let about = format!("{} · {} · {kind}", slide.section_title(), slide.numbers_text());
-                (format!("slide{}-{kind}", slide.name), about)
+                (format!("{}-{kind}", of_slide(library, slide)), about)
             }
         };
         for (key, value) in settings {
@@ -111,14 +112,13 @@ impl<'a> Ground<'a> {
     }
 
     fn named(&self, ray: &NamedRay) -> Option<Session<'_>> {
-        let first = self.stage.rays.first().is_some_and(|first| first.name == ray.name);
-        let stem = if first { self.stem.clone() } else { format!("{}-{}", self.stem, slug(&ray.name)) };
+        let stem = format!("{}{}", self.stem, of_ray(self.stage, &ray.name));
         Session::new(self, Some(ray.ray), Some(&ray.name), stem)
     }
 
     /// The walk of another ray.
     pub(crate) fn with_ray(&self, ray: Ray) -> Vec<Session<'_>> {
-        let stem = format!("{}-own-ray", self.stem);
+        let stem = format!("{}{}", self.stem, of_own_ray(&ray));
         Session::new(self, Some(ray), Some("your own"), stem).into_iter().collect()
     }
 
@@ -165,10 +165,3 @@ pub(crate) fn rays_of_beats<'a>(slide: &'a Slide, stage: &'a Stage) -> Vec<&'a N
 
 /// Most pixels on a side of a solid scene: a larger picture shows it a little softer.
 const MOST_PIXELS: u32 = 2400;
-
-/// A name as a part of a file's name.
-fn slug(name: &str) -> String {
-    let plain = |letter: char| if letter.is_alphanumeric() { letter.to_ascii_lowercase() } else { '-' };
-    let dashed: String = name.chars().map(plain).collect();
-    dashed.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
-}

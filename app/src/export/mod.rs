@@ -3,6 +3,7 @@
 pub(crate) mod camera;
 mod ground;
 mod job;
+mod names;
 mod session;
 mod size;
 
