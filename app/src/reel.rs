@@ -8,7 +8,9 @@ use raystep_lesson::{Listing, Play, Plays, Tape};
 pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
-        Tape::Walk(walk) => Reel::Walk(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
+        Tape::Walk(walk) => {
+            Reel::Walk(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, lost: walk.lost, flat })
+        }
         Tape::Build(build) => {
             Reel::Build(Build { structure, nodes, prims, events: &build.events, lost: build.lost, flat })
         }

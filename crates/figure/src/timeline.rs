@@ -48,7 +48,7 @@ impl Track {
 /// a question is open, `hide_ahead` leaves out what is still to come.
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(walk.structure);
-    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
+    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: walk.lost, flat: walk.flat, volume };
     draw(&tape, step, hide_ahead, size, look)
 }
 
