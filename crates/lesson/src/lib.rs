@@ -10,6 +10,7 @@ mod body;
 mod check;
 mod choices;
 mod head;
+mod keeping;
 mod keys;
 mod library;
 mod listing;
