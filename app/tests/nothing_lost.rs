@@ -2,6 +2,7 @@
 #![cfg(unix)]
 
 use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader};
 use std::os::unix::fs::{FileTypeExt, PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
@@ -45,7 +46,7 @@ fn with_inputs(name: &str) -> PathBuf {
     folder
 }
 
-fn trace<'a>(out: &'a str) -> [&'a str; 9] {
+fn trace(out: &str) -> [&str; 9] {
     ["trace", "--mesh", "square.obj", "--structure", "kd", "--rays", "rays.csv", "--out", out]
 }
 
@@ -146,7 +147,7 @@ fn two_programs_write_one_file_one_after_the_other() {
 fn a_full_disk_is_a_sentence() {
     // The standard output.
     let folder = with_inputs("full-output");
-    for call in [&trace("-")[..7], &["measure", "--size", "16x16"], &["doctor"]] {
+    for call in [&trace("-")[..7], &["doctor"]] {
         let full = std::fs::File::options().write(true).open("/dev/full").unwrap();
         let output = raystep(&folder, call).stdout(full).stderr(Stdio::piped()).output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{call:?}: {}", said(&output));
@@ -361,5 +362,66 @@ fn what_is_stopped_leaves_nothing_half() {
         let (code, says) = stopped_when(program, signal, begun);
         assert_eq!(code, Some(130), "{says}");
         assert_eq!(names(&folder), ["pictures"], "{says}");
+    }
+}
+
+/// A screen of its own, without any window manager.
+struct Screen {
+    server: Child,
+    display: String,
+}
+
+impl Screen {
+    /// None where there is no such server.
+    fn new() -> Option<Screen> {
+        let arguments = ["-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp"];
+        let mut server =
+            Command::new("Xvfb").args(arguments).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().ok()?;
+        let mut number = String::new();
+        BufReader::new(server.stdout.take()?).read_line(&mut number).ok()?;
+        Some(Screen { server, display: format!(":{}", number.trim()) })
+    }
+}
+
+impl Drop for Screen {
+    fn drop(&mut self) {
+        let _ = self.server.kill();
+        let _ = self.server.wait();
+    }
+}
+
+#[test]
+fn without_a_window_the_reason_is_a_sentence() {
+    let folder = with_inputs("no-window");
+    lessons(&folder, &TWINS, ["own", "b", "c"]);
+    let screen = Screen::new();
+    let no_driver = [
+        ("VK_DRIVER_FILES", "/nowhere"),
+        ("VK_ICD_FILENAMES", "/nowhere"),
+        ("__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere"),
+        ("LIBGL_DRIVERS_PATH", "/nowhere"),
+    ];
+    let mut cases = vec![(":4711".to_owned(), "no window can be opened: ")];
+    match &screen {
+        Some(screen) => {
+            cases.push((screen.display.clone(), "no graphics driver answers that could draw on this display"));
+        }
+        None => println!("stepping aside: there is no Xvfb"),
+    }
+    for (display, says) in cases {
+        let call = |arguments: &[&str]| {
+            let mut command = raystep(&folder, arguments);
+            command.env("DISPLAY", &display).envs(no_driver).env("XDG_CONFIG_HOME", &folder).output().unwrap()
+        };
+        let output = call(&["--lessons", "lessons"]);
+        let said_of_page = said(&output);
+        assert!(output.status.success() && said_of_page.contains(says), "{display}: {said_of_page}");
+        assert!(
+            !said_of_page.contains('{') && said_of_page.lines().all(|line| line.starts_with("raystep: ")),
+            "{said_of_page}"
+        );
+        let output = call(&["square.obj"]);
+        assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+        assert!(said(&output).contains("square.obj is not shown") && said(&output).contains(says), "{}", said(&output));
     }
 }
