@@ -5,5 +5,7 @@
 
 pub mod cli;
 mod export;
+mod folders;
 mod reel;
+mod report;
 pub mod window;

@@ -18,6 +18,7 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 pub use crate::export::{Size, View};
+use crate::report;
 pub use check::CheckArguments;
 pub use export::ExportArguments;
 pub use fault::Fault;
@@ -56,6 +57,7 @@ enum Command {
 
 /// Does what was asked. Exit code 2 means that there is something to mend; a sentence says what.
 pub fn run(arguments: &Arguments) -> ExitCode {
+    report::prepare();
     // What verifies rays ends by itself, and tells what is known by then.
     if !matches!(arguments.command, Some(Command::Verify(_))) {
         end_cleanly();

@@ -8,7 +8,7 @@ use raystep_figure::Space;
 use raystep_lesson::Plays;
 
 use super::app::App;
-use super::bench::Bench;
+use super::bench::{Bench, Broken};
 use super::playback::{Built, Playback, cost};
 use super::state::{Beside, Pace};
 use super::task::Task;
@@ -43,6 +43,13 @@ enum Shows {
     Ray(usize),
     /// On none of them.
     Elsewhere,
+}
+
+impl Broken for Result<Shows, Cancelled> {
+    /// The sentence stands on the standard error; it is as if nobody had searched.
+    fn broken(_: String) -> Result<Shows, Cancelled> {
+        Err(Cancelled)
+    }
 }
 
 impl Second {

@@ -6,12 +6,14 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use glam::Vec3;
-use notify::{RecursiveMode, Watcher};
 use raystep_accel::{Ray, RayError};
 use raystep_lesson::Library;
 use raystep_scene::Scene;
 
 use super::task::Task;
+use super::watch::Watch;
+use crate::cli::{Fault, files};
+use crate::report;
 
 /// What came back.
 pub(super) enum News {
@@ -38,13 +40,13 @@ pub(super) struct Errands {
     news: Receiver<News>,
     tasks: Vec<Arc<Task>>,
     reading: Option<Arc<Task>>,
-    watcher: Option<notify::RecommendedWatcher>,
+    watch: Option<Watch>,
 }
 
 impl Errands {
     pub(super) fn new(context: egui::Context) -> Errands {
         let (sender, news) = channel();
-        Errands { context, sender, news, tasks: Vec::new(), reading: None, watcher: None }
+        Errands { context, sender, news, tasks: Vec::new(), reading: None, watch: None }
     }
 
     /// What has come back since the last call.
@@ -62,7 +64,7 @@ impl Errands {
     pub(super) fn run(&mut self, task: Arc<Task>, work: impl FnOnce(&Task) -> News + Send + 'static) {
         self.tasks.push(task.clone());
         self.beside(move || {
-            let news = work(&task);
+            let news = report::guarded(|| work(&task)).unwrap_or_else(News::Failed);
             let wanted = task.is_underway();
             task.finish();
             wanted.then_some(news)
@@ -104,38 +106,24 @@ impl Errands {
         self.run(task, move |task| read(&path, &name, task));
     }
 
-    /// Reads the lessons in a folder again whenever one is saved.
+    /// Reads the lessons in a folder again whenever they have been saved.
     pub(super) fn watch(&mut self, folder: &Path) {
-        let (sender, context, lessons) = (self.sender.clone(), self.context.clone(), folder.to_path_buf());
-        let saved = move |event: notify::Result<notify::Event>| {
-            let changed = event.is_ok_and(|event| !event.kind.is_access());
-            if changed {
-                let news = match Library::from_dir(&lessons) {
-                    Ok(library) => News::Lessons(Box::new(library)),
-                    Err(error) => News::Failed(format!("The lessons cannot be read: {error}.")),
-                };
-                let _ = sender.send(news);
-                context.request_repaint();
-            }
-        };
-        let watcher = notify::recommended_watcher(saved).and_then(|mut watcher| {
-            watcher.watch(folder, RecursiveMode::Recursive)?;
-            Ok(watcher)
-        });
-        match watcher {
-            Ok(watcher) => self.watcher = Some(watcher),
-            Err(error) => {
-                let sentence = format!("Saved lessons will not be read again by themselves: {error}.");
-                let _ = self.sender.send(News::Failed(sentence));
-            }
-        }
+        let (sender, context) = (self.sender.clone(), self.context.clone());
+        self.watch = Some(Watch::begin(folder, move |lessons| {
+            let news = match lessons {
+                Ok(library) => News::Lessons(Box::new(library)),
+                Err(sentence) => News::Failed(sentence),
+            };
+            let _ = sender.send(news);
+            context.request_repaint();
+        }));
     }
 }
 
 fn read(path: &Path, name: &str, task: &Task) -> News {
-    let bytes = match std::fs::read(path) {
+    let bytes = match settled(path, task) {
         Ok(bytes) => bytes,
-        Err(error) => return News::Failed(format!("{name} cannot be read: {error}.")),
+        Err(fault) => return News::Failed(format!("{fault}.")),
     };
     let mut progress = |part: f32| {
         task.reach((part * 100.0) as usize);
@@ -147,6 +135,19 @@ fn read(path: &Path, name: &str, task: &Task) -> News {
             Err(error) => News::Failed(format!("No ray can be shot at this mesh: {error}.")),
         },
         Err(error) => News::Failed(error.to_string()),
+    }
+}
+
+/// The bytes of a file, once nobody writes it any more: what is still being copied is waited for.
+fn settled(path: &Path, task: &Task) -> Result<Vec<u8>, Fault> {
+    let look = || std::fs::metadata(path).ok().map(|known| (known.len(), known.modified().ok()));
+    loop {
+        let before = look();
+        let bytes = files::read(path)?;
+        if look() == before || task.is_stopped() {
+            return Ok(bytes);
+        }
+        std::thread::sleep(std::time::Duration::from_millis(200));
     }
 }
 

@@ -44,6 +44,7 @@ mod top;
 mod underway;
 mod view;
 mod visuals;
+mod watch;
 mod workshop;
 
 pub use app::App;

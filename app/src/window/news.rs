@@ -1,7 +1,5 @@
 //! What comes back from outside is taken into the state.
 
-use std::sync::Arc;
-
 use egui::{Align2, Id, LayerId, Order, StrokeKind, Ui};
 use raystep_figure::{Face, Role};
 use raystep_lesson::Library;
@@ -67,10 +65,7 @@ impl App {
         if let Some(problem) = library.problems.first() {
             self.toasts.say(ui, problem.to_string());
         }
-        if library.slides.is_empty() {
-            return;
-        }
         self.workshop.cancel();
-        self.state.renew(Arc::new(library));
+        self.state.renew(library);
     }
 }

@@ -49,7 +49,17 @@ pub struct State {
     wanted: Option<View>,
     landing: Landing,
     history: History,
+    /// What was shown until lessons were read again, while nothing of them is shown.
+    before: Option<Before>,
     waited: f32,
+}
+
+/// What was shown, whole.
+#[derive(Clone, Debug)]
+struct Before {
+    library: Arc<Library>,
+    view: View,
+    playback: Arc<Playback>,
 }
 
 /// What a second picture of space shows.
@@ -129,6 +139,7 @@ impl State {
             playback: None,
             landing: Landing::Opening,
             history: History::default(),
+            before: None,
             waited: 0.0,
         }
     }

@@ -10,7 +10,7 @@ use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
-use super::bench::Bench;
+use super::bench::{Bench, Broken};
 use super::playback::{Built, Playback};
 use super::task::Task;
 use super::view::{RayChoice, View};
@@ -41,6 +41,12 @@ pub(super) enum Failure {
     Cancelled,
     /// It cannot be made: a sentence.
     Wrong(String),
+}
+
+impl Broken for Result<Playback, Failure> {
+    fn broken(sentence: String) -> Result<Playback, Failure> {
+        Err(Failure::Wrong(sentence))
+    }
 }
 
 /// Makes walks of views.
