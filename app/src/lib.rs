@@ -1,10 +1,15 @@
 //! Raystep: one ray walks through an acceleration structure, one decision at a time.
 
+// A closed standard output or error must not end the program: `files::print`, `say` and `tell` take care.
+#![warn(clippy::print_stderr, clippy::print_stdout)]
+
 pub mod cli;
 mod counts;
 mod export;
 mod fault;
 mod files;
+mod folders;
 mod reading;
+mod report;
 pub mod shown;
 pub mod window;

@@ -172,8 +172,8 @@ fn what_has_no_end_is_refused() {
     refused(&folder, &["measure", "--size", "16384x16384"], "16384x16384 are too many pixels");
     if cfg!(unix) {
         let trace = |mesh, rays| ["trace", "--structure", "kd", "--mesh", mesh, "--rays", rays];
-        refused(&folder, &trace("/dev/zero", "rays.csv"), "/dev/zero: there are more than 256 MiB");
-        refused(&folder, &trace("square.obj", "/dev/zero"), "/dev/zero: there are more than 256 MiB");
+        refused(&folder, &trace("/dev/zero", "rays.csv"), "/dev/zero: it is a device; a file is needed");
+        refused(&folder, &trace("square.obj", "/dev/zero"), "/dev/zero: it is a device; a file is needed");
     }
 }
 

@@ -26,8 +26,15 @@ fn steps(criterion: &mut Criterion) {
         let mut events: Vec<Visit> = Vec::new();
         structure.intersect(&scene.prims, &ray, &mut events);
         let nodes = Nodes::of(&structure);
-        let walk =
-            Walk { structure: &structure, prims: &scene.prims, nodes: &nodes, ray, events: &events, flat: false };
+        let walk = Walk {
+            structure: &structure,
+            prims: &scene.prims,
+            nodes: &nodes,
+            ray,
+            events: &events,
+            lost: 0,
+            flat: false,
+        };
         let reel = Reel::new(walk);
         let film = Film::new(&reel);
         let camera = Camera::frame(&walk.world(), 1.4, false);

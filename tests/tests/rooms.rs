@@ -37,7 +37,10 @@ const HOUSES: &[(&str, &[&str])] = &[
         &[
             "counts",
             "fault",
+            "folders",
+            "reading",
             "files",
+            "report",
             "shown",
             "export",
             "window/look",

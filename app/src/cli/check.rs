@@ -7,6 +7,7 @@ use raystep_lesson::{Library, Problem, Script, check, check_file};
 use raystep_print::{proof, proof_code, proof_plain};
 
 use crate::fault::{Fault, about};
+use crate::files;
 
 /// What to check.
 #[derive(Args, Debug)]
@@ -28,7 +29,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Fault> {
         return Ok(());
     }
     for problem in &problems {
-        eprintln!("{problem}");
+        files::tell(&problem.to_string());
     }
     let count = problems.len();
     Err(Fault::new(format!("{count} {} to mend", if count == 1 { "thing" } else { "things" })))

@@ -2,7 +2,7 @@
 
 use std::io::IsTerminal;
 use std::ops::RangeInclusive;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -11,6 +11,7 @@ use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
 
 use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
 use crate::fault::{Fault, about};
+use crate::files;
 
 /// What to draw, how, and where to.
 #[derive(Args, Debug)]
@@ -59,9 +60,7 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
         Some(folder) => Library::from_dir(folder).map_err(about(folder))?,
         None => Library::embedded(),
     };
-    if let Some(problem) = library.problems.first() {
-        return Err(Fault::new(format!("{problem} (raystep check lists all)")));
-    }
+    readable(&library, arguments.lessons.as_deref())?;
     let grounds = grounds(&library, arguments)?;
     let sessions: Vec<Session<'_>> = grounds.iter().flat_map(|(ground, rays)| Session::of_rays(ground, rays)).collect();
     if sessions.is_empty() {
@@ -82,8 +81,21 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
     })?;
     bar.finish_and_clear();
     let count = drawn.len();
-    eprintln!("raystep: {count} {} in {}", if count == 1 { "file" } else { "files" }, arguments.out.display());
+    files::say(&format!("{count} {} in {}", if count == 1 { "file" } else { "files" }, arguments.out.display()));
     Ok(())
+}
+
+/// Lessons that are read to be drawn are whole, and not none.
+pub(super) fn readable(library: &Library, lessons: Option<&Path>) -> Result<(), Fault> {
+    if let Some(problem) = library.problems.first() {
+        return Err(Fault::new(format!("{problem} (raystep check lists all)")));
+    }
+    match lessons {
+        Some(folder) if library.slides.is_empty() => {
+            Err(Fault::new(format!("{}: there is no slide in it, no SECTION/SLIDE.md", folder.display())))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// A stage, built, with the rays that walk on it.

@@ -17,6 +17,7 @@ use clap::{Parser, Subcommand};
 
 pub use crate::export::{Size, View};
 pub use crate::fault::Fault;
+use crate::{files, report};
 pub use check::CheckArguments;
 pub use export::ExportArguments;
 pub use measure::MeasureArguments;
@@ -55,6 +56,11 @@ enum Command {
 
 /// Does what was asked. Exit code 2 means that there is something to mend; a sentence says what.
 pub fn run(arguments: &Arguments) -> ExitCode {
+    report::prepare();
+    // What verifies rays ends by itself, and tells what is known by then.
+    if !matches!(arguments.command, Some(Command::Verify(_))) {
+        end_cleanly();
+    }
     let done = match &arguments.command {
         None => start::run(&arguments.start),
         Some(Command::Check(arguments)) => check::run(arguments),
@@ -67,8 +73,19 @@ pub fn run(arguments: &Arguments) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(fault) => {
-            eprintln!("raystep: {fault}");
+            files::say(&fault.to_string());
             ExitCode::from(2)
         }
     }
+}
+
+/// The exit code of what Ctrl+C has ended: not done, and nothing to mend.
+const STOPPED: i32 = 130;
+
+/// From now on Ctrl+C leaves nothing half-written. Where no handler can be set it ends the program as it always does.
+fn end_cleanly() {
+    let _ = ctrlc::set_handler(|| {
+        files::say("stopped; what was finished by then is whole");
+        files::end(STOPPED)
+    });
 }

@@ -7,6 +7,7 @@ use raystep_lesson::Library;
 
 use super::{doctor, page};
 use crate::fault::{Fault, about};
+use crate::files;
 use crate::window::{self, Wishes};
 
 /// What the window shows first.
@@ -43,7 +44,7 @@ pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
     }
     if !doctor::has_display() {
         let why = "neither DISPLAY nor WAYLAND_DISPLAY is set, so there is no screen for a window";
-        return read_instead(&library, why);
+        return read_instead(arguments, &library, why);
     }
     let wishes = Wishes {
         slide: arguments.slide.clone(),
@@ -54,18 +55,27 @@ pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
     };
     match window::open(library.clone(), wishes) {
         Ok(()) => Ok(()),
-        Err(no_window) => read_instead(&library, &no_window.to_string()),
+        Err(no_window) => read_instead(arguments, &library, &no_window.to_string()),
     }
 }
 
-/// Says why there is no window, and writes the lecture to read in a browser.
-fn read_instead(library: &Library, why: &str) -> Result<(), Fault> {
-    eprintln!("raystep: {why} (raystep doctor says more).");
-    eprintln!("raystep: writing the lecture to read in a browser ...");
+/// Says why there is no window, and writes the lecture to read in a browser; a mesh is not in it.
+fn read_instead(arguments: &StartArguments, library: &Library, why: &str) -> Result<(), Fault> {
+    if let Some(mesh) = &arguments.mesh {
+        let mesh = mesh.display();
+        return Err(Fault::new(format!(
+            "{mesh} is not shown: {why} (raystep doctor says more). Without a window, raystep trace --mesh {mesh} \
+             --structure kd --rays RAYS.csv walks rays through it"
+        )));
+    }
+    files::say(&format!("{why} (raystep doctor says more)."));
+    super::export::readable(library, arguments.lessons.as_deref())?;
+    files::say("writing the lecture to read in a browser ...");
     let folder = Path::new(page::FOLDER);
     page::write(library, folder)?;
     let index = folder.join("index.html");
-    println!("{}", std::path::absolute(&index).unwrap_or(index).display());
-    eprintln!("raystep: the lecture is in {}; open its index.html and step with the arrow keys.", folder.display());
+    files::print(&format!("{}\n", std::path::absolute(&index).unwrap_or(index).display()))?;
+    let folder = folder.display();
+    files::say(&format!("the lecture is in {folder}; open its index.html and step with the arrow keys."));
     Ok(())
 }

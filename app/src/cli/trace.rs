@@ -12,6 +12,7 @@ use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
 use super::rays;
+use crate::counts::thousands;
 use crate::export::Size;
 use crate::fault::Fault;
 use crate::files;
@@ -61,6 +62,10 @@ const SOME: usize = 1 << 16;
 
 /// Walks the rays.
 pub(crate) fn run(arguments: &TraceArguments) -> Result<(), Fault> {
+    if let Some(path) = &arguments.out {
+        let read = [&arguments.mesh, &arguments.rays].into_iter().flatten();
+        files::may_write(path, &read.map(PathBuf::as_path).collect::<Vec<_>>())?;
+    }
     let scene = scene(arguments)?;
     let rule = rule(arguments, scene.flat)?;
     let rays = table(arguments, &scene)?;
@@ -88,7 +93,7 @@ fn scene(arguments: &TraceArguments) -> Result<Scene, Fault> {
     let bytes = files::read_mesh(path)?;
     let scene = Scene::from_obj(&bytes, &name(path), &mut |_| true).map_err(|error| Fault::new(error.to_string()))?;
     for note in scene.note.lines() {
-        eprintln!("raystep: {}: {note}", name(path));
+        files::say(&format!("{}: {note}", name(path)));
     }
     Ok(scene)
 }
@@ -186,6 +191,10 @@ fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>]) -> R
 fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray) -> String {
     let mut tape = Trace::new(TAPE);
     let hit = structure.intersect(&scene.prims, ray, &mut tape);
+    if tape.lost > 0 {
+        let (kept, lost) = (thousands(tape.events.len() as u64), thousands(tape.lost));
+        files::say(&format!("the first {kept} events of the walk are written; {lost} more are counted as `lost`"));
+    }
     raystep_print::json(&Record {
         scene: &scene.name,
         origin: scene.origin.to_array(),

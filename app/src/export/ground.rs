@@ -7,6 +7,7 @@ use raystep_accel::Rule;
 use raystep_figure::{Camera, Nodes, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
+use super::names::{of_slide, slug};
 use crate::fault::Fault;
 use crate::shown::camera::{self, Seen};
 
@@ -78,7 +79,7 @@ impl<'a> Ground<'a> {
             None => {
                 let kind = stage.kind.name();
                 let about = format!("{} · {} · {kind}", slide.section_title(), slide.numbers_text());
-                (format!("slide{}-{kind}", slide.name), about)
+                (format!("{}-{kind}", of_slide(library, slide)), about)
             }
         };
         for (key, value) in settings {
@@ -148,10 +149,3 @@ pub(crate) fn rays_of_beats<'a>(slide: &'a Slide, stage: &'a Stage) -> Vec<&'a N
 
 /// Most pixels on a side of a solid scene: a larger picture shows it a little softer.
 const MOST_PIXELS: u32 = 2400;
-
-/// A name as a part of a file's name.
-pub(super) fn slug(name: &str) -> String {
-    let plain = |letter: char| if letter.is_alphanumeric() { letter.to_ascii_lowercase() } else { '-' };
-    let dashed: String = name.chars().map(plain).collect();
-    dashed.split('-').filter(|part| !part.is_empty()).collect::<Vec<_>>().join("-")
-}

@@ -1,6 +1,7 @@
 //! Which files there are to write, and the writing.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
@@ -78,27 +79,36 @@ pub(crate) struct Job<'a> {
 
 /// The files to write, in the order of their names.
 pub(crate) fn jobs<'a>(sessions: &'a [Session<'a>], which: &Which, order: &Order) -> Result<Vec<Job<'a>>, Fault> {
-    let mut jobs = BTreeMap::new();
+    let mut jobs: BTreeMap<String, Job<'_>> = BTreeMap::new();
     for session in sessions {
         let stem = session.file_stem();
         let view = if order.view == View::Plate { "" } else { view_name(order.view) };
         let last = session.steps();
         let steps = steps(session, which)?;
-        let mut add = |file: String, steps| jobs.insert(file.clone(), Job { session, file, steps });
+        let mut add = |file: String, steps| match jobs.entry(file) {
+            Entry::Vacant(free) => {
+                let file = free.key().clone();
+                free.insert(Job { session, file, steps });
+                Ok(())
+            }
+            Entry::Occupied(taken) => {
+                Err(Fault::new(format!("two pictures would be {}: give their rays other names", taken.key())))
+            }
+        };
         let ending = order.format.ending();
         match order.format {
             Format::Json => {
-                add(format!("{stem}.{ending}"), Vec::new());
+                add(format!("{stem}.{ending}"), Vec::new())?;
             }
             Format::Apng | Format::Gif if !steps.is_empty() => {
-                add(format!("{stem}{view}.{ending}"), steps);
+                add(format!("{stem}{view}.{ending}"), steps)?;
             }
             Format::Apng | Format::Gif => {}
             Format::Png | Format::Svg => {
                 for (step, beat) in steps {
                     let beat_name = beat.map_or_else(String::new, |beat| format!("-beat{:02}", beat + 1));
                     let file = format!("{stem}{view}{beat_name}-step{step:04}of{last:04}.{ending}");
-                    add(file, vec![(step, beat)]);
+                    add(file, vec![(step, beat)])?;
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 mod ground;
 mod job;
+mod names;
 mod session;
 mod size;
 

@@ -8,7 +8,8 @@ use raystep_figure::{
 use raystep_lesson::{Medium, NamedRay, Play, Tape};
 use raystep_print::{Plate, Record, Told, json, plate};
 
-use super::ground::{Ground, slug};
+use super::ground::Ground;
+use super::names::{of_own_ray, of_ray};
 use crate::fault::Fault;
 use crate::shown::reel::{beginning, lines, pane, reel, said};
 
@@ -42,14 +43,13 @@ impl<'a> Session<'a> {
     }
 
     fn of_ray(ground: &'a Ground<'a>, ray: &NamedRay) -> Option<Session<'a>> {
-        let first = ground.stage.rays.first().is_some_and(|first| first.name == ray.name);
-        let stem = if first { ground.stem.clone() } else { format!("{}-{}", ground.stem, slug(&ray.name)) };
+        let stem = format!("{}{}", ground.stem, of_ray(ground.stage, &ray.name));
         Session::new(ground, Some(ray.ray), Some(&ray.name), stem)
     }
 
     /// The walk of another ray.
     pub(crate) fn of_own_ray(ground: &'a Ground<'a>, ray: Ray) -> Vec<Session<'a>> {
-        let stem = format!("{}-own-ray", ground.stem);
+        let stem = format!("{}{}", ground.stem, of_own_ray(&ray));
         Session::new(ground, Some(ray), Some("your own"), stem).into_iter().collect()
     }
 

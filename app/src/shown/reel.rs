@@ -10,7 +10,9 @@ use raystep_lesson::{Beat, Facts, Listing, Medium, Play, Plays, Show, Tape};
 pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
-        Tape::Walk(walk) => Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, flat }),
+        Tape::Walk(walk) => {
+            Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, lost: walk.lost, flat })
+        }
         Tape::Build(build) => {
             Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, flat })
         }

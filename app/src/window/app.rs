@@ -217,10 +217,8 @@ impl App {
             }
             News::Lessons(library) => {
                 self.say(ui, library.problems.first().map(ToString::to_string));
-                if !library.slides.is_empty() {
-                    self.underway.renew();
-                    self.state.renew(Arc::new(*library));
-                }
+                self.underway.renew();
+                self.state.renew(*library);
             }
             News::Written(sentence) | News::Failed(sentence) => self.overlay.say(ui, sentence),
         }

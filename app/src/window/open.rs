@@ -8,8 +8,20 @@ use crate::window::look::remembered::Remembered;
 
 /// The window cannot be opened.
 #[derive(Debug, thiserror::Error)]
-#[error("no window can be opened: {0}")]
+#[error("no window can be opened: {}", why(.0))]
 pub struct NoWindow(#[from] eframe::Error);
+
+/// Why there is none, where the libraries below say nothing that anybody could act on.
+fn why(error: &eframe::Error) -> String {
+    use egui_wgpu::WgpuError;
+    match error {
+        eframe::Error::Wgpu(
+            WgpuError::CreateSurfaceError(_) | WgpuError::RequestAdapterError(_) | WgpuError::NoSurfaceFormatsAvailable,
+        ) => "no graphics driver answers that could draw on this display".to_owned(),
+        // The first line of some is followed by a list of everything that was tried.
+        other => other.to_string().lines().next().unwrap_or("the display does not answer").to_owned(),
+    }
+}
 
 /// Opens the window on these lessons and returns when it is closed.
 ///

@@ -43,7 +43,7 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
         let structure = Structure::build(&prims, &rule, &mut grown).unwrap();
         structure.intersect(&prims, &ray, &mut walked);
         let (structure, prims, nodes, flat) = (&structure, &prims, &Nodes::of(&structure), true);
-        check(&format!("a walk, {kind}"), &Walk { structure, prims, nodes, ray, events: &walked, flat });
+        check(&format!("a walk, {kind}"), &Walk { structure, prims, nodes, ray, events: &walked, lost: 0, flat });
         check(
             &format!("a build, {kind}"),
             &Build { structure, nodes, prims, events: &grown, lost: &Default::default(), flat },

@@ -35,7 +35,7 @@ impl Played {
 
     fn walk(&self) -> Walk<'_> {
         let Played { structure, prims, nodes, ray, events, .. } = self;
-        Walk { structure, prims, nodes, ray: *ray, events, flat: true }
+        Walk { structure, prims, nodes, ray: *ray, events, lost: 0, flat: true }
     }
 
     /// The step of the `nth` event of this name.

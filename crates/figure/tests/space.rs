@@ -52,6 +52,7 @@ impl Stand {
             nodes: &self.nodes,
             ray: self.ray,
             events: &self.events,
+            lost: 0,
             flat: true,
         }
     }
@@ -142,7 +143,7 @@ fn what_happens_in_an_instance_is_drawn_where_it_stands() {
     let mut events = Vec::new();
     structure.intersect(&prims, &ray, &mut events);
     let nodes = Nodes::of(&structure);
-    let walk = Walk { structure: &structure, prims: &prims, nodes: &nodes, ray, events: &events, flat: false };
+    let walk = Walk { structure: &structure, prims: &prims, nodes: &nodes, ray, events: &events, lost: 0, flat: false };
     let moved = [a, b, c].map(|corner| corner + shift).to_vec();
     let drawn = |step: usize, role: Role| {
         let space = space(&walk, &Moment::at(&walk, step));

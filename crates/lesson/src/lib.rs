@@ -14,6 +14,7 @@ mod facts;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
 mod head;
+mod keeping;
 mod keys;
 mod library;
 mod limits;

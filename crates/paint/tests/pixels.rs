@@ -182,8 +182,15 @@ fn walks_on_the_teapot() {
         let mut events: Vec<Visit> = Vec::new();
         structure.intersect(&scene.prims, &ray, &mut events);
         let nodes = Nodes::of(&structure);
-        let walk =
-            Walk { structure: &structure, prims: &scene.prims, nodes: &nodes, ray, events: &events, flat: false };
+        let walk = Walk {
+            structure: &structure,
+            prims: &scene.prims,
+            nodes: &nodes,
+            ray,
+            events: &events,
+            lost: 0,
+            flat: false,
+        };
         for part in [0.3, 0.6, 1.0] {
             let step = (events.len() as f32 * part) as usize;
             let space = raystep_figure::space(&walk, &Moment::at(&walk, step));

@@ -64,9 +64,9 @@ impl Difference<'_> {
         let [kind, parameters @ ..] = &*self.line.split_whitespace().collect::<Vec<_>>() else { return };
         let rules: String = parameters.iter().map(|pair| format!(" --rule {pair}")).collect();
         let at = path.display();
-        eprint!("{self}  raystep trace --scene {} --structure {kind}{rules} --rays {at}\n\n", self.scene);
+        files::tell(&format!("{self}  raystep trace --scene {} --structure {kind}{rules} --rays {at}\n", self.scene));
         if let Err(fault) = written {
-            eprintln!("raystep: {fault}");
+            files::say(&fault.to_string());
         }
     }
 

@@ -90,7 +90,7 @@ fn shoot(mesh: &Mesh, center: Vec3, structures: &[Structure], seed: u64, numbers
             brute = (brute.0 + 1, brute.1 + u64::from(lost));
         }
         if lost > 0 {
-            eprintln!("raystep: lost {ray:?}");
+            files::say(&format!("lost {ray:?}"));
         }
     }
     (aimed, brute)

@@ -56,9 +56,19 @@ pub struct State {
     wanted: Option<View>,
     landing: Landing,
     history: History,
+    /// What was shown until lessons were read again, while nothing of them is shown.
+    before: Option<Before>,
     waited: f32,
     /// The kind of stage that was asked for: on it slides open that do not say on which.
     wished: StageKind,
+}
+
+/// What was shown, whole.
+#[derive(Clone, Debug)]
+struct Before {
+    library: Arc<Library>,
+    view: View,
+    playback: Arc<Playback>,
 }
 
 /// An answer.
@@ -121,6 +131,7 @@ impl State {
             playback: None,
             landing: Landing::Opening,
             history: History::default(),
+            before: None,
             waited: 0.0,
             wished,
         }

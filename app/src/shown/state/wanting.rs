@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use raystep_lesson::{Library, Slide};
+use raystep_lesson::Library;
 
-use super::{Landing, State, first_stage};
+use super::{Before, Landing, State, first_stage};
 use crate::shown::history::History;
 use crate::shown::playback::Playback;
-use crate::shown::view::View;
+use crate::shown::view::{RayChoice, View};
 
 impl State {
     /// Whether everything that is wanted is shown.
@@ -55,6 +55,7 @@ impl State {
         let step = self.landed(&playback, named, self.landing);
         self.view = View { step, camera, ..playback.view.clone() };
         self.playback = Some(playback);
+        self.before = None;
         self.answered = None;
         self.asking = false;
         if exactly {
@@ -72,23 +73,55 @@ impl State {
         step.min(playback.steps().last())
     }
 
-    /// What is wanted is given up, or cannot be made: what is shown stays.
+    /// What is wanted is given up, or cannot be made: what is shown stays. Of lessons that were read again nothing is
+    /// shown yet: then it is what was shown before.
     pub fn refuse(&mut self) {
         self.wanted = None;
-        self.history.forget(&self.view);
+        match self.before.take() {
+            Some(before) => {
+                self.library = before.library;
+                self.view = before.view;
+                self.playback = Some(before.playback);
+            }
+            None => self.history.forget(&self.view),
+        }
     }
 
-    /// Other lessons: the same slide as far as it is still there, at the same step.
-    pub fn renew(&mut self, library: Arc<Library>) {
-        let name = self.slide().map(|slide| (slide.section.clone(), slide.name.clone()));
-        let same = |slide: &Slide| name.as_ref() == Some(&(slide.section.clone(), slide.name.clone()));
-        let slide = library.slides.iter().position(same).unwrap_or(0);
+    /// Other lessons: the same slide at the same step. What cannot be read in them stays as it was.
+    pub fn renew(&mut self, library: Library) {
+        let library = Arc::new(library.keeping(&self.library, self.slide()));
+        let view = moved(&self.view, &self.library, &library);
+        let wanted = self.wanted.take().map(|wanted| moved(&wanted, &self.library, &library));
+        if let Some(playback) = self.playback.take() {
+            self.before = Some(Before { library: self.library.clone(), view: self.view.clone(), playback });
+        }
         self.library = library;
-        self.view.slide = slide;
-        self.view.stage = first_stage(&self.library, slide, self.view.stage);
         self.history = History::default();
-        self.playback = None;
-        self.wanted = Some(self.view.clone());
-        self.landing = Landing::Named;
+        // What was on its way still is.
+        if wanted.is_none() {
+            self.landing = Landing::Named;
+        }
+        self.wanted = Some(wanted.unwrap_or_else(|| view.clone()));
+        self.view = view;
     }
+}
+
+/// A view of the old lessons in the new ones: the slide and the ray by their names.
+fn moved(view: &View, old: &Library, new: &Library) -> View {
+    let Some(before) = old.slides.get(view.slide) else { return view.clone() };
+    let slide = new.place_of(before, view.slide);
+    let stage = first_stage(new, slide, view.stage);
+    let rays = |library: &Library, slide: usize| {
+        let slide = library.slides.get(slide)?;
+        Some(slide.stage(stage)?.rays.iter().map(|ray| ray.name.clone()).collect::<Vec<_>>())
+    };
+    let ray = match view.ray {
+        RayChoice::Named(index) => {
+            let name = rays(old, view.slide).and_then(|rays| rays.get(index).cloned());
+            let same = |rays: Vec<String>| rays.iter().position(|ray| Some(ray) == name.as_ref());
+            RayChoice::Named(rays(new, slide).and_then(same).unwrap_or(0))
+        }
+        RayChoice::Own(ray) => RayChoice::Own(ray),
+    };
+    View { slide, stage, ray, ..view.clone() }
 }

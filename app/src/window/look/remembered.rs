@@ -1,14 +1,18 @@
-//! What the window remembers from one time to the next: sizes of panes, theme, zoom. Written whole or not at all.
+//! What the window remembers from one time to the next: sizes of panes, theme, zoom. Written whole or not at all, and
+//! read field by field: one that makes no sense is left out, and the others stay.
 
 use std::path::{Path, PathBuf};
 
-use serde::{Deserialize, Serialize};
+use raystep_figure::Theme;
+use serde::Serialize;
+use toml::de::{DeTable, DeValue};
+use toml::{Spanned, Table, Value};
 
 use crate::shown::pictures::Pane;
+use crate::{files, folders};
 
 /// What is remembered.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Remembered {
     /// The theme's name.
     pub theme: String,
@@ -25,15 +29,18 @@ pub struct Remembered {
     /// The chosen tab.
     #[serde(skip)]
     pub(crate) tab: Pane,
+    /// What made no sense, a sentence each.
+    #[serde(skip)]
+    pub(crate) wrong: Vec<String>,
     #[serde(skip)]
     file: Option<PathBuf>,
+    /// What the file says, in other words: it is not written again before something else is to be said.
     #[serde(skip)]
-    written: Option<String>,
+    written: Table,
 }
 
 /// The heights of the panes that were dragged, in points.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Heights {
     /// Of the work done.
     pub work: Option<f32>,
@@ -55,8 +62,9 @@ impl Default for Remembered {
             walk: None,
             heights: Heights::default(),
             tab: Pane::Listing,
+            wrong: Vec::new(),
             file: None,
-            written: None,
+            written: Table::new(),
         }
     }
 }
@@ -64,24 +72,41 @@ impl Default for Remembered {
 impl Remembered {
     /// What the user's own file says, as far as it can be read.
     pub fn of_user() -> Remembered {
-        let file = folder().map(|folder| folder.join("window.toml"));
-        let text = file.as_deref().and_then(|file| std::fs::read_to_string(file).ok());
-        let read = text.as_deref().map(Remembered::read).unwrap_or_default();
-        Remembered { file, written: text, ..read }
+        let file = folders::settings().map(|folder| folder.join("window.toml"));
+        let read = file.map_or_else(Remembered::default, |file| Remembered::of_file(&file));
+        read.wrong.iter().for_each(|sentence| files::say(sentence));
+        read
+    }
+
+    fn of_file(file: &Path) -> Remembered {
+        let mut read = match std::fs::read(file) {
+            Ok(bytes) => Remembered::read(&String::from_utf8_lossy(&bytes)),
+            Err(_) => Remembered::default(),
+        };
+        for sentence in &mut read.wrong {
+            *sentence = format!("{}:{sentence}", file.display());
+        }
+        Remembered { file: Some(file.to_path_buf()), written: read.said(), ..read }
     }
 
     /// What a text says, as far as it makes sense.
     pub fn read(text: &str) -> Remembered {
-        let read: Remembered = toml::from_str(text).unwrap_or_default();
-        let sound = |size: Option<f32>| size.filter(|size| (1.0..1e5).contains(size));
-        let Heights { work, stack, tree, ruler } = read.heights;
-        Remembered {
-            zoom: if read.zoom.is_finite() { read.zoom.clamp(0.5, 3.0) } else { 1.0 },
-            lesson: sound(read.lesson),
-            walk: sound(read.walk),
-            heights: Heights { work: sound(work), stack: sound(stack), tree: sound(tree), ruler: sound(ruler) },
-            ..read
+        let mut read = Remembered::default();
+        let mut wrong = Vec::new();
+        let whole = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let text = match DeTable::parse(whole) {
+            Ok(_) => whole.to_owned(),
+            Err(_) => without_broken_lines(whole, &mut wrong),
+        };
+        let table = DeTable::parse(&text).map(Spanned::into_inner).unwrap_or_default();
+        for (key, spelt, at) in fields(&text, &table, "") {
+            if let Err(why) = read.set(&key, spelt) {
+                wrong.push((line_of(&text, at), format!("{key} = {spelt}: {why}; it is left out")));
+            }
         }
+        wrong.sort();
+        read.wrong = wrong.into_iter().map(|(line, sentence)| format!("{}: {sentence}", line + 1)).collect();
+        read
     }
 
     /// Remembers this zoom, and whether questions are asked.
@@ -90,36 +115,93 @@ impl Remembered {
         self.write();
     }
 
-    /// Writes the file if it would differ. What cannot be written is not remembered; nothing else is lost.
+    /// Sets one field as it is spelt, or says what would be right.
+    fn set(&mut self, key: &str, spelt: &str) -> Result<(), String> {
+        let value = format!("value = {spelt}").parse::<Table>().ok().and_then(|mut table| table.remove("value"));
+        let number = |least: f32, most: f32| {
+            let number = match value {
+                Some(Value::Float(number)) => Some(number as f32),
+                Some(Value::Integer(number)) => Some(number as f32),
+                _ => None,
+            };
+            let within = number.filter(|number| (least..=most).contains(number));
+            within.ok_or_else(|| format!("a number from {least} to {most} is needed"))
+        };
+        let size = || number(1.0, 1e5).map(Some);
+        match key {
+            "theme" => {
+                let name = value.as_ref().and_then(Value::as_str).unwrap_or_default();
+                let known = || Theme::ALL.map(|theme| format!("\"{}\"", theme.name)).join(", ");
+                let theme = Theme::named(name).ok_or_else(|| format!("there are {}", known()))?;
+                theme.name.clone_into(&mut self.theme);
+            }
+            "predict" => {
+                self.predict = value.as_ref().and_then(Value::as_bool).ok_or("true or false is needed")?;
+            }
+            "zoom" => self.zoom = number(0.5, 3.0)?,
+            "lesson" => self.lesson = size()?,
+            "walk" => self.walk = size()?,
+            "heights.work" => self.heights.work = size()?,
+            "heights.stack" => self.heights.stack = size()?,
+            "heights.tree" => self.heights.tree = size()?,
+            "heights.ruler" => self.heights.ruler = size()?,
+            _ => return Err("there is no such setting".to_owned()),
+        }
+        Ok(())
+    }
+
+    /// What the file shall say.
+    fn said(&self) -> Table {
+        Table::try_from(self).unwrap_or_default()
+    }
+
+    /// Writes the file if it would say something else. What cannot be written is not remembered; nothing else is lost.
     fn write(&mut self) {
-        let (Some(file), Ok(text)) = (&self.file, toml::to_string(&*self)) else { return };
-        if self.written.as_ref() != Some(&text) && replace(file, &text).is_ok() {
-            self.written = Some(text);
+        let (Some(file), said) = (&self.file, self.said()) else { return };
+        if self.written != said && files::renew(file, &said.to_string()).is_ok() {
+            self.written = said;
         }
     }
 }
 
-/// Puts a new file in the place of an old one; a reader sees either, never a part.
-fn replace(file: &Path, text: &str) -> std::io::Result<()> {
-    if let Some(folder) = file.parent() {
-        std::fs::create_dir_all(folder)?;
+/// The most lines of a text with an error that are looked at.
+const MOST: usize = 400;
+
+/// The text with every line empty that does not go with those before it; says of each why.
+fn without_broken_lines(text: &str, wrong: &mut Vec<(usize, String)>) -> String {
+    let mut good = String::new();
+    for (number, line) in text.lines().take(MOST).enumerate() {
+        let before = good.len();
+        good.push_str(line);
+        if let Err(error) = DeTable::parse(&good) {
+            wrong.push((number, format!("{}; this line is left out", error.message())));
+            good.truncate(before);
+        }
+        good.push('\n');
     }
-    let fresh = file.with_extension(format!("{}.new", std::process::id()));
-    std::fs::write(&fresh, text)?;
-    std::fs::rename(&fresh, file)
+    good
 }
 
-/// Where the user's settings lie.
-fn folder() -> Option<PathBuf> {
-    let of = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
-    let base = if cfg!(windows) {
-        of("APPDATA")
-    } else if cfg!(target_os = "macos") {
-        of("HOME").map(|home| home.join("Library/Application Support"))
-    } else {
-        of("XDG_CONFIG_HOME").or_else(|| of("HOME").map(|home| home.join(".config")))
-    };
-    base.map(|base| base.join("raystep"))
+/// The line of a byte, from 0.
+fn line_of(text: &str, at: usize) -> usize {
+    text.bytes().take(at).filter(|byte| *byte == b'\n').count()
+}
+
+/// The fields of a table and of those in it: the key, how its value is spelt, and where.
+fn fields<'a>(text: &'a str, table: &DeTable<'_>, around: &str) -> Vec<(String, &'a str, usize)> {
+    let mut all = Vec::new();
+    for (key, value) in table {
+        let name = format!("{around}{}", key.get_ref());
+        match value.get_ref() {
+            DeValue::Table(table) => all.extend(fields(text, table, &format!("{name}."))),
+            _ => all.push((name, spelt(text, value), key.span().start)),
+        }
+    }
+    all
+}
+
+fn spelt<'a>(text: &'a str, value: &Spanned<DeValue<'_>>) -> &'a str {
+    text.get(value.span()).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -128,30 +210,103 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read_again() {
-        let folder = std::env::temp_dir().join(format!("raystep-remember-{}", std::process::id()));
-        let file = folder.join("window.toml");
-        let mut kept = Remembered {
-            theme: "dark".to_owned(),
-            lesson: Some(300.0),
-            file: Some(file.clone()),
-            ..Remembered::default()
-        };
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("deep/window.toml");
+        let mut kept = Remembered::of_file(&file);
+        kept.write();
+        assert!(!file.exists(), "what nobody has set is not written");
+        kept.theme = "dark".to_owned();
+        kept.lesson = Some(300.5);
         kept.heights.tree = Some(200.0);
         kept.write();
-        let read: Remembered = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
-        assert_eq!((read.theme.as_str(), read.lesson, read.heights.tree), ("dark", Some(300.0), Some(200.0)));
-        assert_eq!(Remembered::read(&std::fs::read_to_string(&file).unwrap()).heights, kept.heights);
-        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1, "no half-written file is left");
-        std::fs::remove_dir_all(&folder).unwrap();
+        let read = Remembered::of_file(&file);
+        assert_eq!((read.wrong.as_slice(), read.said()), (&[][..], kept.said()));
+        assert_eq!((read.theme.as_str(), read.lesson, read.heights.tree), ("dark", Some(300.5), Some(200.0)));
+        assert_eq!(std::fs::read_dir(file.parent().unwrap()).unwrap().count(), 1, "no half-written file is left");
+
+        // Whoever has written it by hand finds it again until something else is to be said.
+        let own = "# mine\nzoom = 2 # large\ntheme = \"drak\"\n";
+        std::fs::write(&file, own).unwrap();
+        let mut read = Remembered::of_file(&file);
+        read.write();
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), own);
+        read.predict = false;
+        read.write();
+        let read = Remembered::of_file(&file);
+        assert_eq!((read.zoom, read.predict, read.wrong.len()), (2.0, false, 0));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_that_is_kept_elsewhere_stays_there() {
+        let folder = tempfile::tempdir().unwrap();
+        let [file, elsewhere] = ["window.toml", "elsewhere.toml"].map(|name| folder.path().join(name));
+        std::fs::write(&elsewhere, "zoom = 2.0").unwrap();
+        std::os::unix::fs::symlink(&elsewhere, &file).unwrap();
+        let mut read = Remembered::of_file(&file);
+        read.zoom = 1.5;
+        read.write();
+        assert!(std::fs::symlink_metadata(&file).unwrap().is_symlink());
+        assert!(std::fs::read_to_string(&elsewhere).unwrap().contains("zoom = 1.5"));
     }
 
     #[test]
-    fn a_broken_file_does_no_harm() {
-        for broken in ["", "{", "\u{0}\u{1}", "zoom = \"large\"", "zoom = nan", "lesson = -5.0", "walk = inf"] {
-            assert_eq!(Remembered::read(broken), Remembered::default(), "{broken}");
+    fn one_wrong_field_loses_only_itself() {
+        // Two good fields around each wrong one.
+        let check = |line: &str, says: &[&str]| {
+            let (above, below) = if line.starts_with("tree") { ("", line) } else { (line, "") };
+            let text = format!("predict = false\n{above}\nlesson = 300\n[heights]\nstack = 90.0\n{below}\n");
+            let read = Remembered::read(&text);
+            let good = (read.predict, read.lesson, read.heights.stack);
+            assert_eq!(good, (false, Some(300.0), Some(90.0)), "{line}: {:?}", read.wrong);
+            let rest = Remembered { predict: true, lesson: None, wrong: Vec::new(), ..read.clone() };
+            let rest = Remembered { heights: Heights { stack: None, ..read.heights }, ..rest };
+            assert_eq!(rest, Remembered::default(), "{line}");
+            assert_eq!(read.wrong, says, "{line}");
+        };
+        check("", &[]);
+        check("# lesson = 5", &[]);
+        check("zoom = \"large\"", &["2: zoom = \"large\": a number from 0.5 to 3 is needed; it is left out"]);
+        check("zoom = nan", &["2: zoom = nan: a number from 0.5 to 3 is needed; it is left out"]);
+        check("zoom = 1e9", &["2: zoom = 1e9: a number from 0.5 to 3 is needed; it is left out"]);
+        check("walk = inf", &["2: walk = inf: a number from 1 to 100000 is needed; it is left out"]);
+        check("walk = -5", &["2: walk = -5: a number from 1 to 100000 is needed; it is left out"]);
+        check("theme = 3", &["2: theme = 3: there are \"light\", \"dark\", \"projector\", \"print\"; it is left out"]);
+        check("tree = [1]", &["6: heights.tree = [1]: a number from 1 to 100000 is needed; it is left out"]);
+        check("tree = 0.5", &["6: heights.tree = 0.5: a number from 1 to 100000 is needed; it is left out"]);
+        check("thme = \"dark\"", &["2: thme = \"dark\": there is no such setting; it is left out"]);
+    }
+
+    #[test]
+    fn a_broken_line_loses_only_itself() {
+        let broken = [
+            "zoom =",
+            "zoom = 1..5",
+            "= 3",
+            "zoom",
+            "zoom = \"2",
+            "zoom = \"\"\"2",
+            "{",
+            "[",
+            "]",
+            "[[",
+            "\u{0}\u{1}",
+            "zoom = 2 3",
+            "zoom = [1,",
+            "zoom = {",
+            "'",
+            "zoom = 2 \\",
+            "walk = 3\nwalk = 4",
+        ];
+        for line in broken {
+            let read = Remembered::read(&format!("predict = false\n{line}\nlesson = 300\n"));
+            let good = (read.predict, read.zoom, read.lesson);
+            assert_eq!(good, (false, 1.0, Some(300.0)), "{line}: {:?}", read.wrong);
+            assert!(read.wrong[0].starts_with(['2', '3']), "{line}: {:?}", read.wrong);
+            assert!(read.wrong.iter().all(|says| !says.contains('\n')), "{line}: {:?}", read.wrong);
         }
-        let read = Remembered::read("zoom = 1e9\nlesson = 300.0\n[heights]\ntree = nan\nstack = 90.0");
-        assert_eq!((read.zoom, read.lesson, read.heights.tree), (3.0, Some(300.0), None));
-        assert_eq!(read.heights.stack, Some(90.0), "what makes sense is kept");
+        for text in ["\u{feff}zoom = 2.0\n", "zoom = 2.0\r\npredict = true\r\n", "\r\n\nzoom = 2"] {
+            assert_eq!((Remembered::read(text).zoom, Remembered::read(text).wrong.len()), (2.0, 0), "{text:?}");
+        }
     }
 }

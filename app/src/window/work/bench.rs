@@ -4,6 +4,13 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Weak};
 
 use super::task::Task;
+use crate::report;
+
+/// What work comes to when it breaks off where it never should.
+pub(super) trait Broken {
+    /// Says so.
+    fn broken(sentence: String) -> Self;
+}
 
 /// Work that is known by `K` and comes to `T`.
 pub(crate) struct Bench<K, T> {
@@ -15,7 +22,7 @@ pub(crate) struct Bench<K, T> {
     given_up: Vec<Weak<Task>>,
 }
 
-impl<K, T: Send + 'static> Bench<K, T> {
+impl<K, T: Broken + Send + 'static> Bench<K, T> {
     pub(crate) fn new(context: egui::Context) -> Bench<K, T> {
         let (sender, answers) = channel();
         Bench { context, sender, answers, underway: None, given_up: Vec::new() }
@@ -33,7 +40,7 @@ impl<K, T: Send + 'static> Bench<K, T> {
         self.underway = Some((key, task.clone()));
         let (sender, context) = (self.sender.clone(), self.context.clone());
         let run = move || {
-            let made = work(&task);
+            let made = report::guarded(|| work(&task)).unwrap_or_else(T::broken);
             // The window may be gone; nobody waits then.
             let _ = sender.send((task, made));
             context.request_repaint();
@@ -79,5 +86,34 @@ impl<K, T: Send + 'static> Bench<K, T> {
     /// Whether no thread is at work any more.
     pub(crate) fn is_idle(&self) -> bool {
         self.underway.is_none() && self.given_up.iter().all(|task| task.strong_count() == 0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    impl Broken for Result<u32, String> {
+        fn broken(sentence: String) -> Result<u32, String> {
+            Err(sentence)
+        }
+    }
+
+    #[test]
+    fn work_that_breaks_off_is_not_waited_for() {
+        let mut bench: Bench<&str, Result<u32, String>> = Bench::new(egui::Context::default());
+        for at_once in [true, false] {
+            bench.begin("breaks", Task::new("Breaking", ""), at_once, |_| panic!("no such corner"));
+            let mut come = None;
+            while come.is_none() {
+                come = bench.collect();
+                std::thread::yield_now();
+            }
+            let (key, made) = come.unwrap();
+            assert!(key == "breaks" && made.unwrap_err().contains("no such corner"));
+            assert!(bench.task().is_none());
+        }
+        bench.begin("works", Task::new("Working", ""), true, |_| Ok(7));
+        assert_eq!(bench.collect(), Some(("works", Ok(7))));
     }
 }

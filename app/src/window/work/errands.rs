@@ -6,13 +6,15 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 use glam::Vec3;
-use notify::{RecursiveMode, Watcher};
 use raystep_accel::{Ray, RayError};
 use raystep_lesson::Library;
 use raystep_scene::Scene;
 
 use super::task::Task;
+use super::watch::Watch;
+use crate::fault::{Fault, about};
 use crate::reading;
+use crate::report;
 
 /// What came back.
 pub(crate) enum News {
@@ -39,13 +41,13 @@ pub(crate) struct Errands {
     news: Receiver<News>,
     tasks: Vec<Arc<Task>>,
     reading: Option<Arc<Task>>,
-    watcher: Option<notify::RecommendedWatcher>,
+    watch: Option<Watch>,
 }
 
 impl Errands {
     pub(crate) fn new(context: egui::Context) -> Errands {
         let (sender, news) = channel();
-        Errands { context, sender, news, tasks: Vec::new(), reading: None, watcher: None }
+        Errands { context, sender, news, tasks: Vec::new(), reading: None, watch: None }
     }
 
     /// What has come back since the last call.
@@ -63,7 +65,7 @@ impl Errands {
     pub(crate) fn run(&mut self, task: Arc<Task>, work: impl FnOnce(&Task) -> News + Send + 'static) {
         self.tasks.push(task.clone());
         self.beside(move || {
-            let news = work(&task);
+            let news = report::guarded(|| work(&task)).unwrap_or_else(News::Failed);
             let wanted = task.is_underway();
             task.finish();
             wanted.then_some(news)
@@ -105,42 +107,24 @@ impl Errands {
         self.run(task, move |task| read(&path, &name, task));
     }
 
-    /// Reads the lessons in a folder again whenever one is saved.
+    /// Reads the lessons in a folder again whenever they have been saved.
     pub(crate) fn watch(&mut self, folder: &Path) {
-        let (sender, context, lessons) = (self.sender.clone(), self.context.clone(), folder.to_path_buf());
-        let saved = move |event: notify::Result<notify::Event>| {
-            let changed = event.is_ok_and(|event| !event.kind.is_access());
-            if changed {
-                let news = match Library::from_dir(&lessons) {
-                    Ok(library) => News::Lessons(Box::new(library)),
-                    Err(error) => News::Failed(format!("The lessons cannot be read: {error}.")),
-                };
-                let _ = sender.send(news);
-                context.request_repaint();
-            }
-        };
-        let watcher = notify::recommended_watcher(saved).and_then(|mut watcher| {
-            watcher.watch(folder, RecursiveMode::Recursive)?;
-            Ok(watcher)
-        });
-        match watcher {
-            Ok(watcher) => self.watcher = Some(watcher),
-            Err(error) => {
-                let sentence = format!("Saved lessons will not be read again by themselves: {error}.");
-                let _ = self.sender.send(News::Failed(sentence));
-            }
-        }
+        let (sender, context) = (self.sender.clone(), self.context.clone());
+        self.watch = Some(Watch::begin(folder, move |lessons| {
+            let news = match lessons {
+                Ok(library) => News::Lessons(Box::new(library)),
+                Err(sentence) => News::Failed(sentence),
+            };
+            let _ = sender.send(news);
+            context.request_repaint();
+        }));
     }
 }
 
 fn read(path: &Path, name: &str, task: &Task) -> News {
-    // A pipe or a device may never end, or never begin.
-    if !path.is_file() {
-        return News::Failed(format!("{name} cannot be read: it is no file."));
-    }
-    let bytes = match reading::read(path, reading::MESH, &|| !task.is_stopped()) {
+    let bytes = match settled(path, task) {
         Ok(bytes) => bytes,
-        Err(error) => return News::Failed(format!("{name} cannot be read: {error}.")),
+        Err(fault) => return News::Failed(format!("{fault}.")),
     };
     let mut progress = |part: f32| {
         task.reach((part * 100.0) as usize);
@@ -152,6 +136,23 @@ fn read(path: &Path, name: &str, task: &Task) -> News {
             Err(error) => News::Failed(format!("No ray can be shot at this mesh: {error}.")),
         },
         Err(error) => News::Failed(error.to_string()),
+    }
+}
+
+/// The bytes of a file, once nobody writes it any more: what is still being copied is waited for.
+fn settled(path: &Path, task: &Task) -> Result<Vec<u8>, Fault> {
+    // A pipe or a device may never end, or never begin.
+    if !path.is_file() {
+        return Err(Fault::new(format!("{} cannot be read: it is no file", path.display())));
+    }
+    let look = || std::fs::metadata(path).ok().map(|known| (known.len(), known.modified().ok()));
+    loop {
+        let before = look();
+        let bytes = reading::read(path, reading::MESH, &|| !task.is_stopped()).map_err(about(path))?;
+        if look() == before || task.is_stopped() {
+            return Ok(bytes);
+        }
+        std::thread::sleep(std::time::Duration::from_millis(200));
     }
 }
 

@@ -6,6 +6,7 @@ pub(super) mod exporting;
 mod second;
 pub(super) mod task;
 mod underway;
+mod watch;
 mod workshop;
 
 pub(super) use underway::Underway;

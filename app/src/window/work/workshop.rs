@@ -10,7 +10,7 @@ use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
-use super::bench::Bench;
+use super::bench::{Bench, Broken};
 use super::task::Task;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::view::{RayChoice, View};
@@ -56,6 +56,12 @@ pub(crate) enum Failure {
     Cancelled,
     /// It cannot be made: a sentence.
     Wrong(String),
+}
+
+impl<T> Broken for Result<T, Failure> {
+    fn broken(sentence: String) -> Result<T, Failure> {
+        Err(Failure::Wrong(sentence))
+    }
 }
 
 /// Makes walks of views.

@@ -17,6 +17,8 @@ pub struct Walk<'a> {
     pub ray: Ray,
     /// What happened, in order.
     pub events: &'a [Visit],
+    /// How many events more there were than are kept.
+    pub lost: u64,
     /// Whether the scene is flat.
     pub flat: bool,
 }

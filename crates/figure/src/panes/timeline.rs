@@ -51,8 +51,15 @@ impl Track {
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(walk.structure);
     let fact = |step: usize| -> Option<&dyn Fact> { Some(walk.events.get(step - 1)?) };
-    let tape =
-        Recorded { steps: walk.events.len(), fact: &fact, symbols: visit::SYMBOLS, lost: "", flat: walk.flat, volume };
+    let lost = if walk.lost > 0 { format!("not kept: {} more steps", walk.lost) } else { String::new() };
+    let tape = Recorded {
+        steps: walk.events.len(),
+        fact: &fact,
+        symbols: visit::SYMBOLS,
+        lost: &lost,
+        flat: walk.flat,
+        volume,
+    };
     draw(&tape, step, hide_ahead, size, look)
 }
 

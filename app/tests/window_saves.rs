@@ -1,0 +1,130 @@
+//! Lessons that are saved while they are shown: the reader keeps the place, and sees what was good last.
+
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use egui_kittest::Harness;
+use raystep::window::{App, Remembered, Wishes};
+use raystep_lesson::Library;
+
+const SLIDE: &str = "05-kd-tree/33-which-child-first.md";
+
+/// The shipped lessons, copied.
+fn copied(name: &str) -> PathBuf {
+    let lessons = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window-saves").join(name);
+    let _ = std::fs::remove_dir_all(&lessons);
+    let mut folders = vec![(Path::new(env!("CARGO_MANIFEST_DIR")).join("../lessons"), lessons.clone())];
+    while let Some((from, to)) = folders.pop() {
+        std::fs::create_dir_all(&to).unwrap();
+        for path in std::fs::read_dir(from).unwrap().map(|entry| entry.unwrap().path()) {
+            let copy = to.join(path.file_name().unwrap());
+            if path.is_dir() {
+                folders.push((path, copy));
+            } else {
+                std::fs::copy(path, copy).unwrap();
+            }
+        }
+    }
+    lessons
+}
+
+fn window(lessons: &Path) -> Harness<'static, App> {
+    let library = Library::from_dir(lessons).unwrap();
+    let wishes = Wishes {
+        slide: Some("5/33".to_owned()),
+        ray: Some("from the right".to_owned()),
+        step: Some(6),
+        lessons: Some(lessons.to_path_buf()),
+        ..Wishes::default()
+    };
+    let mut harness = Harness::builder()
+        .with_size([1600.0, 1000.0])
+        .with_max_steps(60)
+        .build_eframe(|context| App::wished(&context.egui_ctx, library, wishes, Remembered::default()));
+    until(&mut harness, "the slide", |app| app.state.is_current() && app.state.view.step == 6);
+    harness
+}
+
+/// Runs frames until something holds; whatever is shown meanwhile, it is this slide at this step.
+fn until(harness: &mut Harness<'static, App>, what: &str, holds: impl Fn(&App) -> bool) {
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_secs(60) {
+        harness.run_steps(2);
+        let state = &harness.state().state;
+        let open = state.slide().map(|slide| slide.file.as_str());
+        assert_eq!(open, Some(SLIDE), "{what}: the reader is thrown to another slide");
+        if holds(harness.state()) {
+            return;
+        }
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    panic!("{what}: it does not come to hold");
+}
+
+/// The title that is shown with a walk.
+fn title(app: &App) -> Option<&str> {
+    app.state.slide().filter(|_| app.state.is_current()).map(|slide| slide.title.as_str())
+}
+
+#[test]
+fn saving_the_open_slide_keeps_the_reader_in_his_place() {
+    let lessons = copied("place");
+    let path = lessons.join(SLIDE);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let mut harness = window(&lessons);
+    let old = "Which child first?";
+    let place = |app: &App| {
+        let view = &app.state.view;
+        let ray = app.state.playback().and_then(|playback| playback.play.tape.ray()).map(|ray| ray.o);
+        (view.slide, view.stage, view.step, ray)
+    };
+    let before = place(harness.state());
+
+    let mut saves = 0;
+    let mut check = |what: &str, save: &mut dyn FnMut(&mut Harness<'static, App>, &str)| {
+        saves += 1;
+        let title = format!("Saved {saves} times");
+        save(&mut harness, &text.replace(old, &title));
+        until(&mut harness, what, |app| self::title(app) == Some(&title));
+        assert_eq!(place(harness.state()), before, "{what}");
+    };
+    check("written", &mut |_, text| std::fs::write(&path, text).unwrap());
+    for frames in [1, 5, 20] {
+        check("emptied, then written", &mut |harness, text| {
+            std::fs::write(&path, "").unwrap();
+            for _ in 0..frames {
+                harness.run_steps(2);
+                std::thread::sleep(Duration::from_millis(30));
+            }
+            std::fs::write(&path, text).unwrap();
+        });
+    }
+    check("cut in the middle for a long time", &mut |harness, text| {
+        std::fs::write(&path, &text[..400]).unwrap();
+        let begun = Instant::now();
+        until(harness, "a half slide", |_| begun.elapsed() > Duration::from_secs(3));
+        std::fs::write(&path, text).unwrap();
+    });
+    check("a structure that there is not, for a long time", &mut |harness, text| {
+        std::fs::write(&path, text.replace("kind = \"kd\"", "kind = \"kt\"")).unwrap();
+        let begun = Instant::now();
+        until(harness, "a wrong slide", |_| begun.elapsed() > Duration::from_secs(3));
+        assert!(harness.state().state.is_current(), "what was good last is shown");
+        assert_eq!(place(harness.state()), before);
+        std::fs::write(&path, text).unwrap();
+    });
+    check("a slide before it", &mut |_, text| {
+        std::fs::copy(&path, lessons.join("05-kd-tree/33-a-twin.md")).unwrap();
+        std::fs::remove_file(lessons.join("05-kd-tree/33-a-twin.md")).unwrap();
+        std::fs::write(&path, text).unwrap();
+    });
+    check("the folder made anew", &mut |harness, text| {
+        let aside = lessons.with_extension("aside");
+        let _ = std::fs::remove_dir_all(&aside);
+        std::fs::rename(&lessons, &aside).unwrap();
+        let begun = Instant::now();
+        until(harness, "no folder", |_| begun.elapsed() > Duration::from_secs(3));
+        std::fs::rename(&aside, &lessons).unwrap();
+        std::fs::write(&path, text).unwrap();
+    });
+}
