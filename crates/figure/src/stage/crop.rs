@@ -88,8 +88,8 @@ fn segment(from: Vec2, to: Vec2, min: Vec2, max: Vec2) -> Option<[Vec2; 2]> {
         enter = enter.max(a.min(b));
         leave = leave.min(a.max(b));
     }
-    // Not `>`: an end that is not a number is not on the page.
-    if !(enter < leave) {
+    // An end that is not a number is not on the page.
+    if enter.partial_cmp(&leave) != Some(std::cmp::Ordering::Less) {
         return None;
     }
     let at = |t: f64| (o + d * t).as_vec2();
