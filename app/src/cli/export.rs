@@ -9,7 +9,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raystep_figure::Theme;
 use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
 
-use super::fault::{Fault, about};
+use super::fault::Fault;
+use super::lessons;
 use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
 
 /// What to draw, how, and where to.
@@ -55,14 +56,14 @@ pub struct ExportArguments {
 
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
-    let library = match &arguments.lessons {
-        Some(folder) => Library::from_dir(folder).map_err(about(folder))?,
-        None => Library::embedded(),
-    };
-    if let Some(problem) = library.problems.first() {
+    let library = lessons::read(arguments.lessons.as_deref())?;
+    let grounds = grounds(&library, arguments)?;
+    // What is wrong elsewhere was said, and is drawn by nobody here.
+    let drawn =
+        |file: &str| file.starts_with("listings/") || grounds.iter().any(|(ground, _)| ground.slide.file == file);
+    if let Some(problem) = library.problems.iter().find(|problem| drawn(&problem.file)) {
         return Err(Fault::new(format!("{problem} (raystep check lists all)")));
     }
-    let grounds = grounds(&library, arguments)?;
     let sessions: Vec<Session<'_>> = grounds.iter().flat_map(|(ground, rays)| ground.sessions(rays)).collect();
     if sessions.is_empty() {
         return Err(Fault::new(nothing(&library, arguments)));

@@ -5,6 +5,7 @@ mod doctor;
 mod export;
 mod fault;
 pub(crate) mod files;
+mod lessons;
 mod measure;
 pub mod page;
 mod rays;
