@@ -318,6 +318,38 @@ fn texts_and_formulas_are_checked_as_they_are_set() {
     assert!(text_of(&output).contains("slide 5/40 is"), "{}", text_of(&output));
 }
 
+#[test]
+fn lessons_are_drawn_past_what_cannot_be_read() {
+    let folder = folder("lessons-past");
+    let [section, listings] = ["lessons/05-kd-tree", "lessons/listings"].map(|name| folder.join(name));
+    std::fs::create_dir_all(&section).unwrap();
+    std::fs::create_dir_all(&listings).unwrap();
+    std::fs::create_dir_all(folder.join("empty")).unwrap();
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../lessons");
+    for file in ["listings/kd-walk.txt", "05-kd-tree/40-grid-or-tree.md"] {
+        std::fs::copy(shipped.join(file), folder.join("lessons").join(file)).unwrap();
+    }
+    std::fs::write(section.join("41-bytes.md"), [0xFF; 9]).unwrap();
+    std::fs::write(section.join("42-wrong.md"), "+++\n+++\n").unwrap();
+    let export = |slide: &str, lessons: &str, out: &str| {
+        let small = ["--stage", "flat", "--size", "320x200", "--format", "svg", "--out", out];
+        raystep(&folder, &[&["export", "--slide", slide, "--lessons", lessons][..], &small].concat())
+    };
+    let fine = export("5/40", "lessons", "pictures");
+    let said = text(&fine.stderr);
+    assert!(fine.status.success() && said.contains("lessons/05-kd-tree/41-bytes.md:1:1"), "{said}");
+    assert!(std::fs::read_dir(folder.join("pictures")).unwrap().count() >= 3);
+    for (slide, lessons, says) in [
+        ("42-wrong", "lessons", "42-wrong.md:1:1"),
+        ("5/41", "lessons", "there is no slide"),
+        ("5/40", "empty", "no slides can be read here"),
+        ("5/40", "nowhere", "nowhere"),
+    ] {
+        let output = export(slide, lessons, "none");
+        assert!(output.status.code() == Some(2) && text(&output.stderr).contains(says), "{}", text(&output.stderr));
+    }
+}
+
 /// What a call said of what is wrong, and its exit code.
 fn text_of(output: &Output) -> String {
     format!("{}exit code {:?}\n", text(&output.stderr), output.status.code())

@@ -296,7 +296,7 @@ fn the_page_replaces_a_page_and_nothing_else() {
     // Lessons that are broken, or none, make no empty page.
     for (path, text, says) in [
         ("broken/01-a/1-a.md", "+++\nformat = 1\ntitel = 3\n", "01-a/1-a.md"),
-        ("empty/readme.md", "", "no slide in it"),
+        ("empty/readme.md", "", "no slides can be read here"),
     ] {
         std::fs::create_dir_all(folder.join(path).parent().unwrap()).unwrap();
         std::fs::write(folder.join(path), text).unwrap();

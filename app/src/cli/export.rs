@@ -9,8 +9,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raystep_figure::Theme;
 use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
 
+use super::lessons;
 use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
-use crate::fault::{Fault, about};
+use crate::fault::Fault;
 use crate::files;
 
 /// What to draw, how, and where to.
@@ -56,12 +57,14 @@ pub struct ExportArguments {
 
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
-    let library = match &arguments.lessons {
-        Some(folder) => Library::from_dir(folder).map_err(about(folder))?,
-        None => Library::embedded(),
-    };
-    readable(&library, arguments.lessons.as_deref())?;
+    let library = lessons::read(arguments.lessons.as_deref())?;
     let grounds = grounds(&library, arguments)?;
+    // What is wrong elsewhere was said, and is drawn by nobody here.
+    let drawn =
+        |file: &str| file.starts_with("listings/") || grounds.iter().any(|(ground, _)| ground.slide.file == file);
+    if let Some(problem) = library.problems.iter().find(|problem| drawn(&problem.file)) {
+        return Err(Fault::new(format!("{problem} (raystep check lists all)")));
+    }
     let sessions: Vec<Session<'_>> = grounds.iter().flat_map(|(ground, rays)| Session::of_rays(ground, rays)).collect();
     if sessions.is_empty() {
         return Err(Fault::new(nothing(&library, arguments)));

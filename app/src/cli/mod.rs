@@ -3,6 +3,7 @@
 mod check;
 mod doctor;
 mod export;
+mod lessons;
 mod measure;
 pub mod page;
 mod rays;

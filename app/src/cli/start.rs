@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use raystep_lesson::Library;
 
-use super::{doctor, page};
-use crate::fault::{Fault, about};
+use super::{doctor, lessons, page};
+use crate::fault::Fault;
 use crate::files;
 use crate::window::{self, Wishes};
 
@@ -32,10 +32,7 @@ pub struct StartArguments {
 
 /// Opens the window, or writes the page.
 pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
-    let library = match &arguments.lessons {
-        Some(folder) => Library::from_dir(folder).map_err(about(folder))?,
-        None => Library::embedded(),
-    };
+    let library = lessons::read(arguments.lessons.as_deref())?;
     if let Some(path) = arguments.mesh.as_ref().filter(|path| !path.is_file()) {
         return Err(Fault::new(format!("{}: there is no such file, and no such command (--help)", path.display())));
     }

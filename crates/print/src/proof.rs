@@ -34,7 +34,7 @@ pub fn proof(markdown: &str) -> Vec<(usize, String)> {
                 proof.add_from(proof_formula(&tex).err().map(|unset| (at + 2 + unset.at, unset.why)));
             }
             Event::Html(_) | Event::InlineHtml(_) => {
-                proof.add(at, "HTML is not shown: write Markdown, `\\<` for a sign")
+                proof.add(at, "HTML is not shown: write Markdown, `\\<` for a sign");
             }
             Event::FootnoteReference(_) => proof.add(at, "footnotes are not shown: say it here"),
             Event::Rule => proof.add(at, "a line across the page is not shown: leave it out"),
@@ -51,7 +51,7 @@ pub fn proof(markdown: &str) -> Vec<(usize, String)> {
                     }
                 }
                 Tag::Heading { .. } => {
-                    proof.add(at, "a heading below a beat's own is not shown as one: begin another beat")
+                    proof.add(at, "a heading below a beat's own is not shown as one: begin another beat");
                 }
                 Tag::BlockQuote(_) => proof.add(at, "a quote is not shown as one"),
                 Tag::Table(_) => proof.add(at, "tables are not shown: write a list"),
@@ -60,7 +60,7 @@ pub fn proof(markdown: &str) -> Vec<(usize, String)> {
                 Tag::FootnoteDefinition(_) => proof.add(at, "footnotes are not shown: say it where it belongs"),
                 Tag::Strikethrough => proof.add(at, "words are not struck out: leave them out"),
                 Tag::Superscript | Tag::Subscript => {
-                    proof.add(at, "raised and lowered letters stand in formulas: `$x^2$`")
+                    proof.add(at, "raised and lowered letters stand in formulas: `$x^2$`");
                 }
                 _ => {}
             },

@@ -1,10 +1,12 @@
 //! What is wrong in a file, as a sentence to whoever can mend it.
 
+use std::borrow::Cow;
+
 use thiserror::Error;
 
 /// A mistake in a scene or mesh file: where it is, what was found, what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("{file}:{line}:{column}: {message}")]
+#[error("{file}:{line}:{column}: {}", sentence(message))]
 pub struct SceneError {
     /// The file's name, as it was given.
     pub file: String,
@@ -30,6 +32,24 @@ impl SceneError {
     }
 }
 
+/// The letters of a word that are quoted, at most.
+const LONGEST_WORD: usize = 60;
+
+/// A message in which no word is so long that it buries the rest.
+fn sentence(message: &str) -> Cow<'_, str> {
+    if message.split(' ').all(|word| word.chars().count() <= 2 * LONGEST_WORD) {
+        return Cow::Borrowed(message);
+    }
+    let short = |word: &str| match word.char_indices().nth(LONGEST_WORD) {
+        Some((end, _)) => {
+            let marks = word[end..].trim_end_matches(['`', '"', ';', ':', ',', '.']).len();
+            format!("{}…{}", &word[..end], &word[end + marks..])
+        }
+        None => word.to_owned(),
+    };
+    Cow::Owned(message.split(' ').map(short).collect::<Vec<_>>().join(" "))
+}
+
 /// The allowed spelling closest to `found`, if one is close enough to be meant.
 pub(crate) fn nearest<'a>(found: &str, allowed: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     // Longer words are no misspellings of anything.
@@ -39,6 +59,19 @@ pub(crate) fn nearest<'a>(found: &str, allowed: impl IntoIterator<Item = &'a str
     let alike = |word: &&str| strsim::damerau_levenshtein(found, word);
     allowed
         .into_iter()
-        .min_by_key(alike)
+        // Of two that are as near, the one that begins so.
+        .min_by_key(|word| (alike(word), !word.starts_with(found)))
         .filter(|word| alike(word) <= (found.chars().count() / 2).max(1) || word.starts_with(found))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_word_does_not_bury_the_sentence() {
+        let wrong = SceneError::at_byte("mesh.obj", "v", 0, format!("`{}` is not a number; so", "1".repeat(9000)));
+        assert_eq!(wrong.to_string(), format!("mesh.obj:1:1: `{}…` is not a number; so", "1".repeat(59)));
+        assert_eq!(sentence("`1x` is not a number"), "`1x` is not a number");
+    }
 }

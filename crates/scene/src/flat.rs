@@ -101,8 +101,6 @@ pub(crate) fn parse(text: &str, file: &str) -> Result<Flat, SceneError> {
 
 /// Adds the nearest allowed key to what toml says of an unknown one.
 fn advise(message: &str) -> String {
-    // Whatever it quotes: it stays a sentence.
-    let message = message.char_indices().nth(200).map_or(message, |(end, _)| &message[..end]);
     let mut quoted = message.split('`').skip(1).step_by(2);
     if message.starts_with("unknown field")
         && let Some(found) = quoted.next()

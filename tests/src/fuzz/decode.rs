@@ -6,6 +6,10 @@ use raystep_accel::{Aabb, Cone, Cylinder, Disc, Obb, Polygon, Prism, Ray, Shape,
 /// Bytes that are read from the front; what is missing is 0.
 pub(super) struct Bytes<'a>(pub(super) &'a [u8]);
 
+/// Numbers are no nearer to zero than this, unless they are zero, and no further from it.
+const NEAREST: f32 = 1e-6;
+const FURTHEST: f32 = 1e6;
+
 /// How large coordinates are: a power of two, so that scaled numbers touch as exactly as small ones.
 const SCALES: [f32; 8] = [1.0, 1.0, 1.0, 1.0, 0.5, 1024.0, 1.0 / 4_194_304.0, 16_777_216.0];
 
@@ -31,19 +35,17 @@ impl Bytes<'_> {
     /// A small whole number, mostly; else one beside it, a fraction, a zero of either sign, or anything finite.
     fn number(&mut self) -> f32 {
         let whole = f32::from(self.byte() as i8 % 6);
-        match self.byte() % 16 {
+        let number = match self.byte() % 16 {
             0..8 => whole,
             8 => whole.next_up(),
             9 => whole.next_down(),
             10 | 11 => whole + f32::from(self.byte()) / 256.0,
             12 => whole / 3.0,
             13 => -0.0,
-            14 => whole * f32::EPSILON,
-            _ => {
-                let bits = u32::from_le_bytes([self.byte(), self.byte(), self.byte(), self.byte()]);
-                Some(f32::from_bits(bits)).filter(|number| (1e-6..1e6).contains(&number.abs())).unwrap_or(whole)
-            }
-        }
+            14 => whole * 16.0 * f32::EPSILON,
+            _ => f32::from_bits(u32::from_le_bytes([self.byte(), self.byte(), self.byte(), self.byte()])),
+        };
+        if number == 0.0 || (NEAREST..=FURTHEST).contains(&number.abs()) { number } else { whole }
     }
 
     fn point(&mut self) -> Vec3 {

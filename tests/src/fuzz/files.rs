@@ -110,6 +110,8 @@ fn scene(text: &str) {
             assert!(!scene.prims.is_empty() && scene.flat);
             assert!(scene.bounds().min.is_finite() && scene.bounds().max.is_finite());
         }
-        Err(wrong) => assert!(wrong.line >= 1 && !wrong.message.is_empty() && wrong.message.len() < 3000, "{wrong}"),
+        Err(wrong) => {
+            assert!(wrong.line >= 1 && !wrong.message.is_empty() && wrong.to_string().len() < 3000, "{wrong}")
+        }
     }
 }

@@ -73,7 +73,7 @@ fn change(bytes: &mut Vec<u8>, seeds: &[Vec<u8>], target: &Target, random: &mut 
     bytes.truncate(4 * LONGEST);
 }
 
-/// A shorter input for which `fails` still holds.
+/// A shorter and emptier input for which `fails` still holds.
 pub(super) fn shortened(bytes: &[u8], fails: &dyn Fn(&[u8]) -> bool) -> Vec<u8> {
     let mut bytes = bytes.to_vec();
     let mut length = bytes.len().next_power_of_two();
@@ -88,6 +88,13 @@ pub(super) fn shortened(bytes: &[u8], fails: &dyn Fn(&[u8]) -> bool) -> Vec<u8> 
             }
         }
         length /= 2;
+    }
+    for at in 0..bytes.len() {
+        let mut emptier = bytes.clone();
+        emptier[at] = 0;
+        if emptier != bytes && fails(&emptier) {
+            bytes = emptier;
+        }
     }
     bytes
 }

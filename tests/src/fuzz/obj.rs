@@ -75,7 +75,8 @@ pub fn obj(bytes: &[u8]) {
         }
         Err(ObjError::Wrong(wrong)) => {
             assert!(wrong.line >= 1 && wrong.column >= 1 && !wrong.message.is_empty());
-            assert!(wrong.message.len() < 3000, "a sentence of {} letters", wrong.message.len());
+            let sentence = wrong.to_string();
+            assert!(sentence.len() < 3000, "a sentence of {} letters", sentence.len());
         }
         Err(ObjError::Cancelled) => panic!("nobody cancelled"),
     }
