@@ -173,8 +173,9 @@ impl Setter {
     fn words(&mut self, text: &str, face: Face) {
         let mut before = "";
         for (index, part) in text.split([' ', '\n']).enumerate() {
-            if index > 0 && (RELATIONS.contains(&part) || RELATIONS.contains(&before)) {
-                // An equation is not torn apart.
+            let interval = before.starts_with('[') && before.ends_with(',');
+            if index > 0 && (interval || RELATIONS.contains(&part) || RELATIONS.contains(&before)) {
+                // An equation is not torn apart, nor is an interval.
                 self.piece(Piece::space(self.plain, self.size));
             } else if index > 0 {
                 self.space();

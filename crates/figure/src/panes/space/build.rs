@@ -86,7 +86,9 @@ impl Drawing<'_> {
         let bounds = self.build.prims.bounds(prim);
         // The cells are those that its box meets.
         if !self.moment.rasterised.is_empty() {
-            self.add(Role::Ray, Some(Place::Prim(prim)), Form::Box(bounds));
+            for (from, to) in edges(&bounds, self.build.flat) {
+                self.add(Role::Ray, Some(Place::Prim(prim)), Form::Segment(from, to));
+            }
         }
         let form = Form::Label { at: bounds.center(), within: Some(bounds), text: format!("primitive {prim}") };
         self.add(Role::Value, Some(Place::Prim(prim)), form);
@@ -215,6 +217,17 @@ fn sheet(bounds: &Aabb, axis: Axis, plane: f32) -> Aabb {
     sheet.min[axis] = plane;
     sheet.max[axis] = plane;
     sheet
+}
+
+/// The edges of a box; of its rectangle in a flat scene.
+fn edges(bounds: &Aabb, flat: bool) -> impl Iterator<Item = (Vec3, Vec3)> {
+    let corner = |index: usize| {
+        let side = |axis: Axis| if index >> axis.index() & 1 == 0 { bounds.min[axis] } else { bounds.max[axis] };
+        Vec3::new(side(Axis::X), side(Axis::Y), side(Axis::Z))
+    };
+    let (corners, axes) = if flat { (4, 2) } else { (8, 3) };
+    let from = (0..corners).flat_map(move |index| (0..axes).map(move |axis| (index, index | 1 << axis)));
+    from.filter(|(from, to)| from != to).map(|(from, to)| (corner(from), corner(to))).collect::<Vec<_>>().into_iter()
 }
 
 /// Short lines at the two sides of a box that a plane across `axis` would cut.
