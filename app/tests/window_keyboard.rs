@@ -391,3 +391,33 @@ fn slides_open_on_the_stage_that_they_say_and_else_on_the_one_that_was_asked_for
     assert_eq!(named("5/37", "down onto the floor"), (Solid, RayChoice::Named(1)));
     assert_eq!(named("5/39", "nobody"), (Solid, RayChoice::Named(0)));
 }
+
+#[test]
+fn what_a_text_offers_is_done_by_its_button() {
+    let offered = |slide: &str, words: &str| {
+        let mut harness = window(Some(slide), [1600.0, 1000.0]);
+        harness.state_mut().state.predict = false;
+        press(&mut harness, Key::End);
+        harness.run_steps(2);
+        harness.get_by_label(words).click();
+        harness.run_steps(2);
+        settle(&mut harness);
+        harness
+    };
+    // Another parameter; undo takes it back.
+    let mut harness = offered("3/18", "Build without the second look");
+    let prunes = |harness: &Harness<'static, App>| {
+        let parameters = harness.state().state.playback().unwrap().rule.parameters();
+        parameters.into_iter().find(|parameter| parameter.key == "prune").unwrap().value
+    };
+    assert_eq!(prunes(&harness), "false");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    assert_eq!(prunes(&harness), "true");
+    // A structure beside.
+    let harness = offered("5/40", "Set a grid beside the tree");
+    assert_eq!(harness.state().state.beside, Beside::Structure("grid"));
+    // Another slide.
+    let harness = offered("7/56b", "Slide 56, the same rays as printed");
+    assert_eq!(harness.state().state.slide().unwrap().id(), "7/56");
+}

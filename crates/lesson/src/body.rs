@@ -152,7 +152,10 @@ fn paragraph(
         if offer::is_in(line) {
             reading.problem(at, "only the window can do that: write `> window: [words](set:key=value)`");
         }
-        if only_in != Some(Medium::Paper) && template::named(line).any(|name| name.starts_with("beside.")) {
+        if reading.beside
+            && only_in != Some(Medium::Paper)
+            && template::named(line).any(|name| name.starts_with("beside."))
+        {
             reading.problem(at, "what is played beside is told on paper: write `> paper: text`");
         }
         said.push(line.trim_end().to_owned());

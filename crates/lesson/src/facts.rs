@@ -67,7 +67,7 @@ pub(crate) fn check_fact(event: &str, name: &str, at: usize, reading: &mut Readi
     let (name, at) = match name.strip_prefix(BESIDE) {
         Some(name) if reading.beside => (name, at + BESIDE.len()),
         Some(_) => {
-            reading.problem(at, "nothing is played beside: give every stage `beside = { kind = \"...\" }`");
+            reading.problem(at, "nothing is played beside: give the stage `beside = { kind = \"...\" }`");
             return;
         }
         None => (name, at),

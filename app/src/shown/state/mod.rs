@@ -282,7 +282,11 @@ impl State {
     fn take_up(&mut self, offer: usize) {
         let Some(act) = self.offers().get(offer).map(|offer| offer.act.clone()) else { return };
         match act {
-            Act::Set(settings) => settings.iter().for_each(|(key, value)| self.set(key, value)),
+            Act::Set(settings) => {
+                // Several parameters are one change.
+                self.keep();
+                settings.iter().for_each(|(key, value)| self.set(key, value));
+            }
             Act::Compare(kind) => self.compare(kind),
             Act::Slide(id) => {
                 let slide = self.library.slide(&id).map(|slide| &slide.file);

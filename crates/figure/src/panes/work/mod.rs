@@ -87,7 +87,7 @@ fn sentence(moment: &Moment, volume: VolumeName) -> Vec<String> {
         (cost.plane_tests, "plane crossed", "planes crossed"),
         (cost.box_tests, &*one_tested, &*many_tested),
         (cost.pushes, "pushed", "pushed"),
-        (cost.drops, "thrown away", "thrown away"),
+        (cost.drops, "dropped", "dropped"),
         (cost.skips, "test saved", "tests saved"),
     ]
     .into_iter()

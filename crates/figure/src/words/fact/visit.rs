@@ -90,7 +90,7 @@ impl Fact for Visit {
             },
             Visit::Push { .. } => "a node waits on the stack",
             Visit::Pop { .. } => "a node comes off the stack",
-            Visit::Drop { .. } => "a node is thrown away",
+            Visit::Drop { .. } => "a node is dropped",
             Visit::Step { inside: true, .. } => "on to the next cell",
             Visit::Step { .. } => "the ray leaves the grid",
             Visit::Descend { .. } => "down into the cell's own grid",

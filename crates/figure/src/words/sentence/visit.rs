@@ -121,7 +121,7 @@ pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
             format!("Node {node} is taken from the stack with {}; {depth} still {still}.", range(t_near, t_far))
         }
         Visit::Drop { node, t_near, best_t, .. } => format!(
-            "Node {node} begins at t = {}, behind the best hit at t = {}: it is thrown away.",
+            "Node {node} begins at t = {}, behind the best hit at t = {}: it is dropped.",
             number(t_near),
             number(best_t)
         ),
