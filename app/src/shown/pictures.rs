@@ -4,9 +4,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Event, Grow, Mistake, Primitives};
-use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, TreeView, stage};
-use raystep_lesson::{Choice, Listing, Show};
+use raystep_accel::{Cost, Event, Grain, Grow, Mistake, Primitives};
+use raystep_figure::{Camera, Figure, Instant, Look, Scenery, Space, Symbol, TreeView, nothing, stage};
+use raystep_lesson::{About, Choice, Listing, Show};
 
 use super::beside::Beside;
 use super::playback::{Playback, cost};
@@ -26,6 +26,8 @@ pub(crate) struct Pictures {
     pub(crate) instant: Instant,
     /// What space shows.
     pub(crate) space: Space,
+    /// Its state at the step before.
+    before: Instant,
     figures: HashMap<PaneKey, Figure>,
 }
 
@@ -33,7 +35,10 @@ pub(crate) struct Pictures {
 struct Key {
     playback: usize,
     step: usize,
-    asking: bool,
+    /// Where the step before is, by the grain of steps.
+    grain: Grain,
+    /// While a question is open: whether it asks for a count, and the name of the event that answers it.
+    asks: Option<(bool, &'static str)>,
     /// The mistake that is made in the walk beside.
     mistake: Option<Mistake>,
 }
@@ -56,6 +61,7 @@ pub(crate) enum Pane {
     Slabs,
     Bytes,
     Walk,
+    Changed,
     Stack,
     StackHere,
     Work,
@@ -73,6 +79,7 @@ impl Pane {
             Pane::Slabs => "Slabs",
             Pane::Bytes => "Bytes",
             Pane::Walk => "Walk",
+            Pane::Changed => "Changed",
             Pane::Stack | Pane::StackHere => "Stack",
             Pane::Work => "Work",
             Pane::Legend => "Signs",
@@ -85,12 +92,17 @@ impl Pictures {
     /// The pictures of the state's step: those kept, if they still are right.
     pub(crate) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
         let playback = state.playback()?.clone();
-        let asking = state.question().is_some();
+        let asks = state.question().and_then(|posed| {
+            let ask = state.slide()?.beats.get(posed.beat)?.ask.as_ref();
+            let counts = matches!(ask?.about, About::Count { .. });
+            Some((counts, playback.event(posed.step)?.name()))
+        });
         let mistake = match state.beside {
             Beside::Mistake(index) => playback.mistakes.get(index).copied(),
             _ => None,
         };
-        let key = Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, asking, mistake };
+        let key =
+            Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, grain: state.grain, asks, mistake };
         if let Some(kept) = kept
             && kept.key == key
         {
@@ -100,8 +112,12 @@ impl Pictures {
         if let Some(posed) = state.question() {
             guess(&mut instant, &posed.choices);
         }
-        let space = playback.reel().still(&instant).space();
-        Some(Pictures { key, playback, instant, space, figures: HashMap::new() })
+        let before = playback.instant(playback.steps().previous(state.view.step, state.grain));
+        let reel = playback.reel();
+        let still = reel.still(&instant);
+        let mut space = still.space();
+        still.ghost(&before, &mut space);
+        Some(Pictures { key, playback, instant, space, before, figures: HashMap::new() })
     }
 
     /// The figure of a pane.
@@ -117,9 +133,10 @@ impl Pictures {
         let extra =
             beside.map_or(0, |(_, tests)| tests + 1) ^ (view.focus.map_or(0, |node| u64::from(node.0) + 1) << 20);
         let sized = [size.x as u32, size.y as u32];
-        let Key { asking, mistake, .. } = self.key;
-        let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32, extra };
-        let Pictures { playback, instant, space, figures, .. } = self;
+        let Key { asks, mistake, .. } = self.key;
+        let asking = asks.is_some();
+        let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32 * 2 + u32::from(look.titles), extra };
+        let Pictures { playback, instant, space, before, figures, .. } = self;
         figures.entry(key).or_insert_with(|| {
             let reel = playback.reel();
             let still = reel.still(instant);
@@ -128,11 +145,13 @@ impl Pictures {
                 Pane::RulerLine => still.ruler_line(asking, size, look),
                 Pane::Tree => still.tree(view, size, look),
                 Pane::Cells => still.cells(asking, size, look),
-                Pane::Slabs => still.slabs(size, look),
-                Pane::Bytes => still.bytes(size, look),
+                Pane::Slabs => still.slabs(asking, size, look),
+                Pane::Bytes => still.bytes(asks.is_some_and(|(_, coming)| coming == "plane"), size, look),
                 Pane::Walk => still.listing(&lines(code, still.event(), mistake), size, look),
+                Pane::Changed => still.changed(before, size, look),
                 Pane::Stack => still.stack(false, size, look),
                 Pane::StackHere => still.stack(true, size, look),
+                Pane::Work if asks.is_some_and(|(counts, _)| counts) => nothing("Work so far", WAITS, size, look),
                 Pane::Work => still.work(beside, size, look),
                 Pane::Legend => still.legend(space, size, look),
                 Pane::Timeline => still.timeline(asking, size, look),
@@ -158,9 +177,29 @@ impl Pictures {
         if still.has_ruler() { still.ruler_line_height(look) } else { 0.0 }
     }
 
-    /// How high the legend of this width is.
-    pub(crate) fn legend_height(&self, width: f32, look: &Look) -> f32 {
-        self.playback.reel().still(&self.instant).legend_height(&self.space, width, look)
+    /// The line of the listing at this height of its pane.
+    pub(crate) fn line_at(&self, code: Option<&Listing>, size: Vec2, look: &Look, y: f32) -> Option<usize> {
+        let reel = self.playback.reel();
+        let still = reel.still(&self.instant);
+        still.line_at(&lines(code, still.event(), self.key.mistake), size, look, y)
+    }
+
+    /// The symbol whose name stands at this point of the timeline.
+    pub(crate) fn symbol_at(&self, size: Vec2, look: &Look, point: Vec2) -> Option<Symbol> {
+        self.playback.reel().still(&self.instant).symbol_at(self.key.asks.is_some(), size, look, point)
+    }
+
+    /// The step with which this one is compared, if there is one before.
+    pub(crate) fn since(&self) -> Option<usize> {
+        Some(self.before.step()).filter(|before| *before < self.instant.step())
+    }
+
+    /// The work so far in a few words; nothing while a question asks for it.
+    pub(crate) fn tally(&self) -> String {
+        match self.key.asks {
+            Some((true, _)) => WAITS.to_owned(),
+            _ => self.playback.reel().still(&self.instant).tally(),
+        }
     }
 
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
@@ -168,6 +207,9 @@ impl Pictures {
         drawn(&self.space, &self.playback, camera, size, painted)
     }
 }
+
+/// What stands where the answer to an open question would.
+const WAITS: &str = "shown once the question is answered";
 
 /// A walk beside at a step: folded once, and kept while nothing has moved.
 pub(crate) struct Drawn {

@@ -3,6 +3,7 @@
 mod by_hand;
 mod columns;
 mod lesson;
+mod notices;
 mod page;
 pub(super) mod present;
 mod question;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Aabb, Cost, Event, Place, Structure, Verdict, Visit};
-use raystep_figure::{Camera, Face, Look, Role};
+use raystep_figure::{Camera, Face, Look, Role, Still};
 
 use super::page::{Asked, Kept, Page};
 use super::rival;
@@ -101,7 +101,8 @@ pub(super) fn stage(
         return None;
     };
     let look = Look::WINDOW;
-    let legend = if signs { pictures.legend_height(rect.width() - 28.0, &look) + 8.0 } else { 0.0 };
+    // The same room at every step: the picture stands still.
+    let legend = if signs { Still::legend_room(rect.width() - 28.0, &look) } else { 0.0 };
     let legend = if rect.height() > 260.0 { legend } else { 0.0 };
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
     let camera = sight.camera(page.state, &pictures.space, glam_size(picture));

@@ -4,7 +4,7 @@ use raystep_accel::{Event, Grow, Place, Prims, Structure, Visit};
 
 use super::Still;
 use crate::moments::{Build, GrowMoment, Moment, Walk};
-use crate::words::VolumeName;
+use crate::words::{Fact, Symbol, VolumeName};
 
 /// A walk or a build. The views ask this one and need not know which.
 #[derive(Clone, Copy)]
@@ -97,6 +97,18 @@ impl<'a> Reel<'a> {
         match self {
             Reel::Walk(walk) => walk.prims,
             Reel::Build(build) => build.prims,
+        }
+    }
+
+    /// The steps whose events have this symbol on the timeline.
+    pub fn steps_with(&self, symbol: &Symbol) -> Vec<usize> {
+        fn steps<E: Fact>(events: &[E], symbol: &Symbol, flat: bool) -> Vec<usize> {
+            let has = |event: &E| event.symbol().as_ref() == Some(symbol) && !(flat && event.concerns_z());
+            events.iter().enumerate().filter(|(_, event)| has(event)).map(|(index, _)| index + 1).collect()
+        }
+        match self {
+            Reel::Walk(walk) => steps(walk.events, symbol, walk.flat),
+            Reel::Build(build) => steps(build.events, symbol, build.flat),
         }
     }
 

@@ -6,13 +6,15 @@ use raystep_accel::{Aabb, Event, Place, Primitives};
 use crate::moments::{Build, GrowMoment, Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    ListingLine, TreeView, bytes, cells, cells_of_build, costs, legend, listing, ruler, ruler_height, ruler_line,
-    ruler_line_height, slabs, space, space_of_build, stack, stack_of_build, tested, timeline, timeline_of_build, tree,
-    tree_of_build, work, work_of_build,
+    ListingLine, TreeView, bytes, cells, cells_of_build, changed, changed_of_build, costs, ghost, ghost_of_build,
+    legend, line_at, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack,
+    stack_of_build, symbol_at, symbol_of_build_at, tested, timeline, timeline_of_build, tree, tree_of_build, work,
+    work_of_build,
 };
 
+use super::Instant;
 use crate::theme::Role;
-use crate::words::counted;
+use crate::words::{Symbol, counted};
 use crate::world::Space;
 
 /// One step, with what it belongs to. Window and page draw this and need not know which of the two it is.
@@ -78,7 +80,7 @@ impl Still<'_> {
     /// The ruler of t, or the costs of the splits. While a question asks, what answers it is hidden.
     pub fn ruler(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
         match self {
-            Still::Walk(walk, moment) => ruler(walk, moment, size, look),
+            Still::Walk(walk, moment) => ruler(walk, moment, hide, size, look),
             Still::Build(_, moment) => costs(moment, hide, size, look),
         }
     }
@@ -94,7 +96,7 @@ impl Still<'_> {
     /// The same on one line, for the far end of a lecture hall.
     pub fn ruler_line(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
         match self {
-            Still::Walk(walk, moment) => ruler_line(walk, moment, size, look),
+            Still::Walk(walk, moment) => ruler_line(walk, moment, hide, size, look),
             // Between two weighings there is nothing but the tree so far.
             Still::Build(_, moment) if moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)
@@ -135,18 +137,36 @@ impl Still<'_> {
         }
     }
 
-    /// The slab intervals; a build has none.
-    pub fn slabs(&self, size: Vec2, look: &Look) -> Figure {
+    /// The values that have changed since an earlier instant.
+    pub fn changed(&self, before: &Instant, size: Vec2, look: &Look) -> Figure {
+        match (self, before) {
+            (Still::Walk(walk, moment), Instant::Walk(before)) => changed(walk, before, moment, size, look),
+            (Still::Build(_, moment), Instant::Build(before)) => changed_of_build(before, moment, size, look),
+            _ => Figure::new(size),
+        }
+    }
+
+    /// Puts the outline of the place where an earlier instant stood below the marks of space.
+    pub fn ghost(&self, before: &Instant, space: &mut Space) {
+        match (self, before) {
+            (Still::Walk(walk, moment), Instant::Walk(before)) => ghost(walk, before, moment, space),
+            (Still::Build(build, moment), Instant::Build(before)) => ghost_of_build(build, before, moment, space),
+            _ => {}
+        }
+    }
+
+    /// The slab intervals; a build has none. While a question asks, what they come to is hidden.
+    pub fn slabs(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
         match self {
-            Still::Walk(walk, moment) => slabs(walk, moment, size, look),
+            Still::Walk(walk, moment) => slabs(walk, moment, hide, size, look),
             Still::Build(..) => Figure::new(size),
         }
     }
 
-    /// The node where the walk stands, as it lies in memory; a build has none.
-    pub fn bytes(&self, size: Vec2, look: &Look) -> Figure {
+    /// The node where the walk stands, as it lies in memory; a build has none. `hide` leaves its fields empty.
+    pub fn bytes(&self, hide: bool, size: Vec2, look: &Look) -> Figure {
         match self {
-            Still::Walk(walk, moment) => bytes(walk, moment, size, look),
+            Still::Walk(walk, moment) => bytes(walk, moment, hide, size, look),
             Still::Build(..) => Figure::new(size),
         }
     }
@@ -209,6 +229,19 @@ impl Still<'_> {
         listing(title, lines, self.event().as_ref(), flat, size, look)
     }
 
+    /// Which line of the listing stands at this height.
+    pub fn line_at(&self, lines: &[ListingLine<'_>], size: Vec2, look: &Look, y: f32) -> Option<usize> {
+        line_at(lines, self.event().as_ref(), self.flat(), size, look, y)
+    }
+
+    /// The symbol whose name stands at this point of the timeline's legend.
+    pub fn symbol_at(&self, hide_ahead: bool, size: Vec2, look: &Look, point: Vec2) -> Option<Symbol> {
+        match self {
+            Still::Walk(walk, moment) => symbol_at(walk, moment.step, hide_ahead, size, look, point),
+            Still::Build(build, moment) => symbol_of_build_at(build, moment.step, hide_ahead, size, look, point),
+        }
+    }
+
     /// The track of all steps.
     pub fn timeline(&self, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
         match self {
@@ -220,6 +253,11 @@ impl Still<'_> {
     /// What the marks of space mean.
     pub fn legend(&self, space: &Space, size: Vec2, look: &Look) -> Figure {
         legend::legend(space, self.words(), size, look)
+    }
+
+    /// How much room a legend of this width has at every step, so that what stands beside it never moves.
+    pub fn legend_room(width: f32, look: &Look) -> f32 {
+        legend::legend_room(width, look)
     }
 
     /// How high a legend of this width becomes.

@@ -1,5 +1,7 @@
 //! The walk from its first step to its last, to be scrubbed.
 
+use std::borrow::Cow;
+
 use glam::Vec2;
 use raystep_accel::Place;
 
@@ -7,7 +9,7 @@ use crate::moments::{Build, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::fact::{grow, visit};
-use crate::words::{Fact, Symbol, VolumeName};
+use crate::words::{Fact, Symbol, VolumeName, veiled_visit};
 
 /// Most symbols on one track.
 const MOST: usize = 240;
@@ -50,14 +52,17 @@ impl Track {
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(walk.structure);
     let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
-    draw(&tape, step, hide_ahead, size, look)
+    let now = step.checked_sub(1).and_then(|index| walk.events.get(index));
+    let says = now.map(|event| if hide_ahead { veiled_visit(event).short(volume) } else { event.short(volume) });
+    draw(&tape, step, says, hide_ahead, size, look)
 }
 
 /// The track of a build.
 pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(build.structure);
     let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: build.lost, flat: build.flat, volume };
-    draw(&tape, step, hide_ahead, size, look)
+    let says = step.checked_sub(1).and_then(|index| build.events.get(index)).map(|event| event.short(volume));
+    draw(&tape, step, says, hide_ahead, size, look)
 }
 
 /// What is on a track.
@@ -71,18 +76,22 @@ struct Recorded<'a, E> {
     volume: VolumeName,
 }
 
-fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-    let Recorded { events, lost, flat, volume, .. } = *tape;
+fn draw<E: Fact>(
+    tape: &Recorded<'_, E>,
+    step: usize,
+    says: Option<Cow<'static, str>>,
+    hide_ahead: bool,
+    size: Vec2,
+    look: &Look,
+) -> Figure {
+    let Recorded { events, lost, flat, .. } = *tape;
     let mut figure = Figure::new(size);
     let track = Track::new(events.len(), size, look);
     let (small, u) = (look.small(), look.text);
 
     // What is shown now, in words.
     let count = format!("step {step} of {}", events.len());
-    let says = step
-        .checked_sub(1)
-        .and_then(|i| events.get(i))
-        .map_or("at the very beginning".into(), |event| event.short(volume));
+    let says = says.unwrap_or("at the very beginning".into());
     let (above, below) = (Vec2::new(look.margin(), track.y - 0.65 * u), Vec2::new(look.margin(), track.y + 0.75 * u));
     write(&mut figure, Role::Text, None, above, &count, u, Face::Bold, Anchor::Start);
     write(&mut figure, Role::Quiet, None, below, &says, small, Face::Regular, Anchor::Start);
@@ -105,16 +114,68 @@ fn draw<E: Fact>(tape: &Recorded<'_, E>, step: usize, hide_ahead: bool, size: Ve
         figure.add(role, None, Ink::Circle { center: now, radius: u * 0.5 });
     }
 
-    let right = if lost > 0 {
-        let says = format!("and {lost} more, left out");
+    if lost > 0 {
         let at = Vec2::new(track.right, track.y + 1.5 * u);
-        write(&mut figure, Role::Quiet, None, at, &says, small, Face::Regular, Anchor::End);
-        track.right - text_width(&says, Face::Regular, small) - u
-    } else {
-        track.right
-    };
-    legend_row(&mut figure, told, tape, Vec2::new(track.left, track.y + 1.5 * u), right, look);
+        write(&mut figure, Role::Quiet, None, at, &left_out(lost), small, Face::Regular, Anchor::End);
+    }
+    let y = track.y + 1.5 * u;
+    for Named { symbol, name, left, .. } in legend_row(told, tape, &track, look) {
+        let sign = Vec2::new(left + small * 0.4, y);
+        write(&mut figure, symbol.role, None, sign, symbol.sign, small, Face::Medium, Anchor::Middle);
+        let beside = Vec2::new(left + small * 1.2, y);
+        write(&mut figure, Role::Quiet, None, beside, name, small, Face::Regular, Anchor::Start);
+    }
     figure
+}
+
+/// The symbol whose name stands at this point of the legend of a walk's timeline.
+pub(crate) fn symbol_at(
+    walk: &Walk<'_>,
+    step: usize,
+    hide_ahead: bool,
+    size: Vec2,
+    look: &Look,
+    point: Vec2,
+) -> Option<Symbol> {
+    let volume = VolumeName::of(walk.structure);
+    let tape = Recorded { events: walk.events, symbols: visit::SYMBOLS, lost: 0, flat: walk.flat, volume };
+    named_at(&tape, step, hide_ahead, size, look, point)
+}
+
+/// The same on the timeline of a build.
+pub(crate) fn symbol_of_build_at(
+    build: &Build<'_>,
+    step: usize,
+    hide_ahead: bool,
+    size: Vec2,
+    look: &Look,
+    point: Vec2,
+) -> Option<Symbol> {
+    let volume = VolumeName::of(build.structure);
+    let tape = Recorded { events: build.events, symbols: grow::SYMBOLS, lost: build.lost, flat: build.flat, volume };
+    named_at(&tape, step, hide_ahead, size, look, point)
+}
+
+fn named_at<E: Fact>(
+    tape: &Recorded<'_, E>,
+    step: usize,
+    hide_ahead: bool,
+    size: Vec2,
+    look: &Look,
+    point: Vec2,
+) -> Option<Symbol> {
+    let track = Track::new(tape.events.len(), size, look);
+    if (point.y - track.y - 1.5 * look.text).abs() > look.text * 0.8 {
+        return None;
+    }
+    let told = if hide_ahead { &tape.events[..step.min(tape.events.len())] } else { tape.events };
+    let named = legend_row(told, tape, &track, look);
+    named.into_iter().find(|named| (named.left..named.right).contains(&point.x)).map(|named| named.symbol)
+}
+
+/// What is said of events that were not recorded.
+fn left_out(lost: u64) -> String {
+    format!("and {lost} more, left out")
 }
 
 /// The symbols that stand on the track, at least `apart` points from each other.
@@ -139,20 +200,32 @@ fn crowd<E: Fact>(events: &[E], flat: bool, track: &Track, apart: f32) -> Vec<(f
     filled.filter_map(|(bin, best)| best.map(|(symbol, place)| (middle(bin), symbol, place))).collect()
 }
 
-/// The symbols that occur, with their names.
-fn legend_row<E: Fact>(figure: &mut Figure, events: &[E], tape: &Recorded<'_, E>, at: Vec2, right: f32, look: &Look) {
-    let (small, mut x) = (look.small(), at.x);
+/// A symbol in the legend of a timeline.
+struct Named {
+    symbol: Symbol,
+    name: &'static str,
+    left: f32,
+    right: f32,
+}
+
+/// The symbols that occur, with their names, as far as there is room.
+fn legend_row<E: Fact>(events: &[E], tape: &Recorded<'_, E>, track: &Track, look: &Look) -> Vec<Named> {
+    let small = look.small();
+    let room = match tape.lost {
+        0 => track.right,
+        lost => track.right - text_width(&left_out(lost), Face::Regular, small) - look.text,
+    };
     let occurs = |symbol: &&Symbol| events.iter().any(|event| event.symbol().as_ref() == Some(symbol));
-    for symbol in tape.symbols.iter().filter(occurs) {
-        let name = if *symbol == visit::VOLUME { tape.volume.one } else { symbol.name };
-        let width = small * 1.2 + text_width(name, Face::Regular, small);
-        if x + width > right {
+    let mut left = track.left;
+    let mut row = Vec::new();
+    for &symbol in tape.symbols.iter().filter(occurs) {
+        let name = if symbol == visit::VOLUME { tape.volume.one } else { symbol.name };
+        let right = left + small * 1.2 + text_width(name, Face::Regular, small);
+        if right > room {
             break;
         }
-        let sign = Vec2::new(x + small * 0.4, at.y);
-        write(figure, symbol.role, None, sign, symbol.sign, small, Face::Medium, Anchor::Middle);
-        let beside = Vec2::new(x + small * 1.2, at.y);
-        write(figure, Role::Quiet, None, beside, name, small, Face::Regular, Anchor::Start);
-        x += width + look.text * 1.5;
+        row.push(Named { symbol, name, left, right });
+        left = right + look.text * 1.5;
     }
+    row
 }

@@ -37,6 +37,8 @@ pub enum Role {
     Edge,
     /// A line behind a surface: thin and dotted.
     Hidden,
+    /// Where the step before stood: pale and dotted.
+    Ghost,
     /// Where a mistaken walk goes wrong.
     Wrong,
     /// Plain text.
@@ -55,7 +57,7 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 24] = [
+    pub const ALL: [Role; 25] = [
         Role::Scene,
         Role::Ray,
         Role::Live,
@@ -73,6 +75,7 @@ impl Role {
         Role::Hover,
         Role::Edge,
         Role::Hidden,
+        Role::Ghost,
         Role::Wrong,
         Role::Text,
         Role::Quiet,

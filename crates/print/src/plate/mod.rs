@@ -210,8 +210,8 @@ impl Page<'_> {
                 Below::Ruler => still.ruler(false, inner.size(), look),
                 Below::Tree => still.tree(&TreeView::default(), inner.size(), look),
                 Below::Cells => still.cells(false, inner.size(), look),
-                Below::Slabs => still.slabs(inner.size(), look),
-                Below::Bytes => still.bytes(inner.size(), look),
+                Below::Slabs => still.slabs(false, inner.size(), look),
+                Below::Bytes => still.bytes(false, inner.size(), look),
             };
             set_in(&mut self.figure, part, inner.min);
         }
