@@ -43,6 +43,12 @@ pub struct Heights {
     pub tree: Option<f32>,
     /// Of the t ruler.
     pub ruler: Option<f32>,
+    /// Of a node's bytes, where they stand in the ruler's place.
+    pub bytes: Option<f32>,
+    /// Of what changed.
+    pub changed: Option<f32>,
+    /// Of what stands behind tabs.
+    pub tabs: Option<f32>,
 }
 
 impl Default for Remembered {
@@ -54,7 +60,7 @@ impl Default for Remembered {
             lesson: None,
             walk: None,
             heights: Heights::default(),
-            tab: Pane::Listing,
+            tab: Pane::Changed,
             file: None,
             written: None,
         }
@@ -74,12 +80,20 @@ impl Remembered {
     fn read(text: &str) -> Remembered {
         let read: Remembered = toml::from_str(text).unwrap_or_default();
         let sound = |size: Option<f32>| size.filter(|size| (1.0..1e5).contains(size));
-        let Heights { work, stack, tree, ruler } = read.heights;
+        let Heights { work, stack, tree, ruler, bytes, changed, tabs } = read.heights;
         Remembered {
             zoom: if read.zoom.is_finite() { read.zoom.clamp(0.5, 3.0) } else { 1.0 },
             lesson: sound(read.lesson),
             walk: sound(read.walk),
-            heights: Heights { work: sound(work), stack: sound(stack), tree: sound(tree), ruler: sound(ruler) },
+            heights: Heights {
+                work: sound(work),
+                stack: sound(stack),
+                tree: sound(tree),
+                ruler: sound(ruler),
+                bytes: sound(bytes),
+                changed: sound(changed),
+                tabs: sound(tabs),
+            },
             ..read
         }
     }
