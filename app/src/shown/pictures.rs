@@ -4,10 +4,10 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Event, Grow, Mistake, Primitives};
+use raystep_accel::{Cost, Event, Grain, Grow, Mistake, Primitives};
 pub(crate) use raystep_figure::Pane;
-use raystep_figure::{Ask, Camera, Figure, Guess, Instant, Look, Scenery, Space, TreeView, stage};
-use raystep_lesson::{Choice, Listing, Show};
+use raystep_figure::{Ask, Camera, Figure, Guess, Instant, Look, Scenery, Space, Symbol, TreeView, nothing, stage};
+use raystep_lesson::{About, Choice, Listing, Show};
 
 use super::beside::Beside;
 use super::playback::Playback;
@@ -27,6 +27,8 @@ pub(crate) struct Pictures {
     pub(crate) instant: Instant,
     /// What space shows, if there is space.
     pub(crate) space: Option<Arc<Space>>,
+    /// Its state at the step before.
+    before: Instant,
     figures: HashMap<PaneKey, Figure>,
 }
 
@@ -34,7 +36,10 @@ pub(crate) struct Pictures {
 struct Key {
     playback: usize,
     step: usize,
-    asking: bool,
+    /// Where the step before is, by the grain of steps.
+    grain: Grain,
+    /// While a question is open: whether it asks for a count, and the name of the event that answers it.
+    asks: Option<(bool, &'static str)>,
     /// The mistake that is made in the walk beside.
     mistake: Option<Mistake>,
 }
@@ -51,12 +56,17 @@ impl Pictures {
     /// The pictures of the state's step: those kept, if they still are right.
     pub(crate) fn of(kept: Option<Pictures>, state: &State) -> Option<Pictures> {
         let playback = state.playback()?.clone();
-        let asking = state.question().is_some();
+        let asks = state.question().and_then(|posed| {
+            let ask = state.slide()?.beats.get(posed.beat)?.ask.as_ref();
+            let counts = matches!(ask?.about, About::Count { .. });
+            Some((counts, playback.event(posed.step)?.name()))
+        });
         let mistake = match state.beside {
             Beside::Mistake(index) => playback.mistakes.get(index).copied(),
             _ => None,
         };
-        let key = Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, asking, mistake };
+        let key =
+            Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, grain: state.grain, asks, mistake };
         if let Some(kept) = kept
             && kept.key == key
         {
@@ -67,8 +77,9 @@ impl Pictures {
             let guesses: Vec<Guess> = posed.choices.iter().map(guess).collect();
             playback.reel().guess(&mut instant, &guesses);
         }
-        let space = playback.reel().still(&instant).space().map(Arc::new);
-        Some(Pictures { key, playback, instant, space, figures: HashMap::new() })
+        let before = playback.instant(playback.steps().previous(state.view.step, state.grain));
+        let space = playback.reel().still(&instant).since(&before).space().map(Arc::new);
+        Some(Pictures { key, playback, instant, space, before, figures: HashMap::new() })
     }
 
     /// The figure of a pane.
@@ -84,15 +95,20 @@ impl Pictures {
         let extra =
             beside.map_or(0, |(_, tests)| tests + 1) ^ (view.focus.map_or(0, |node| u64::from(node.0) + 1) << 20);
         let sized = [size.x as u32, size.y as u32];
-        let Key { asking, mistake, .. } = self.key;
-        let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32, extra };
-        let Pictures { playback, instant, space, figures, .. } = self;
+        let Key { asks, mistake, .. } = self.key;
+        let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32 * 2 + u32::from(look.titles), extra };
+        let Pictures { playback, instant, space, before, figures, .. } = self;
         figures.entry(key).or_insert_with(|| {
             let reel = playback.reel();
-            let still = reel.still(instant);
+            let still = reel.still(instant).since(before);
+            if pane == Pane::Work && asks.is_some_and(|(counts, _)| counts) {
+                return nothing("Work so far", WAITS, size, look);
+            }
+            // The bytes of a node tell of what is asked only where that is its plane.
+            let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || coming == "plane");
             let lines = lines(code, &playback.play, still.step(), mistake);
             let space = space.as_deref();
-            let ask = Ask { hide: asking, view: Some(view), lines: &lines, beside, space, ..Ask::new(size, *look) };
+            let ask = Ask { hide, view: Some(view), lines: &lines, beside, space, ..Ask::new(size, *look) };
             still.draw(pane, &ask)
         })
     }
@@ -110,10 +126,31 @@ impl Pictures {
         height.unwrap_or(0.0)
     }
 
-    /// How high the legend of this width is.
-    pub(crate) fn legend_height(&self, width: f32, look: &Look) -> f32 {
-        let Some(space) = &self.space else { return 0.0 };
-        self.playback.reel().still(&self.instant).legend_height(space, width, look)
+    /// The line of the listing at this height of its pane.
+    pub(crate) fn line_at(&self, code: Option<&Listing>, size: Vec2, look: &Look, y: f32) -> Option<usize> {
+        let reel = self.playback.reel();
+        let still = reel.still(&self.instant);
+        let lines = lines(code, &self.playback.play, still.step(), self.key.mistake);
+        still.line_at(&Ask { lines: &lines, ..Ask::new(size, *look) }, y)
+    }
+
+    /// The symbol whose name stands at this point of the timeline.
+    pub(crate) fn symbol_at(&self, size: Vec2, look: &Look, point: Vec2) -> Option<Symbol> {
+        let ask = Ask { hide: self.key.asks.is_some(), ..Ask::new(size, *look) };
+        self.playback.reel().still(&self.instant).symbol_at(&ask, point)
+    }
+
+    /// The step with which this one is compared, if there is one before.
+    pub(crate) fn since(&self) -> Option<usize> {
+        Some(self.before.step()).filter(|before| *before < self.instant.step())
+    }
+
+    /// The work so far in a few words; nothing while a question asks for it.
+    pub(crate) fn tally(&self) -> String {
+        match self.key.asks {
+            Some((true, _)) => WAITS.to_owned(),
+            _ => self.playback.reel().still(&self.instant).tally(),
+        }
     }
 
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
@@ -121,6 +158,9 @@ impl Pictures {
         drawn(space, &self.playback, camera, size, painted)
     }
 }
+
+/// What stands where the answer to an open question would.
+const WAITS: &str = "shown once the question is answered";
 
 /// A walk beside at a step: folded once, and kept while nothing has moved.
 pub(crate) struct Drawn {

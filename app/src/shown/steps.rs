@@ -38,6 +38,11 @@ impl Steps<'_> {
         (0..step).rev().find(|&step| self.stops(step, grain)).unwrap_or(step)
     }
 
+    /// Whether a step is shown at all: a flat scene passes over what concerns z.
+    pub fn shows(&self, step: usize) -> bool {
+        step.checked_sub(1).and_then(|index| self.tape.event(index)).is_some_and(|event| self.shown(&event))
+    }
+
     fn shown(&self, event: &Event) -> bool {
         !(self.flat && event.concerns_z())
     }

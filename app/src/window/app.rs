@@ -170,7 +170,7 @@ impl App {
 
     fn say(&mut self, ui: &Ui, sentence: Option<String>) {
         if let Some(sentence) = sentence {
-            self.overlay.say(ui, sentence);
+            self.kept.notices.say(ui, sentence);
         }
     }
 
@@ -182,7 +182,7 @@ impl App {
             let path = file.path().to_path_buf();
             match path.extension() {
                 Some(ending) if ending.eq_ignore_ascii_case("obj") => self.open_mesh(path),
-                _ => self.overlay.say(ui, "Only OBJ files can be opened."),
+                _ => self.kept.notices.say(ui, "Only OBJ files can be opened."),
             }
         }
         while let Some(news) = self.underway.errands.next() {
@@ -206,21 +206,21 @@ impl App {
             }
             News::Mesh(scene, ray) => {
                 if !scene.note.is_empty() {
-                    self.overlay.say(ui, scene.note.clone());
+                    self.kept.notices.say(ui, scene.note.clone());
                 }
                 self.state.show_mesh(scene, ray);
             }
             News::Folder(folder) => self.overlay.chose_folder(&folder),
             News::Copied(image) => {
                 ui.ctx().copy_image(image);
-                self.overlay.say(ui, "The picture is on the clipboard.");
+                self.kept.notices.say(ui, "The picture is on the clipboard.");
             }
             News::Lessons(library) => {
                 self.say(ui, library.problems.first().map(ToString::to_string));
                 self.underway.renew();
                 self.state.renew(*library);
             }
-            News::Written(sentence) | News::Failed(sentence) => self.overlay.say(ui, sentence),
+            News::Written(sentence) | News::Failed(sentence) => self.kept.notices.say(ui, sentence),
         }
     }
 
@@ -263,6 +263,7 @@ impl App {
                 self.state.playing = false;
                 self.state.go(step);
             }
+            Some(bottom::Asked::Symbol(symbol)) => self.state.run_to_symbol(&symbol, shift(ui)),
             None => {}
         }
         under
@@ -289,7 +290,8 @@ impl App {
         for asked in asked {
             match asked {
                 panes::Asked::Command(command) => self.run(ui, command),
-                panes::Asked::Pick(place) => self.state.pick(place),
+                panes::Asked::Pick(place) => self.state.pick(place, shift(ui)),
+                panes::Asked::Line(line) => self.state.run_to_line(line, shift(ui)),
                 panes::Asked::Keep => self.state.keep(),
                 panes::Asked::Turn(seen) => {
                     self.kept.sight.aspect = seen.aspect;
@@ -297,7 +299,7 @@ impl App {
                 }
                 panes::Asked::Ray(ray) => self.state.show_ray(RayChoice::Own(ray), true),
                 panes::Asked::Set(key, value) => self.state.set(key, &value),
-                panes::Asked::Say(sentence) => self.overlay.say(ui, sentence),
+                panes::Asked::Say(sentence) => self.kept.notices.say(ui, sentence),
                 panes::Asked::Compare(kind) => self.state.compare(kind),
                 panes::Asked::Pace(pace) => self.state.pace = pace,
             }
@@ -326,6 +328,11 @@ impl App {
             }
         }
     }
+}
+
+/// Whether Shift is held: what runs forth runs back.
+fn shift(ui: &Ui) -> bool {
+    ui.input(|input| input.modifiers.shift)
 }
 
 impl eframe::App for App {

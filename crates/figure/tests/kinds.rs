@@ -19,16 +19,20 @@ fn ask() -> Ask<'static> {
 /// Draws every pane at every step: those that it names, and no other.
 fn check(what: &str, kind: &dyn Kind) {
     let panes = kind.panes();
-    let mut at = kind.start();
+    let (mut at, mut before) = (kind.start(), kind.start());
     for step in 0..=kind.len() {
         kind.advance(&mut at, step);
         for pane in Pane::ALL {
-            let drawn = kind.draw(&at, pane, &ask());
+            let drawn = match pane {
+                Pane::Changed => kind.changed(&before, &at, &ask()),
+                _ => kind.draw(&at, pane, &ask()),
+            };
             assert_eq!(drawn.is_some(), panes.contains(&pane), "{what}, {pane:?} at step {step}");
         }
         for pane in [kind.best()].into_iter().flatten() {
             assert!(panes.contains(&pane), "{what} is not best seen in {pane:?}");
         }
+        before.clone_from(&at);
     }
 }
 

@@ -77,12 +77,12 @@ fn a_plane_cuts_the_ray() {
     let played = Played::new("kd", &[("min_objects", "1")]);
     let walk = played.walk();
     let moment = Moment::at(&walk, played.step("plane", 1));
-    check("kd_ruler", &ruler(&walk, &moment, Vec2::new(790.0, 118.0), &LOOK));
-    check("kd_ruler_line", &ruler_line(&walk, &moment, Vec2::new(790.0, 90.0), &LOOK));
+    check("kd_ruler", &ruler(&walk, &moment, false, Vec2::new(790.0, 118.0), &LOOK));
+    check("kd_ruler_line", &ruler_line(&walk, &moment, false, Vec2::new(790.0, 90.0), &LOOK));
     check("kd_tree", &tree(&walk, &moment, &TreeView::default(), Vec2::new(790.0, 160.0), &LOOK));
     check("kd_stack", &stack(&walk, &moment, true, Vec2::new(400.0, 160.0), &LOOK));
     check("kd_work", &work(&walk, &moment, None, Vec2::new(400.0, 160.0), &LOOK));
-    check("kd_bytes", &bytes(&walk, &moment, Vec2::new(790.0, 220.0), &LOOK));
+    check("kd_bytes", &bytes(&walk, &moment, false, Vec2::new(790.0, 220.0), &LOOK));
     check("kd_timeline", &timeline(&walk, moment.step, false, Vec2::new(1000.0, 80.0), &LOOK));
 }
 
@@ -91,8 +91,8 @@ fn a_slab_narrows_the_ray() {
     let played = Played::new("bvh", &[]);
     let walk = played.walk();
     let moment = Moment::at(&walk, played.step("slab.narrow", 1));
-    check("slab_table", &slabs(&walk, &moment, Vec2::new(440.0, 120.0), &LOOK));
-    check("slab_ruler", &ruler(&walk, &moment, Vec2::new(790.0, 118.0), &LOOK));
+    check("slab_table", &slabs(&walk, &moment, false, Vec2::new(440.0, 120.0), &LOOK));
+    check("slab_ruler", &ruler(&walk, &moment, false, Vec2::new(790.0, 118.0), &LOOK));
 }
 
 #[test]
@@ -159,6 +159,60 @@ fn the_last_moment_of_a_build_is_the_structure() {
 }
 
 #[test]
+fn what_changed_is_what_is_not_as_before() {
+    let played = Played::new("kd", &[("min_objects", "1")]);
+    let walk = played.walk();
+    let size = Vec2::new(400.0, 160.0);
+    let pane =
+        |before: usize, now: usize| changed(&walk, &Moment::at(&walk, before), &Moment::at(&walk, now), size, &LOOK);
+    let push = played.step("push", 0);
+    check("changed_push", &pane(push - 1, push));
+    let better = played.step("better", 0);
+    check("changed_better", &pane(better - 1, better));
+    check("changed_nothing", &pane(0, 0));
+    // The same moment twice has no rows.
+    assert!(!told(&pane(better, better)).contains('→'));
+
+    let grid = Played::new("grid", &[]);
+    let walk = grid.walk();
+    let step = grid.step("step", 1);
+    let pane = changed(&walk, &Moment::at(&walk, step - 1), &Moment::at(&walk, step), size, &LOOK);
+    check("changed_step", &pane);
+
+    let weigh = played.grown.iter().position(|event| matches!(event, Grow::Weigh { .. })).unwrap() + 2;
+    let [before, now] = [weigh - 1, weigh].map(|step| GrowMoment::at(&played.grown, step));
+    check("changed_weigh", &changed_of_build(&before, &now, size, &LOOK));
+}
+
+#[test]
+fn a_line_of_the_listing_is_found_where_it_is_drawn() {
+    let lines: Vec<ListingLine<'_>> = (0..30)
+        .map(|index| ListingLine {
+            instead: (index == 12).then_some("another line"),
+            indent: 0,
+            text: ["a", "b", "c"][index % 3],
+            current: index == 14,
+            values: Some("its numbers"),
+        })
+        .collect();
+    let played = Played::new("kd", &[]);
+    let event = played.events[0];
+    for height in [120.0, 300.0, 900.0] {
+        let size = Vec2::new(300.0, height);
+        let figure = listing("Walk", &lines, Some(&event), true, size, &LOOK);
+        let drawn = figure.marks.iter().filter_map(|mark| match &mark.ink {
+            Ink::Text { at, text, .. } if ["a", "b", "c"].contains(&text.as_str()) => Some((at.y, text.clone())),
+            _ => None,
+        });
+        for (y, text) in drawn {
+            let line = line_at(&lines, Some(&event), true, size, &LOOK, y).expect("a line");
+            assert_eq!(lines[line].text, text, "at {y} of {height}");
+        }
+        assert_eq!(line_at(&lines, Some(&event), true, size, &LOOK, 2.0), None);
+    }
+}
+
+#[test]
 fn nothing_is_cut_off_at_any_step() {
     for kind in ["list", "slab", "grid", "kd", "bvh"] {
         let played = Played::new(kind, &[]);
@@ -172,17 +226,18 @@ fn nothing_is_cut_off_at_any_step() {
                 let narrow = size(380.0, 150.0);
                 let view = TreeView::default();
                 let roomy = Vec2::new(wide.x, ruler_height(&walk, &look));
-                let told_all = !told(&ruler(&walk, &moment, roomy, &look)).contains(" more\"");
+                let told_all = !told(&ruler(&walk, &moment, false, roomy, &look)).contains(" more\"");
                 assert!(told_all, "{kind} step {step}: a row is left out of the roomy ruler");
                 let panes = [
-                    ("ruler", ruler(&walk, &moment, wide, &look)),
-                    ("line", ruler_line(&walk, &moment, wide, &look)),
+                    ("ruler", ruler(&walk, &moment, false, wide, &look)),
+                    ("line", ruler_line(&walk, &moment, false, wide, &look)),
                     ("tree", tree(&walk, &moment, &view, wide, &look)),
                     ("timeline", timeline(&walk, step, false, size(900.0, 80.0), &look)),
                     ("stack", stack(&walk, &moment, true, narrow, &look)),
+                    ("changed", changed(&walk, &Moment::at(&walk, step.saturating_sub(3)), &moment, narrow, &look)),
                     ("work", work(&walk, &moment, None, narrow, &look)),
-                    ("slabs", slabs(&walk, &moment, narrow, &look)),
-                    ("bytes", bytes(&walk, &moment, wide, &look)),
+                    ("slabs", slabs(&walk, &moment, step % 2 == 0, narrow, &look)),
+                    ("bytes", bytes(&walk, &moment, false, wide, &look)),
                     ("cells", cells(&walk, &moment, false, narrow, &look)),
                 ];
                 for (name, figure) in panes {

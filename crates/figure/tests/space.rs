@@ -9,8 +9,8 @@ use raystep_accel::{
     Transform, Visit,
 };
 use raystep_figure::{
-    Camera, Figure, Film, Form, Ink, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, labels, shaded, space,
-    stage,
+    Camera, Figure, Film, Form, Ink, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, ghost, labels, shaded,
+    space, stage,
 };
 
 /// Discs in the four quarters of a square, two in each.
@@ -213,4 +213,20 @@ fn a_shaded_picture_has_the_same_bytes_every_time() {
     assert!(first.image.rgba.chunks(4).any(|pixel| pixel[3] == 255) && first.image.rgba[3] == 0);
     let figure = stage(&space, &stand.prims, &camera, Vec2::new(60.0, 40.0), Scenery::Shaded(&first));
     assert!(matches!(figure.marks[0].ink, Ink::Image { .. }));
+}
+
+#[test]
+fn the_step_before_leaves_a_ghost() {
+    let stand = Stand::new(&kd());
+    let walk = stand.walk();
+    let pop = stand.step("pop", 1);
+    let (before, now) = (Moment::at(&walk, pop - 1), Moment::at(&walk, pop));
+    let left = before.here.expect("a node");
+    let mut drawn = space(&walk, &now);
+    ghost(&walk, &before, &now, &mut drawn);
+    assert_eq!((drawn.marks[0].role, drawn.marks[0].place), (Role::Ghost, Some(left)), "below everything else");
+    // Who stands where he stood leaves none.
+    let mut same = space(&walk, &now);
+    ghost(&walk, &now, &now, &mut same);
+    assert!(same.marks.iter().all(|mark| mark.role != Role::Ghost));
 }

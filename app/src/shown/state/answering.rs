@@ -1,10 +1,11 @@
 //! Questions: which one is open, and what an answer does.
 
 use raystep_accel::Place;
-use raystep_lesson::{Beat, Facts, Offer};
+use raystep_figure::Symbol;
+use raystep_lesson::{Beat, Facts, Listing, Offer};
 
 use super::{Answered, State};
-use crate::shown::playback::Posed;
+use crate::shown::playback::{Playback, Posed};
 
 impl State {
     /// The question that is open now: it is answered by the next step. Where a beat speaks at this step it is heard
@@ -42,22 +43,41 @@ impl State {
         Some((self.slide()?.beats.get(beat)?, step))
     }
 
-    /// A click on a place: an answer, or the step at which the walk meets it next.
-    pub fn pick(&mut self, place: Option<Place>) {
+    /// A click on a place: an answer, or the step at which the walk meets it next, or `back` where it last did.
+    pub fn pick(&mut self, place: Option<Place>, back: bool) {
         if let Some(place) = place.filter(|_| self.question().is_some())
             && self.answer_place(place)
         {
             return;
         }
         self.picked = place.filter(|place| *place != Place::World);
-        let Some(place) = self.picked.filter(|_| self.question().is_none()) else { return };
-        if let Some(playback) = &self.playback {
-            let now = self.view.step;
-            let steps = playback.reel().steps_at(place);
-            let next = steps.iter().find(|step| **step > now).or(steps.first()).copied();
-            if let Some(step) = next {
-                self.go(step);
-            }
+        if let Some(place) = self.picked {
+            self.run_to(|playback| playback.reel().steps_at(place), back);
+        }
+    }
+
+    /// To the next step that the line of the listing shows, or the one before.
+    pub fn run_to_line(&mut self, line: usize, back: bool) {
+        let library = self.library.clone();
+        let Some(code) = self.slide().and_then(|slide| library.listing(&slide.listing)) else { return };
+        self.run_to(|playback| steps_of_line(code, playback, line), back);
+    }
+
+    /// To the next step with this symbol on the timeline, or the one before.
+    pub fn run_to_symbol(&mut self, symbol: &Symbol, back: bool) {
+        self.run_to(|playback| playback.reel().steps_with(symbol), back);
+    }
+
+    /// To the next of some steps, or `back` to the last one before; past the end it begins anew. An open question
+    /// is not passed by.
+    fn run_to(&mut self, steps: impl Fn(&Playback) -> Vec<usize>, back: bool) {
+        let Some(playback) = self.playback.clone().filter(|_| self.question().is_none()) else { return };
+        let (now, steps) = (self.view.step, steps(&playback));
+        let (before, after) = (steps.iter().rfind(|step| **step < now), steps.iter().find(|step| **step > now));
+        let to = if back { before.or(steps.last()) } else { after.or(steps.first()) };
+        if let Some(&step) = to {
+            self.playing = false;
+            self.go(step);
         }
     }
 
@@ -97,4 +117,11 @@ impl State {
             self.go(step);
         }
     }
+}
+
+/// The steps whose events a line of a listing shows.
+fn steps_of_line(code: &Listing, playback: &Playback, line: usize) -> Vec<usize> {
+    let line_of = |step: usize| Facts::at(&playback.play, step).and_then(|facts| code.line_of(&facts));
+    let shows = |step: &usize| line_of(*step) == Some(line);
+    (1..=playback.steps().last()).filter(|step| playback.steps().shows(*step)).filter(shows).collect()
 }

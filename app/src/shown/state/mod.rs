@@ -1,6 +1,8 @@
 //! The window's state: pure data that commands change. It knows no widget, file or clock.
 
 mod answering;
+#[cfg(test)]
+mod given_away;
 mod stepping;
 mod wanting;
 
@@ -342,7 +344,8 @@ impl State {
 
     /// Remembers the view before a change that undo shall take back in one.
     pub fn keep(&mut self) {
-        self.history.keep(&self.view);
+        // What was asked for last counts, also where its walk is not there yet.
+        self.history.keep(self.wanted.as_ref().unwrap_or(&self.view));
     }
 
     /// Whether there is something to undo, and to redo.

@@ -2,7 +2,7 @@
 
 use egui::{Align, Button, ComboBox, Layout, RichText, Sense, Ui, vec2};
 use raystep_accel::{Grain, Place};
-use raystep_figure::{Look, Theme, Track, TreeView, short};
+use raystep_figure::{Look, Symbol, Theme, Track, TreeView, short};
 
 use crate::shown::command::{Command, ENTRIES};
 use crate::shown::pictures::{Pane, Pictures};
@@ -18,6 +18,8 @@ pub(crate) enum Asked {
     Command(Command),
     /// A step.
     Step(usize),
+    /// A symbol of the timeline's legend.
+    Symbol(Symbol),
 }
 
 /// Shows the bar; says what was asked for and which place the pointer is on.
@@ -115,10 +117,27 @@ fn track(
     paint_nearest_lit(ui.painter(), rect.min, figure, theme, hovered, track.x(step));
     response.widget_info(|| egui::WidgetInfo::slider(true, step as f64, "Timeline"));
 
-    if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked()) {
-        *asked = Some(Asked::Step(track.step_at(pointer.x - rect.left())));
+    let local = |pointer: egui::Pos2| glam::Vec2::new(pointer.x - rect.left(), pointer.y - rect.top());
+    let named = |pointer| pictures.symbol_at(size, &Look::WINDOW, local(pointer));
+    let pressed = ui.input(|input| input.pointer.press_origin());
+    let held = pressed.filter(|at| rect.contains(*at)).and_then(named);
+    if let Some(pointer) = response.interact_pointer_pos() {
+        match held.or_else(|| named(pointer)) {
+            Some(symbol) if response.clicked() => *asked = Some(Asked::Symbol(symbol)),
+            Some(_) => {}
+            None if response.dragged() || response.clicked() => {
+                *asked = Some(Asked::Step(track.step_at(pointer.x - rect.left())));
+            }
+            None => {}
+        }
     }
     let pointer = response.hover_pos()?;
+    if let Some(symbol) = named(pointer) {
+        let says = format!("{}: click for the next time, Shift+click for the one before", symbol.name);
+        response.on_hover_text_at_pointer(RichText::new(says));
+        return None;
+    }
+    let figure = pictures.pane(Pane::Timeline, size, &Look::WINDOW, None, &TreeView::default(), None);
     if pointer.x - rect.left() > track.left - 10.0 && !response.dragged() {
         let at = track.step_at(pointer.x - rect.left());
         let says = match playback.event(at) {

@@ -28,18 +28,55 @@ pub(crate) enum Asked {
     Theme(&'static Theme),
 }
 
+/// What has room in a bar of a width. The buttons at the right stand where they stand on every slide.
+struct Room {
+    /// The program's name.
+    name: bool,
+    /// The slide's numbers.
+    numbers: bool,
+    /// "Break it".
+    breaks: bool,
+    /// "Export"; else it stands under "More".
+    export: bool,
+    /// "Present", likewise.
+    present: bool,
+    /// Beside the words on a button.
+    padding: f32,
+    /// The outline's width.
+    outline: f32,
+    /// The structure's width: as wide as the longest name, where there is room, so that nothing moves.
+    structure: f32,
+}
+
+impl Room {
+    fn of(width: f32) -> Room {
+        let outline = if width > 1180.0 { (width * 0.235).clamp(180.0, 380.0) } else { width * 0.262 };
+        Room {
+            name: width > 1260.0,
+            numbers: width > 1400.0,
+            breaks: width > 1240.0,
+            export: width > 1080.0,
+            present: width > 940.0,
+            padding: if width > 1080.0 { 11.0 } else { 8.0 },
+            outline,
+            structure: if width > 1400.0 { 108.0 } else { 0.0 },
+        }
+    }
+}
+
 /// Shows the bar and says what was asked for.
 pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
     let mut asked = None;
-    let width = ui.available_width();
+    let room = Room::of(ui.available_width());
     ui.horizontal_centered(|ui| {
         ui.spacing_mut().item_spacing.x = 6.0;
-        if width > 1180.0 {
+        ui.spacing_mut().button_padding.x = room.padding;
+        if room.name {
             ui.label(RichText::new("Raystep").font(font(Face::Bold, 17.0)));
             ui.add_space(8.0);
         }
-        outline(ui, state, theme, (width * 0.235).clamp(180.0, 380.0), &mut asked);
-        if width > 1300.0
+        outline(ui, state, theme, room.outline, &mut asked);
+        if room.numbers
             && let Some(slide) = state.slide()
         {
             ui.add_space(6.0);
@@ -47,31 +84,33 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
-            more(ui, state, theme, &mut asked);
+            more(ui, state, theme, &room, &mut asked);
             let modes = [
-                (Command::Export, false),
-                (Command::Present, false),
-                (Command::Predict, state.predict),
-                (Command::Compare, matches!(state.beside, Beside::Structure(_))),
+                (Command::Export, false, room.export),
+                (Command::Present, false, room.present),
+                (Command::Predict, state.predict, true),
+                (Command::Compare, matches!(state.beside, Beside::Structure(_)), true),
             ];
             // Brute force has no structure that could be built.
             let builds = state.slide().is_some_and(|slide| slide.plays == Plays::Build);
-            for (command, on) in modes.into_iter().filter(|(command, _)| !(builds && *command == Command::Compare)) {
+            for (command, on, _) in modes.into_iter().filter(|(.., fits)| *fits) {
                 let button = Button::new(command.name()).selected(on);
                 let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };
-                if ui.add(button).on_hover_text(command.tip()).clicked() {
+                let enabled = !(builds && command == Command::Compare);
+                let response = ui.add_enabled(enabled, button).on_hover_text(command.tip());
+                if response.on_disabled_hover_text("A build has no ray to compare with").clicked() {
                     asked = Some(Asked::Command(command));
                 }
             }
-            if width > 1240.0 {
+            if room.breaks {
                 broken(ui, state, theme, &mut asked);
             }
             ui.add_space(4.0);
             stages(ui, state, theme, &mut asked);
             ui.add_space(4.0);
-            structure(ui, state, &mut asked);
-            let room = ui.available_width();
-            rays(ui, state, theme, (room - 8.0).clamp(60.0, 300.0), &mut asked);
+            structure(ui, state, room.structure, &mut asked);
+            let left = ui.available_width();
+            rays(ui, state, theme, (left - 8.0).clamp(60.0, 300.0), &mut asked);
         });
     });
     asked
@@ -85,10 +124,16 @@ fn outline(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Op
     if back.clicked() {
         *asked = Some(Asked::Command(Command::PreviousSlide));
     }
+    // Where there is no room for both, the title alone: the list says which section it is in.
     let shown = state.library.slides.get(at).map_or_else(String::new, |slide| {
-        format!("{} {} › {}", section_number(slide), slide.section_title(), slide.title)
+        let both = format!("{} {} › {}", section_number(slide), slide.section_title(), slide.title);
+        let fits = raystep_figure::text_width(&both, Face::Medium, 13.5) + 40.0 <= width;
+        if fits { both } else { slide.title.clone() }
     });
-    let combo = ComboBox::from_id_salt("outline").width(width).truncate().selected_text(RichText::new(shown));
+    // The list is as tall as the window.
+    let tall = (ui.ctx().content_rect().height() - 84.0).max(200.0);
+    let combo =
+        ComboBox::from_id_salt("outline").width(width).height(tall).truncate().selected_text(RichText::new(shown));
     let shown = controls::within(ui, width, |ui| {
         combo.show_ui(ui, |ui| {
             ui.set_min_width(width.max(340.0));
@@ -127,7 +172,10 @@ fn rays(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Optio
         RayChoice::Own(_) => "your own",
     };
     let text = format!("Ray: {name}");
-    let needed = raystep_figure::text_width(&text, Face::Medium, 13.5) + 44.0;
+    let wide = |text: &str| raystep_figure::text_width(text, Face::Medium, 13.5) + 44.0;
+    // Its colour says that it is a ray where there is no room for the word.
+    let text = if wide(&text) <= width { text } else { name.to_owned() };
+    let needed = wide(&text);
     ui.scope(|ui| {
         let (text_color, tint) = (ink(theme, Role::Live), theme.style(Role::Value).fill);
         let panel = theme.style(Role::Panel).fill;
@@ -177,10 +225,11 @@ fn stages(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) 
 }
 
 /// The structure's name: a button that docks what can be set by hand below the lesson.
-fn structure(ui: &mut Ui, state: &State, asked: &mut Option<Asked>) {
+fn structure(ui: &mut Ui, state: &State, width: f32, asked: &mut Option<Asked>) {
     let Some(rule) = state.rule() else { return };
     let changed = if state.target().settings.is_empty() { "" } else { " *" };
     let button = Button::new(format!("{}{changed}", kind_name(rule.kind()))).selected(state.by_hand);
+    let button = button.min_size(vec2(width, 0.0));
     let button = if state.by_hand { button.stroke(ui.visuals().selection.stroke) } else { button };
     let response = ui.add(button).on_hover_text(Command::ByHand.tip());
     let name = format!("Structure: {}", kind_name(rule.kind()));
@@ -191,11 +240,13 @@ fn structure(ui: &mut Ui, state: &State, asked: &mut Option<Asked>) {
 }
 
 /// What is needed more rarely.
-fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
+fn more(ui: &mut Ui, state: &State, theme: &Theme, room: &Room, asked: &mut Option<Asked>) {
     let button = icon_button(ui, Icon::More, "More", "More", false, 28.0);
     egui::Popup::menu(&button).show(|ui| {
         ui.set_width(310.0);
         let (undo, redo) = state.undoable();
+        let hidden = [(Command::Present, !room.present), (Command::Export, !room.export)];
+        let hidden = hidden.into_iter().filter(|(_, hidden)| *hidden);
         let commands = [
             (Command::Undo, undo),
             (Command::Redo, redo),
@@ -209,7 +260,7 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
             (Command::Palette, true),
             (Command::Help, true),
         ];
-        for (command, enabled) in commands {
+        for (command, enabled) in hidden.chain(commands) {
             let keys = command.entry().map_or("", Entry::keys_text);
             let button = Button::new(command.name()).shortcut_text(keys).min_size(vec2(298.0, 0.0));
             if ui.add_enabled(enabled, button).clicked() {
@@ -242,13 +293,12 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
 
 /// A button with the mistakes that can be made in this structure.
 fn broken(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) {
-    if state.playback().is_none_or(|playback| playback.mistakes.is_empty()) {
-        return;
-    }
+    let some = state.playback().is_some_and(|playback| !playback.mistakes.is_empty());
     let on = matches!(state.beside, Beside::Mistake(_));
     let button = Button::new(Command::Break.name()).selected(on);
     let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };
-    let response = ui.add(button).on_hover_text("Make a common mistake, beside the right walk");
+    let response = ui.add_enabled(some, button).on_hover_text("Make a common mistake, beside the right walk");
+    let response = response.on_disabled_hover_text("No mistakes are known here");
     egui::Popup::menu(&response).show(|ui| {
         ui.set_width(310.0);
         mistakes(ui, state, theme, asked);

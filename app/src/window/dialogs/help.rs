@@ -53,7 +53,8 @@ const COLUMNS: [&[Group]; 2] = [
 /// What the mouse does.
 const MOUSE: &[(&str, &str)] = &[
     ("Hover", "lights up the same place in every view"),
-    ("Click", "goes to where the walk meets a place"),
+    ("Click", "to the next time: place, line, sign"),
+    ("Shift click", "to the time before"),
     ("Double click", "puts a node of the tree on top"),
     ("Ray's ends", "move the ray"),
     ("Shift drag", "shoots a ray of your own"),

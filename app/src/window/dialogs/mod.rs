@@ -7,6 +7,5 @@ mod open;
 mod overlay;
 mod palette;
 mod progress;
-mod toasts;
 
 pub(super) use overlay::{Asked, Overlay};

@@ -7,7 +7,6 @@ use egui::Ui;
 use raystep_figure::Theme;
 
 use super::palette::Palette;
-use super::toasts::Toasts;
 use super::{drop_hint, export, help, open, palette, progress};
 use crate::fault::Fault;
 use crate::shown::command::Command;
@@ -15,14 +14,13 @@ use crate::shown::state::State;
 use crate::window::work::exporting::Wish;
 use crate::window::work::task::Task;
 
-/// The dialogs that are open, and the messages that are shown.
+/// The dialogs that are open.
 #[derive(Default)]
 pub(crate) struct Overlay {
     palette: Option<Palette>,
     help: bool,
     export: Option<export::Form>,
     open: Option<open::Form>,
-    toasts: Toasts,
 }
 
 /// What was asked for over the page.
@@ -67,11 +65,6 @@ impl Overlay {
     /// Opens the dialog that opens a mesh.
     pub(crate) fn open(&mut self) {
         self.open = Some(open::Form::default());
-    }
-
-    /// Shows a message.
-    pub(crate) fn say(&mut self, ui: &Ui, message: impl Into<String>) {
-        self.toasts.say(ui, message);
     }
 
     /// A mesh was chosen for the dialog. Says whether that is open.
@@ -129,7 +122,6 @@ impl Overlay {
             None => {}
         }
         asked.extend(progress::strip(ui, tasks, theme).map(Asked::Stop));
-        self.toasts.show(ui, theme);
         drop_hint::show(ui, theme);
         asked
     }

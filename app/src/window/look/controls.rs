@@ -32,8 +32,17 @@ pub(crate) enum Change {
 
 /// How a field was changed, if it was.
 pub(crate) fn change(response: &Response) -> Option<Change> {
-    let dragged = response.dragged() && !response.drag_started();
-    response.changed().then_some(if dragged { Change::GoesOn } else { Change::Begins })
+    // A drag may move a while before its first change: that one begins it.
+    let id = response.id.with("changed");
+    if response.drag_started() {
+        response.ctx.data_mut(|data| data.insert_temp(id, false));
+    }
+    if !response.changed() {
+        return None;
+    }
+    let goes_on = response.dragged() && response.ctx.data_mut(|data| data.get_temp(id).unwrap_or(false));
+    response.ctx.data_mut(|data| data.insert_temp(id, response.dragged()));
+    Some(if goes_on { Change::GoesOn } else { Change::Begins })
 }
 
 /// A control for one parameter; returns its new value as text when it was changed.

@@ -43,7 +43,11 @@ pub(crate) fn blocks(markdown: &str) -> Vec<Block> {
             (_, true) => RunLook::Emphasis,
             _ => RunLook::Plain,
         };
-        let mut push = |text: &str, look| runs.push(Run { text: text.to_owned(), look });
+        // Brackets and the like come in pieces: words of one look are one run.
+        let mut push = |text: &str, look| match runs.last_mut() {
+            Some(last) if last.look == look && look != RunLook::Formula => last.text.push_str(text),
+            _ => runs.push(Run { text: text.to_owned(), look }),
+        };
         match event {
             Event::Text(text) => match &mut code {
                 Some(lines) => lines.push_str(&text),
@@ -93,9 +97,42 @@ pub(crate) fn plain(markdown: &str) -> String {
     texts.collect::<Vec<_>>().join(" ")
 }
 
+/// The text with its short statements kept on one line: "t = 3.66", "[0.5, 3]", "node 5".
+pub(crate) fn together(text: &str) -> String {
+    const SIGNS: [&str; 6] = ["=", "<", ">", "≤", "≥", "≠"];
+    const KINDS: [&str; 5] = ["node", "cell", "primitive", "slide", "step"];
+    let words: Vec<&str> = text.split(' ').collect();
+    let mut kept = String::with_capacity(text.len());
+    for (index, word) in words.iter().enumerate() {
+        kept.push_str(word);
+        let Some(next) = words.get(index + 1) else { break };
+        let numeral = next.starts_with(|letter: char| letter.is_ascii_digit() || "−∞".contains(letter));
+        let short = |word: &str| word.chars().count() <= 9;
+        let statement = SIGNS.contains(word) && short(next) || SIGNS.contains(next) && short(word);
+        let counted = KINDS.contains(&word.to_lowercase().as_str()) && numeral;
+        let interval = word.starts_with('[') && word.ends_with(',') && numeral && next.contains(']');
+        kept.push(if statement || counted || interval { '\u{a0}' } else { ' ' });
+    }
+    kept
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn short_statements_stay_on_one_line() {
+        let table = [
+            ("at t = 3.66 the", "at t\u{a0}=\u{a0}3.66 the"),
+            ("for [0.5, 3.1]. It", "for [0.5,\u{a0}3.1]. It"),
+            ("Node 5 waits, a node waits", "Node\u{a0}5 waits, a node waits"),
+            (" = 3", "\u{a0}=\u{a0}3"),
+            ("nothing here", "nothing here"),
+        ];
+        for (text, kept) in table {
+            assert_eq!(together(text), kept);
+        }
+    }
 
     #[test]
     fn a_beat_is_cut_into_blocks() {
@@ -108,5 +145,7 @@ mod tests {
         assert_eq!(looks, [Plain, Emphasis, Plain, Formula, Plain, Code, Plain]);
         assert!(matches!(&read[3], Block::Item(runs) if runs[0].look == RunLook::Strong));
         assert_eq!(plain("a **b** $c$"), "a b c");
+        let read = blocks("its part, [5.1, 8.55].");
+        assert!(matches!(&read[0], Block::Paragraph(runs) if runs.len() == 1), "{read:?}");
     }
 }

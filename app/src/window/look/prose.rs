@@ -6,7 +6,7 @@ use raystep_figure::{Face, Role, Theme};
 
 use super::fonts::font;
 use super::formulas::Formulas;
-use super::markdown::{Block, Run, RunLook, blocks};
+use super::markdown::{Block, Run, RunLook, blocks, together};
 use super::tex::{self, Shift};
 use super::visuals::{fill, ink, line};
 
@@ -79,7 +79,8 @@ impl Prose<'_> {
             };
             let size = if run.look == RunLook::Code { self.size * 0.92 } else { self.size };
             let format = TextFormat { font_id: font(face, size), color, line_height, ..TextFormat::default() };
-            job.append(&run.text, 0.0, format);
+            let text = if run.look == RunLook::Code { run.text.clone() } else { together(&run.text) };
+            job.append(&text, 0.0, format);
         }
         job.wrap.max_width = ui.available_width();
         job

@@ -50,6 +50,12 @@ pub struct Heights {
     pub tree: Option<f32>,
     /// Of the t ruler.
     pub ruler: Option<f32>,
+    /// Of a node's bytes, where they stand in the ruler's place.
+    pub bytes: Option<f32>,
+    /// Of what changed.
+    pub changed: Option<f32>,
+    /// Of what stands behind tabs.
+    pub tabs: Option<f32>,
 }
 
 impl Default for Remembered {
@@ -61,7 +67,7 @@ impl Default for Remembered {
             lesson: None,
             walk: None,
             heights: Heights::default(),
-            tab: Pane::Listing,
+            tab: Pane::Changed,
             wrong: Vec::new(),
             file: None,
             written: Table::new(),
@@ -145,6 +151,9 @@ impl Remembered {
             "heights.stack" => self.heights.stack = size()?,
             "heights.tree" => self.heights.tree = size()?,
             "heights.ruler" => self.heights.ruler = size()?,
+            "heights.bytes" => self.heights.bytes = size()?,
+            "heights.changed" => self.heights.changed = size()?,
+            "heights.tabs" => self.heights.tabs = size()?,
             _ => return Err("there is no such setting".to_owned()),
         }
         Ok(())

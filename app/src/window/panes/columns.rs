@@ -1,21 +1,27 @@
-//! The panes beside the lesson: space over the ruler and the tree, and the walk, the stack and the work at
-//! the right; in a narrow window tree, walk, stack and work share one place behind tabs.
+//! The panes beside the lesson: space over the ruler and the tree, and the walk, what changed, the stack and the work
+//! at the right; in a narrow window what is not the walk shares one place below it behind tabs.
 
 use egui::{Frame, Panel, Ui};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
-use raystep_lesson::Plays;
+use raystep_lesson::{Plays, Show};
 
 use super::figure::figure;
 use super::page::{Asked, Kept, Page};
 use super::stage;
-use crate::shown::pictures::{Pane, main_pane, shows_bytes};
+use crate::shown::pictures::{Pane, Pictures, main_pane, shows_bytes};
 use crate::shown::state::State;
 use crate::window::look::remembered::Remembered;
-use crate::window::look::visuals::fill;
+use crate::window::look::visuals::{fill, ink};
 
-/// Below this width of the window tree, walk, stack and work become tabs.
+/// Below this width of the window what changed, the stack and the work share one place behind tabs.
 const NARROW: f32 = 1400.0;
+
+/// How near to its border a pane leaves the pointer to the border.
+pub(super) const BORDER: f32 = 5.0;
+
+/// Below this height of the page the tree stands behind a tab as well.
+const LOW: f32 = 540.0;
 
 fn narrow(ui: &Ui) -> bool {
     ui.ctx().content_rect().width() < NARROW
@@ -44,7 +50,7 @@ pub(super) fn right(
     shown.inner
 }
 
-/// Walk, stack and work, one over the other.
+/// The walk, what changed, the stack and the work, one over the other.
 fn stacked(
     ui: &mut Ui,
     page: Page<'_>,
@@ -53,63 +59,75 @@ fn stacked(
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
     let height = ui.available_height();
-    let frame = Frame::new();
-    let heights = sizes.heights;
-    let work = Panel::bottom(salt("work", heights.work, height))
-        .frame(frame)
-        .default_size(heights.work.unwrap_or(height * 0.2))
-        .size_range(90.0..=height * 0.4);
-    let shown = work.show(ui, |ui| pane(ui, page, kept, Pane::Work, asked));
-    note(ui, &mut sizes.heights.work, shown.response.rect.height(), height * 0.2);
-    let mut under = shown.inner;
-    if !has(kept, Pane::Stack) {
-        return pane(ui, page, kept, Pane::Listing, asked).or(under);
+    let heights = &mut sizes.heights;
+    let rows = [
+        (Pane::Work, "work", &mut heights.work, 0.148),
+        (Pane::Stack, "stack", &mut heights.stack, 0.115),
+        (Pane::Changed, "changed", &mut heights.changed, 0.162),
+    ];
+    let mut under = None;
+    for (shown, name, size, part) in rows {
+        if !has(kept, shown) {
+            continue;
+        }
+        let usual = height * part;
+        let panel = Panel::bottom(salt(name, *size, height))
+            .frame(Frame::new())
+            .resizable(true)
+            .default_size(size.unwrap_or(usual))
+            .size_range(70.0..=height * 0.4);
+        let shown = panel.show(ui, |ui| pane(ui, page, kept, shown, asked));
+        note(ui, size, shown.response.rect.height(), usual);
+        under = shown.inner.or(under);
     }
-    let stack = Panel::bottom(salt("stack", heights.stack, height))
-        .frame(frame)
-        .default_size(heights.stack.unwrap_or(height * 0.22))
-        .size_range(70.0..=height * 0.5);
-    let shown = stack.show(ui, |ui| pane(ui, page, kept, Pane::Stack, asked));
-    note(ui, &mut sizes.heights.stack, shown.response.rect.height(), height * 0.22);
-    under = shown.inner.or(under);
     pane(ui, page, kept, Pane::Listing, asked).or(under)
 }
 
-/// One of walk, tree, stack and work, chosen by tabs.
+/// The walk, and below it one of what changed, the stack and the work, chosen by tabs; in a low window also the tree.
 fn tabs(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, sizes: &mut Remembered, asked: &mut Vec<Asked>) -> Option<Place> {
-    let mut panes = vec![Pane::Listing];
-    panes.extend(main(page.state));
-    panes.extend([Pane::Stack, Pane::Work].into_iter().filter(|pane| has(kept, *pane)));
-    if !panes.contains(&sizes.tab) {
-        sizes.tab = Pane::Listing;
-    }
-    Frame::new().inner_margin(egui::Margin { left: 12, right: 8, top: 8, bottom: 4 }).show(ui, |ui| {
-        ui.horizontal(|ui| {
-            ui.spacing_mut().item_spacing.x = 4.0;
-            for tab in &panes {
-                let button = egui::Button::selectable(*tab == sizes.tab, tab.name());
-                if ui.add(button).clicked() {
-                    sizes.tab = *tab;
-                }
-            }
-        });
-    });
-    // What is short stands under the chosen pane as well.
     let height = ui.available_height();
-    let chosen = sizes.tab;
-    let below = match chosen {
-        Pane::Listing if height > 520.0 && has(kept, Pane::Stack) => Some(Pane::Stack),
-        Pane::Listing if height > 520.0 => Some(Pane::Work),
-        Pane::Stack if height > 420.0 => Some(Pane::Work),
-        _ => None,
-    };
-    let mut under = None;
-    if let Some(below) = below {
-        let frame = Frame::new();
-        let panel = Panel::bottom("below").frame(frame).exact_size(height * 0.2).resizable(false);
-        under = panel.show(ui, |ui| pane(ui, page, kept, below, asked)).inner;
+    let low = height < LOW;
+    let mut panes = vec![Pane::Changed];
+    panes.extend(main(page.state).filter(|_| low));
+    panes.extend([Pane::Stack, Pane::Work]);
+    panes.retain(|pane| has(kept, *pane));
+    let Some(&first) = panes.first() else { return pane(ui, page, kept, Pane::Listing, asked) };
+    if !panes.contains(&sizes.tab) {
+        sizes.tab = first;
     }
-    pane(ui, page, kept, chosen, asked).or(under)
+    let usual = if low { height * 0.44 } else { (height * 0.28).max(176.0) };
+    let below = Panel::bottom(salt("tabs", sizes.heights.tabs, height))
+        .frame(Frame::new())
+        .resizable(true)
+        .default_size(sizes.heights.tabs.unwrap_or(usual))
+        .size_range(110.0..=height * 0.7);
+    let shown = below.show(ui, |ui| {
+        Frame::new().inner_margin(egui::Margin { left: 8, right: 8, top: 7, bottom: 0 }).show(ui, |ui| {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 2.0;
+                ui.spacing_mut().button_padding.x = 9.0;
+                for tab in &panes {
+                    let button = egui::Button::selectable(*tab == sizes.tab, tab.name());
+                    if ui.add(button).clicked() {
+                        sizes.tab = *tab;
+                    }
+                }
+                let since = kept.pictures.as_ref().and_then(Pictures::since).filter(|_| sizes.tab == Pane::Changed);
+                if let Some(since) = since {
+                    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                        let says =
+                            egui::RichText::new(format!("since {since}")).small().color(ink(page.theme, Role::Quiet));
+                        ui.add(egui::Label::new(says).truncate());
+                    });
+                }
+            });
+        });
+        // Its name stands on the tab already.
+        let rect = ui.available_rect_before_wrap();
+        figure(ui, page, kept, sizes.tab, rect, &Look { titles: false, ..Look::WINDOW }, asked)
+    });
+    note(ui, &mut sizes.heights.tabs, shown.response.rect.height(), usual);
+    pane(ui, page, kept, Pane::Listing, asked).or(shown.inner)
 }
 
 /// Space, the ruler, and the tree where there is room for it.
@@ -124,10 +142,11 @@ pub(super) fn center(
     let frame = Frame::new().fill(fill(page.theme, Role::Panel));
     let mut under = None;
     let heights = sizes.heights;
-    if let Some(main) = main(page.state).filter(|_| !narrow(ui)) {
+    if let Some(main) = main(page.state).filter(|_| !narrow(ui) || height >= LOW) {
         let usual = height * 0.2;
         let panel = Panel::bottom(salt("tree", heights.tree, height))
             .frame(frame)
+            .resizable(true)
             .default_size(heights.tree.unwrap_or(usual))
             .size_range(80.0..=height * 0.5);
         let shown = panel.show(ui, |ui| pane(ui, page, kept, main, asked));
@@ -141,16 +160,21 @@ pub(super) fn center(
     let bytes = bytes(page.state);
     let builds = page.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
     let usual = match () {
+        // What a slide is about gets the room.
+        () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.38).clamp(200.0, 340.0),
         () if bytes => (height * 0.24).clamp(190.0, 220.0),
         () if builds => (height * 0.2).clamp(150.0, 200.0),
         () => (height * 0.15).clamp(112.0, 150.0),
     };
-    let ruler = Panel::bottom(salt("ruler", heights.ruler, height))
+    // Bytes have a height of their own.
+    let remembered = if bytes { &mut sizes.heights.bytes } else { &mut sizes.heights.ruler };
+    let ruler = Panel::bottom(salt(if bytes { "bytes" } else { "ruler" }, *remembered, height))
         .frame(frame)
-        .default_size(heights.ruler.unwrap_or(usual))
-        .size_range(80.0..=height * 0.4);
+        .resizable(true)
+        .default_size(remembered.unwrap_or(usual))
+        .size_range(80.0..=height * 0.5);
     let shown = ruler.show(ui, |ui| pane(ui, page, kept, if bytes { Pane::Bytes } else { Pane::Ruler }, asked));
-    note(ui, &mut sizes.heights.ruler, shown.response.rect.height(), usual);
+    note(ui, remembered, shown.response.rect.height(), usual);
     shown.inner.or(stage::stages(ui, page, kept, asked)).or(under)
 }
 
@@ -163,6 +187,11 @@ fn has(kept: &Kept, pane: Pane) -> bool {
 pub(super) fn bytes(state: &State) -> bool {
     let show = state.slide().map_or(&[][..], |slide| slide.show.as_slice());
     state.playback().is_some_and(|playback| shows_bytes(playback, show))
+}
+
+/// Whether a slide is most of all about a pane.
+fn shows_first(state: &State, show: Show) -> bool {
+    state.slide().is_some_and(|slide| slide.show.first() == Some(&show))
 }
 
 /// The pane in which the structure of this slide is best seen.

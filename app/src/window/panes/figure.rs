@@ -4,6 +4,7 @@ use egui::{Rect, Sense, Ui};
 use raystep_accel::Place;
 use raystep_figure::Look;
 
+use super::columns::BORDER;
 use super::page::{Asked, Kept, Page};
 use super::space::glam_size;
 use crate::shown::beside::Beside;
@@ -21,7 +22,9 @@ pub(super) fn figure(
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
     let Page { state, theme, lit, .. } = page;
-    let response = ui.allocate_rect(rect, Sense::click());
+    // The borders of the pane are for dragging them.
+    let response = ui.allocate_rect(rect, Sense::hover());
+    let response = ui.interact(rect.shrink(BORDER), response.id.with("pane"), Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, pane.name()));
     let Kept { pictures, tree, .. } = kept;
     let code = state.slide().and_then(|slide| state.library.listing(&slide.listing));
@@ -31,13 +34,24 @@ pub(super) fn figure(
         let name = if step < beside.steps().last() { "brute force, so far" } else { "brute force" };
         (name, beside.tests(step))
     });
-    let drawn = pictures.as_mut()?.pane(pane, glam_size(rect), look, code, tree, tests);
+    let pictures = pictures.as_mut()?;
+    if pane == Pane::Listing {
+        let line = |pointer: egui::Pos2| pictures.line_at(code, glam_size(rect), look, pointer.y - rect.top());
+        let clicked = response.interact_pointer_pos().filter(|_| response.clicked()).and_then(line);
+        asked.extend(clicked.map(Asked::Line));
+        if response.hover_pos().and_then(line).is_some() {
+            response
+                .clone()
+                .on_hover_text_at_pointer("Click: the next time of this line · Shift+click: the time before");
+        }
+    }
+    let drawn = pictures.pane(pane, glam_size(rect), look, code, tree, tests);
     paint_figure(&ui.painter_at(rect), rect.min, drawn, theme, lit);
     let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);
     let under = response.hover_pos().and_then(at);
     let clicked = response.interact_pointer_pos().filter(|_| response.clicked()).map(at);
     let opened = response.double_clicked().then(|| response.interact_pointer_pos().and_then(at)).flatten();
-    asked.extend(clicked.map(Asked::Pick));
+    asked.extend(clicked.filter(|_| pane != Pane::Listing).map(Asked::Pick));
     // A second click on a node of a tree puts it on top, or the root back.
     if let (Pane::Tree, Some(Place::Node(node))) = (pane, opened) {
         tree.focus = (tree.focus != Some(node) && node.0 != 0).then_some(node);

@@ -1,7 +1,7 @@
 //! The column at the left: what the slide says at this step, and its question.
 
-use egui::{Frame, Margin, RichText, ScrollArea, Ui};
-use raystep_figure::{Face, Role, Theme, sentence};
+use egui::{Button, Frame, Margin, Panel, RichText, ScrollArea, Ui, UiBuilder};
+use raystep_figure::{Face, Role, Theme, sentence, veiled};
 use raystep_lesson::Medium;
 
 use super::question;
@@ -10,22 +10,88 @@ use crate::shown::reel::{beginning, said as said_by};
 use crate::shown::state::State;
 use crate::window::look::fonts::font;
 use crate::window::look::formulas::Formulas;
+use crate::window::look::markdown::together;
 use crate::window::look::prose::Prose;
 use crate::window::look::visuals::ink;
 
-/// Shows the lesson; says which command was asked for.
+/// How high the sign is that says that there is more.
+const SIGN: f32 = 28.0;
+
+/// What the column keeps from frame to frame.
+#[derive(Clone, Copy, Default)]
+struct Scroll {
+    /// Whether the text is longer than the column.
+    long: bool,
+    /// Whether its end is in sight.
+    at_end: bool,
+    /// Where to scroll to.
+    to: Option<f32>,
+    /// What is said, as far as it decides where one reads on.
+    stamp: Stamp,
+}
+
+/// The slide, the step, whether a question is open, and the answer given.
+type Stamp = (usize, usize, bool, Option<usize>);
+
+fn stamp(state: &State) -> Stamp {
+    let answered = state.answered.filter(|answered| !answered.right).map(|answered| answered.choice);
+    (state.view.slide, state.view.step, state.question().is_some(), answered)
+}
+
+/// Shows the lesson; says which command was asked for. What does not fit is scrolled, and a sign at the foot says so.
 pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
     let mut asked = None;
-    ScrollArea::vertical().id_salt("lesson").auto_shrink(false).show(ui, |ui| {
+    let id = ui.scope_id().with("lesson scroll");
+    let mut scroll: Scroll = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let room = ui.available_height();
+    let fresh = scroll.stamp != stamp(state);
+    scroll.stamp = stamp(state);
+    if fresh && scroll.stamp.3.is_none() {
+        scroll.to = Some(0.0);
+    }
+    if scroll.long && sign(ui, theme, scroll.at_end) {
+        scroll.to = Some(if scroll.at_end { 0.0 } else { f32::INFINITY });
+    }
+    // What is too wide for the column does not widen it.
+    let rect = ui.available_rect_before_wrap();
+    let parent = ui;
+    let ui = &mut parent.new_child(UiBuilder::new().max_rect(rect));
+    ui.shrink_clip_rect(rect);
+    let mut area = ScrollArea::vertical().id_salt("lesson").auto_shrink(false);
+    if let Some(to) = scroll.to.take() {
+        area = area.vertical_scroll_offset(to.min(1e6));
+    }
+    let shown = area.show(ui, |ui| {
         Frame::new().inner_margin(Margin { left: 22, right: 20, top: 18, bottom: 18 }).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            asked = content(ui, state, theme, formulas);
+            asked = content(ui, state, theme, formulas, fresh);
         });
     });
+    let seen = shown.state.clamped_offset().y + shown.inner_rect.height();
+    let long = shown.content_size.y > room + 2.0;
+    let at_end = seen >= shown.content_size.y - 6.0;
+    if (long, at_end) != (scroll.long, scroll.at_end) {
+        ui.ctx().request_repaint();
+    }
+    (scroll.long, scroll.at_end) = (long, at_end);
+    ui.data_mut(|data| data.insert_temp(id, scroll));
+    parent.advance_cursor_after_rect(rect);
     asked
 }
 
-fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
+/// The sign that there is more than is seen; says whether it was clicked.
+fn sign(ui: &mut Ui, theme: &Theme, at_end: bool) -> bool {
+    let panel = Panel::bottom("lesson sign").exact_size(SIGN).resizable(false).frame(Frame::new());
+    let says = if at_end { "▲  back to the top" } else { "▼  more below" };
+    panel
+        .show(ui, |ui| {
+            let text = RichText::new(says).font(font(Face::Medium, 13.0)).color(ink(theme, Role::Here));
+            ui.add_sized(ui.available_size(), Button::new(text).frame(false)).clicked()
+        })
+        .inner
+}
+
+fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, fresh: bool) -> Option<Command> {
     let Some(slide) = state.slide() else {
         ui.label("There are no slides.");
         return None;
@@ -49,6 +115,8 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
     }
 
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
+    // While a question is open nothing says what the numbers come to.
+    let event = event.map(|event| if state.question().is_some() { veiled(&event) } else { event });
     let says = state.playback().zip(event).map(|(playback, event)| sentence(&event, playback.reel().volume()));
     let mut asked = None;
     match state.beat() {
@@ -60,7 +128,7 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
                     ui.label(RichText::new(&beat.title).font(font(Face::Medium, 15.5)).color(ink(theme, Role::Here)));
                     // The text below stays while the walk goes on: it speaks of its own step.
                     if later {
-                        said(ui, theme, &format!("at step {step}"));
+                        said(ui, theme, &format!("at\u{a0}step\u{a0}{step}"));
                     }
                 });
             }
@@ -79,7 +147,14 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -
         },
     }
     ui.add_space(8.0);
-    question::show(ui, state, theme, formulas).or(asked)
+    let top = ui.cursor().top();
+    let asked = question::show(ui, state, theme, formulas).or(asked);
+    if fresh && state.question().is_some() {
+        // A question that has just opened is seen whole, and why an answer is wrong.
+        let foot = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.min_rect().bottom() + 14.0);
+        ui.scroll_to_rect(foot, None);
+    }
+    asked
 }
 
 /// A button for each thing that the beat offers to do.
@@ -96,6 +171,7 @@ pub(super) fn offers(ui: &mut Ui, state: &State, size: f32) -> Option<Command> {
 
 /// The sentence of an event that no beat speaks of.
 fn said(ui: &mut Ui, theme: &Theme, sentence: &str) {
+    let sentence = together(sentence);
     ui.label(RichText::new(sentence).font(font(Face::Regular, 14.5)).color(ink(theme, Role::Quiet)));
 }
 

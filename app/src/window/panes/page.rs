@@ -7,6 +7,7 @@ use raystep_accel::{Place, Ray};
 use raystep_figure::{Theme, TreeView};
 use raystep_paint::Mesh;
 
+use super::notices::Notices;
 use super::sight::Sight;
 use crate::shown::beside::Pace;
 use crate::shown::camera::Seen;
@@ -38,6 +39,8 @@ pub(crate) enum Asked {
     Command(Command),
     /// A click on a place; beside everything, on none.
     Pick(Option<Place>),
+    /// A click on a line of the listing.
+    Line(usize),
     /// A change begins that undo shall take back in one.
     Keep,
     /// Another place to look from, as part of that change.
@@ -61,6 +64,8 @@ pub(crate) struct Kept {
     pub(crate) pictures: Option<Pictures>,
     /// How space is looked at.
     pub(crate) sight: Sight,
+    /// What is said to the user.
+    pub(crate) notices: Notices,
     pub(super) formulas: Formulas,
     pub(super) tree: TreeView,
     hovered: Option<Place>,

@@ -24,8 +24,9 @@ use crate::window::look::visuals::{fill, ink};
 
 /// Shows the page in the whole window; says which place the pointer is on.
 pub(crate) fn page(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec<Asked>) -> Option<Place> {
-    let rect = ui.max_rect();
-    ui.painter().rect_filled(rect, 0.0, fill(page.theme, Role::Page));
+    ui.painter().rect_filled(ui.max_rect(), 0.0, fill(page.theme, Role::Page));
+    kept.notices.strip(ui, page.theme);
+    let rect = ui.available_rect_before_wrap();
     // Everything follows from the height: body text is a twenty-eighth of it or larger.
     let body = (rect.height() / 27.0).clamp(16.0, 64.0).min(rect.width() / 44.0);
     let margin = body * 1.4;
@@ -83,7 +84,7 @@ fn heading(ui: &Ui, page: Page<'_>, rect: Rect, body: f32) {
 /// Shows what has been done so far, and the way back; says whether that was taken.
 fn footer(ui: &mut Ui, page: Page<'_>, pictures: &Pictures, rect: Rect, body: f32) -> bool {
     let (playback, step) = (&pictures.playback, page.state.view.step);
-    let tally = playback.reel().still(&pictures.instant).tally();
+    let tally = pictures.tally();
     let says = format!("step {step} of {} · {tally}", playback.steps().last());
     caption(
         ui.painter(),

@@ -5,6 +5,7 @@ use glam::Vec3;
 use raystep_accel::{Place, Ray};
 use raystep_figure::{Camera, Figure, Form, Role, Space, Theme};
 
+use super::columns::BORDER;
 use crate::shown::eye;
 use crate::window::look::painter::{paint_figure, paint_labels, place_at};
 
@@ -59,7 +60,8 @@ pub(crate) struct Picture<'a> {
 impl Picture<'_> {
     /// Draws the picture in `rect` and says what happened there.
     pub(crate) fn show(&self, ui: &mut Ui, rect: Rect, name: &str, hold: &mut Option<Hold>) -> Happened {
-        let response = ui.allocate_rect(rect, Sense::click_and_drag());
+        let response = ui.allocate_rect(rect, Sense::hover());
+        let response = ui.interact(rect.shrink(BORDER), response.id.with("picture"), Sense::click_and_drag());
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, name));
         let painter = ui.painter_at(rect);
         if self.painted {

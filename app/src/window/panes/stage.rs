@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Aabb, Cost, Event, Place, Structure, Verdict, Visit};
-use raystep_figure::{Camera, Face, Look, Role, axes};
+use raystep_figure::{Camera, Face, Look, Role, Still, axes};
 
 use super::figure;
 use super::inset;
@@ -108,7 +108,8 @@ pub(super) fn stage(
         return figure::figure(ui, page, kept, Pane::Picture, rect, &look, asked);
     };
     let space = &*space;
-    let legend = if signs { pictures.legend_height(rect.width() - 28.0, &look) + 8.0 } else { 0.0 };
+    // The same room at every step: the picture stands still.
+    let legend = if signs { Still::legend_room(rect.width() - 28.0, &look) } else { 0.0 };
     let legend = if rect.height() > 260.0 { legend } else { 0.0 };
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
     let camera = sight.camera(page.state, space, glam_size(picture));

@@ -27,6 +27,7 @@ pub(crate) fn page(
     let left = Panel::left(columns::salt("lesson", dragged, width)).frame(ground);
     let left = left.default_size(dragged.unwrap_or(usual).min(widest)).size_range(220.0..=widest);
     let shown = left.show(ui, |ui| {
+        kept.notices.strip(ui, page.theme);
         if page.state.by_hand {
             let height = ui.available_height();
             let below = Panel::bottom("by hand").frame(Frame::new()).default_size(height * 0.46);

@@ -1,16 +1,17 @@
 //! The building of a structure.
 
+use glam::Vec2;
 use raystep_accel::{Aabb, Place, Primitives, Prims, Structure};
 
 use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, TreeView, cells_of_build, costs, legend, listing, space_of_build, stack_of_build, timeline_of_build,
-    tree_of_build, weighed, weighing, work_of_build,
+    Ask, Pane, TreeView, cells_of_build, changed_of_build, costs, ghost_of_build, legend, listing, space_of_build,
+    stack_of_build, symbol_of_build_at, timeline_of_build, tree_of_build, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
-use crate::words::{Fact, VolumeName, counted};
+use crate::words::{Fact, Symbol, VolumeName, counted};
 use crate::world::Space;
 
 impl Build<'_> {
@@ -34,7 +35,7 @@ impl Kind for Build<'_> {
     }
 
     fn panes(&self) -> Vec<Pane> {
-        let mut panes = vec![Pane::Tree, Pane::Cells, Pane::Listing, Pane::Work, Pane::Timeline];
+        let mut panes = vec![Pane::Tree, Pane::Cells, Pane::Listing, Pane::Changed, Pane::Work, Pane::Timeline];
         // The cells of a grid are not weighed, and are filled one after the other.
         if self.structure.node_count() > 0 {
             panes.extend([Pane::Ruler, Pane::RulerLine, Pane::Stack, Pane::StackHere]);
@@ -76,6 +77,18 @@ impl Kind for Build<'_> {
 
     fn space(&self, at: &Instant) -> Option<Space> {
         Some(space_of_build(self, at.state()))
+    }
+
+    fn ghost(&self, before: &Instant, at: &Instant, space: &mut Space) {
+        ghost_of_build(self, before.state(), at.state(), space);
+    }
+
+    fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
+        Some(changed_of_build(before.state(), at.state(), ask.size, &ask.look))
+    }
+
+    fn symbol_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
+        symbol_of_build_at(self, at.step(), ask, point)
     }
 
     fn prims(&self) -> &Prims {

@@ -1,12 +1,13 @@
 //! What a kind of picture says of itself.
 
+use glam::Vec2;
 use raystep_accel::{Aabb, Cost, Direction, Place, Prims};
 
 use super::Instant;
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, Pane};
+use crate::panes::{Ask, Pane, symbol_on_track};
 use crate::theme::Role;
-use crate::words::{Fact, VolumeName};
+use crate::words::{Fact, Symbol, VolumeName};
 use crate::world::Space;
 
 /// Something that is shown step by step. A kind says how many steps it has, keeps the state that pictures of a
@@ -27,7 +28,7 @@ pub trait Kind {
     /// Lets steps happen until `step` have. Steps already taken are not taken back.
     fn advance(&self, at: &mut Instant, step: usize);
 
-    /// The panes that [`draw`](Kind::draw) draws.
+    /// The panes that [`draw`](Kind::draw) draws, and [`Pane::Changed`] if [`changed`](Kind::changed) does.
     fn panes(&self) -> Vec<Pane>;
 
     /// A pane at an instant; nothing if it is not one of [`panes`](Kind::panes).
@@ -43,6 +44,22 @@ pub trait Kind {
     fn space(&self, at: &Instant) -> Option<Space> {
         let _ = at;
         None
+    }
+
+    /// Puts the outline of the place where an earlier instant stood below the marks of space.
+    fn ghost(&self, before: &Instant, at: &Instant, space: &mut Space) {
+        let _ = (before, at, space);
+    }
+
+    /// The values that have changed since an earlier instant; nothing if none are followed.
+    fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
+        let _ = (before, at, ask);
+        None
+    }
+
+    /// The symbol whose name stands at this point of the timeline.
+    fn symbol_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
+        symbol_on_track(self.len(), &|step| self.fact(step), self.volume(), self.flat(), at.step(), ask, point)
     }
 
     /// The primitives that space is about.

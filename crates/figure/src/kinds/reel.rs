@@ -6,7 +6,7 @@ use raystep_accel::{Place, Prims};
 
 use super::{Guess, Instant, Kind, Still};
 use crate::panes::Pane;
-use crate::words::VolumeName;
+use crate::words::{Fact, Symbol, VolumeName};
 
 /// Something that is shown step by step: a walk, a build, or any other [`Kind`].
 pub struct Reel<'a>(Box<dyn Kind + 'a>);
@@ -78,6 +78,13 @@ impl<'a> Reel<'a> {
     /// The primitives that space is about.
     pub fn prims(&self) -> &Prims {
         self.0.prims()
+    }
+
+    /// The steps that show something with this symbol on the timeline.
+    pub fn steps_with(&self, symbol: &Symbol) -> Vec<usize> {
+        let shown = |fact: &&dyn Fact| !(self.flat() && fact.concerns_z());
+        let has = |step: &usize| self.0.fact(*step).filter(shown).is_some_and(|fact| fact.symbol() == Some(*symbol));
+        (1..=self.len()).filter(has).collect()
     }
 
     /// The steps that show something at a place, counted from 1.

@@ -2,12 +2,13 @@
 
 use std::borrow::Cow;
 
+use glam::Vec2;
 use raystep_accel::{Aabb, Cost, Place};
 
 use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, Pane, legend, track};
-use crate::words::Fact;
+use crate::panes::{Ask, Pane, legend, line_at, track};
+use crate::words::{Fact, Symbol};
 use crate::world::Space;
 
 /// One step, with what it belongs to. Window and page draw this and need not know which kind it is.
@@ -15,6 +16,8 @@ use crate::world::Space;
 pub struct Still<'a> {
     kind: &'a dyn Kind,
     at: &'a Instant,
+    /// The instant with which it is compared.
+    before: Option<&'a Instant>,
 }
 
 /// Whether a kind has anything to show in a pane. Whatever has steps has a timeline, and whatever names signs a
@@ -29,7 +32,12 @@ pub(super) fn has(kind: &dyn Kind, pane: Pane) -> bool {
 
 impl<'a> Still<'a> {
     pub(super) fn new(kind: &'a dyn Kind, at: &'a Instant) -> Still<'a> {
-        Still { kind, at }
+        Still { kind, at, before: None }
+    }
+
+    /// The same, compared with an earlier instant: space shows where that one stood, and a pane what has changed.
+    pub fn since(self, before: &'a Instant) -> Still<'a> {
+        Still { before: Some(before), ..self }
     }
 
     /// How many steps have happened.
@@ -49,7 +57,11 @@ impl<'a> Still<'a> {
 
     /// What space shows, if there is space.
     pub fn space(&self) -> Option<Space> {
-        self.kind.space(self.at)
+        let mut space = self.kind.space(self.at)?;
+        if let Some(before) = self.before {
+            self.kind.ghost(before, self.at, &mut space);
+        }
+        Some(space)
     }
 
     /// Whether there is anything to show in a pane.
@@ -64,6 +76,7 @@ impl<'a> Still<'a> {
                 let space = ask.space.map(Cow::Borrowed).or_else(|| self.space().map(Cow::Owned))?;
                 Some(legend::legend(&space, self.kind.signs(), ask.size, &ask.look))
             }
+            Pane::Changed => self.kind.changed(self.before.unwrap_or(self.at), self.at, ask),
             Pane::Timeline => Some(track(
                 self.kind.len(),
                 &|step| self.kind.fact(step),
@@ -82,9 +95,24 @@ impl<'a> Still<'a> {
         self.kind.height(pane, look)
     }
 
+    /// How much room a legend of this width has at every step, so that what stands beside it never moves.
+    pub fn legend_room(width: f32, look: &Look) -> f32 {
+        legend::legend_room(width, look)
+    }
+
     /// How high a legend of this width becomes.
     pub fn legend_height(&self, space: &Space, width: f32, look: &Look) -> f32 {
         legend::legend_height(space, self.kind.signs(), width, look)
+    }
+
+    /// Which line of the listing that is asked for stands at this height.
+    pub fn line_at(&self, ask: &Ask<'_>, y: f32) -> Option<usize> {
+        line_at(ask.lines, self.fact(), self.flat(), ask.size, &ask.look, y)
+    }
+
+    /// The symbol whose name stands at this point of the timeline that is asked for.
+    pub fn symbol_at(&self, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
+        self.kind.symbol_at(self.at, ask, point)
     }
 
     /// How many rows its stack has.

@@ -1,16 +1,17 @@
 //! A ray's walk.
 
+use glam::Vec2;
 use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Visit};
 
 use super::{Guess, Instant, Kind};
 use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, TreeView, bytes, cells, legend, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs,
-    space, stack, tested, timeline, tree, work,
+    Ask, Pane, TreeView, bytes, cells, changed, ghost, legend, listing, ruler, ruler_height, ruler_line,
+    ruler_line_height, slabs, space, stack, symbol_at, tested, timeline, tree, work,
 };
 use crate::theme::Role;
-use crate::words::{Fact, VolumeName};
+use crate::words::{Fact, Symbol, VolumeName};
 use crate::world::Space;
 
 /// What is larger than this part of the scene is seen well enough in the picture of all of it.
@@ -38,6 +39,7 @@ impl Kind for Walk<'_> {
             Pane::Slabs,
             Pane::Bytes,
             Pane::Listing,
+            Pane::Changed,
             Pane::Work,
             Pane::Timeline,
         ];
@@ -52,12 +54,12 @@ impl Kind for Walk<'_> {
         let moment: &Moment = at.state();
         let Ask { size, ref look, hide, .. } = *ask;
         Some(match pane {
-            Pane::Ruler => ruler(self, moment, size, look),
-            Pane::RulerLine => ruler_line(self, moment, size, look),
+            Pane::Ruler => ruler(self, moment, hide, size, look),
+            Pane::RulerLine => ruler_line(self, moment, hide, size, look),
             Pane::Tree => tree(self, moment, ask.view.unwrap_or(&TreeView::default()), size, look),
             Pane::Cells => cells(self, moment, hide, size, look),
-            Pane::Slabs => slabs(self, moment, size, look),
-            Pane::Bytes => bytes(self, moment, size, look),
+            Pane::Slabs => slabs(self, moment, hide, size, look),
+            Pane::Bytes => bytes(self, moment, hide, size, look),
             Pane::Listing => listing("Walk", ask.lines, self.fact(at.step()), self.flat, size, look),
             Pane::Stack | Pane::StackHere if self.structure.node_count() > 0 => {
                 stack(self, moment, pane == Pane::StackHere, size, look)
@@ -75,6 +77,18 @@ impl Kind for Walk<'_> {
 
     fn space(&self, at: &Instant) -> Option<Space> {
         Some(space(self, at.state()))
+    }
+
+    fn ghost(&self, before: &Instant, at: &Instant, space: &mut Space) {
+        ghost(self, before.state(), at.state(), space);
+    }
+
+    fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
+        Some(changed(self, before.state(), at.state(), ask.size, &ask.look))
+    }
+
+    fn symbol_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
+        symbol_at(self, at.step(), ask, point)
     }
 
     fn prims(&self) -> &Prims {

@@ -56,6 +56,13 @@ impl Look {
     }
 }
 
+/// A pane that says why it shows nothing.
+pub fn nothing(title: &str, says: &str, size: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(size);
+    look.nothing(&mut figure, title, says);
+    figure
+}
+
 /// Adds one line of text, if there is any.
 pub(crate) fn write(
     figure: &mut Figure,

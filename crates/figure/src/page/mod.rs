@@ -6,7 +6,7 @@ mod table;
 mod ticks;
 
 pub use figure::{Anchor, Figure, Image, Ink, Mark};
-pub use look::Look;
+pub use look::{Look, nothing};
 pub(crate) use look::{block, line, wrapped, write};
 pub(crate) use table::{Entry, Table};
 pub(crate) use ticks::Ticks;

@@ -9,13 +9,18 @@ use crate::theme::{Face, Role, text_width};
 use crate::words::number;
 
 /// The node where the walk stands, in each layout on one scale: its fields with what stands in them, and beside
-/// them the bits of a word that says several things.
-pub fn bytes(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+/// them the bits of a word that says several things. While a question asks what stands there, `hide` leaves the
+/// fields empty.
+pub fn bytes(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let Structure::Kd(tree) = walk.structure else {
         look.nothing(&mut figure, "Bytes", "Only the nodes of a kd-tree are shown as bytes.");
         return figure;
     };
+    if moment.here.is_none() && moment.seen.is_empty() && moment.ending.is_none() {
+        look.nothing(&mut figure, "Bytes", "No node has been entered yet.");
+        return figure;
+    }
     let node = match moment.here.or(moment.event.map(|event| event.place())) {
         Some(Place::Node(node)) => node,
         _ => NodeId::ROOT,
@@ -30,14 +35,14 @@ pub fn bytes(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
         look.nothing(&mut figure, "", "This tree is too large for addresses of 32 bits.");
         return figure;
     }
-    let height = ((size.y - top - look.margin() * 0.5) / rows.len() as f32).min(look.text * 4.2);
-    // All rows on one scale: the largest layout fills the width.
-    let u = look.text.min(height / 3.1);
+    // All rows on one scale: the largest layout fills the width. In a tall pane the letters grow with it.
+    let height = ((size.y - top - look.margin() * 0.5) / rows.len() as f32).min(look.text * 5.4);
+    let u = (look.text * 1.3).min(height / 3.1);
     let left = look.margin() + text_width("25 bytes  ", Face::Bold, u);
     let widest = rows.iter().map(|(layout, _)| layout.bytes(Machine::Printed)).max().unwrap_or(1);
     let byte = (size.x - look.margin() - left) / widest as f32;
     for (index, (layout, fields)) in rows.iter().enumerate() {
-        let row = Row { node, leaf, u, byte, left, y: top + height * index as f32 };
+        let row = Row { node, leaf, hide, u, byte, left, y: top + height * index as f32 };
         row.draw(&mut figure, *layout, fields, size.x - look.margin());
     }
     figure
@@ -47,6 +52,8 @@ pub fn bytes(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
 struct Row {
     node: NodeId,
     leaf: bool,
+    /// Whether what stands in the fields is asked for.
+    hide: bool,
     u: f32,
     /// The width of a byte.
     byte: f32,
@@ -70,8 +77,8 @@ impl Row {
         let mut x = self.left;
         for (field, word) in fields {
             let width = self.byte * Machine::Printed.bytes(field.word) as f32;
-            let name = self.named(field.name);
-            let shown = self.says(field, name, *word);
+            let name = if self.hide { "" } else { self.named(field.name) };
+            let shown = if self.hide { Some("?".to_owned()) } else { self.says(field, name, *word) };
             let role = if shown.is_some() { Role::Seen } else { Role::Edge };
             // The boxes alone belong to the node: a hovered one lights them, not every word.
             figure.add(role, place, block(Vec2::new(x, self.y), Vec2::new(width, u * 1.7), 0.0));
@@ -80,7 +87,7 @@ impl Row {
             self.fitted(figure, Role::Quiet, Vec2::new(middle, self.y + u * 2.2), name, width);
             x += width;
         }
-        if let Some((field, word)) = fields.iter().find(|(field, _)| !field.bits.is_empty()) {
+        if let Some((field, word)) = fields.iter().find(|(field, _)| !field.bits.is_empty() && !self.hide) {
             self.bits(figure, field, *word, x + u * 1.6, right);
         }
     }
@@ -147,13 +154,13 @@ impl Row {
         }
     }
 
-    /// Text around a middle, in smaller letters if it is too wide.
+    /// Text around a middle, in smaller letters if it is too wide; never so small that it cannot be read.
     fn fitted(&self, figure: &mut Figure, role: Role, middle: Vec2, text: &str, width: f32) {
         let (face, largest) = match role {
             Role::Value => (Face::Mono, self.u * 0.95),
             _ => (Face::Regular, self.u * 0.75),
         };
-        let size = largest.min((width - self.u * 0.2) / text_width(text, face, 1.0).max(0.01));
+        let size = largest.min((width - self.u * 0.2) / text_width(text, face, 1.0).max(0.01)).max(self.u * 0.62);
         write(figure, role, None, middle, text, size, face, Anchor::Middle);
     }
 }

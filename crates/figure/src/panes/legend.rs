@@ -12,6 +12,7 @@ pub(crate) const OF_WALK: &[(Role, &str)] = &[
     (Role::Ray, "ray"),
     (Role::Live, "part under consideration"),
     (Role::Here, "where the walk is"),
+    (Role::Ghost, "where it was before"),
     (Role::Guess, "possible answer"),
     (Role::Waiting, "waits on the stack"),
     (Role::Seen, "visited"),
@@ -30,6 +31,7 @@ pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),
     (Role::Ray, "its box"),
     (Role::Here, "under consideration"),
+    (Role::Ghost, "where it was before"),
     (Role::Best, "sets a side of the box"),
     (Role::Guess, "possible answer"),
     (Role::Waiting, "still to be decided"),
@@ -40,16 +42,35 @@ pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Dropped, "not reached"),
 ];
 
-/// A sample and a few words for each kind of mark in `space`, in as many rows as needed.
+/// A sample and a few words for each kind of mark in `space`, in as many rows as needed. Where those do not fit into
+/// the figure, the letters are smaller; then what explains itself is left out.
 pub(crate) fn legend(space: &Space, words: &[(Role, &'static str)], size: Vec2, look: &Look) -> Figure {
+    let mut all = meanings(space, words);
+    let fits = |figure: &Figure, u: f32| size.y <= 0.0 || foot(figure) + u * 0.5 <= size.y;
+    loop {
+        for part in [1.0, 0.92, 0.85] {
+            let figure = rows(&all, size, look, part);
+            if fits(&figure, look.text * part) {
+                return figure;
+            }
+        }
+        let plain = |(role, _): &(Role, &str)| matches!(role, Role::Scene | Role::Ray | Role::Tick | Role::Ghost);
+        match all.iter().position(plain) {
+            Some(index) => all.remove(index),
+            None => return rows(&all, size, look, 0.8),
+        };
+    }
+}
+
+fn rows(all: &[(Role, &'static str)], size: Vec2, look: &Look, part: f32) -> Figure {
     let mut figure = Figure::new(size);
-    let (u, small) = (look.text, look.small());
+    let (u, small) = (look.text * part, look.small() * part);
     let (sample, gap) = (u * 1.5, u * 0.5);
     let (mut x, mut y) = (look.margin(), look.margin() + u * 0.5);
-    for (role, words) in meanings(space, words) {
+    for &(role, words) in all {
         let width = sample + gap + text_width(words, Face::Regular, small);
         if x > look.margin() && x + width > size.x - look.margin() {
-            (x, y) = (look.margin(), y + look.line());
+            (x, y) = (look.margin(), y + look.line() * part);
         }
         figure.add(role, None, shape(role, Vec2::new(x, y), sample, u));
         let at = Vec2::new(x + sample + gap, y);
@@ -59,14 +80,25 @@ pub(crate) fn legend(space: &Space, words: &[(Role, &'static str)], size: Vec2, 
     figure
 }
 
-/// How high a legend of this width becomes.
-pub(crate) fn legend_height(space: &Space, words: &[(Role, &'static str)], width: f32, look: &Look) -> f32 {
-    let figure = legend(space, words, Vec2::new(width, 0.0), look);
-    let lowest = figure.marks.iter().filter_map(|mark| match mark.ink {
+/// The middle of the lowest line.
+fn foot(figure: &Figure) -> f32 {
+    let lines = figure.marks.iter().filter_map(|mark| match mark.ink {
         Ink::Text { at, .. } => Some(at.y),
         _ => None,
     });
-    lowest.fold(0.0, f32::max) + look.margin() + look.text * 0.5
+    lines.fold(0.0, f32::max)
+}
+
+/// How high a legend of this width becomes.
+pub(crate) fn legend_height(space: &Space, words: &[(Role, &'static str)], width: f32, look: &Look) -> f32 {
+    let figure = legend(space, words, Vec2::new(width, 0.0), look);
+    foot(&figure) + look.margin() + look.text * 0.5
+}
+
+/// The room that a legend of this width has, whatever it has to explain.
+pub(crate) fn legend_room(width: f32, look: &Look) -> f32 {
+    let rows = if width > look.text * 42.0 { 2.0 } else { 3.0 };
+    look.margin() + look.line() * rows + look.text * 0.3
 }
 
 /// The kinds of marks that occur.

@@ -33,20 +33,9 @@ pub fn listing(
     look: &Look,
 ) -> Figure {
     let mut figure = Figure::new(size);
-    let top = look.heading(&mut figure, title, "");
-    let current = lines.iter().position(|line| line.current);
-    let values = current.and_then(|line| {
-        let template = lines[line].values?;
-        Some(if flat { fill(&without_z(template), event?) } else { fill(template, event?) })
-    });
-
-    // As many rows as fit, the current line a third from the top of them; one row more for its numbers.
-    let row = look.line();
-    let rows = (((size.y - top - look.margin() * 0.5) / row) as usize).max(1);
-    let extra = usize::from(values.is_some()) + lines.iter().filter(|line| line.instead.is_some()).count();
-    let room = rows.saturating_sub(extra).max(1);
-    let first = current.map_or(0, |line| line.saturating_sub(room / 3)).min(lines.len().saturating_sub(room));
-    let shown = first..lines.len().min(first + room);
+    look.heading(&mut figure, title, "");
+    let Rows { current, values, shown, row, top } = rows(lines, event, flat, size, look);
+    let first = shown.start;
 
     // A little smaller rather than cut off.
     let left = look.margin() + look.text * 0.6;
@@ -90,6 +79,52 @@ pub fn listing(
         }
     }
     figure
+}
+
+/// Which of a listing's lines stands at this height in the figure that [`listing`] draws.
+pub fn line_at(
+    lines: &[ListingLine<'_>],
+    event: Option<&dyn Fact>,
+    flat: bool,
+    size: Vec2,
+    look: &Look,
+    y: f32,
+) -> Option<usize> {
+    let Rows { current, values, shown, row, mut top } = rows(lines, event, flat, size, look);
+    shown.into_iter().find(|&index| {
+        let numbers = usize::from(Some(index) == current && values.is_some());
+        let height = row * (1 + numbers + usize::from(lines[index].instead.is_some())) as f32;
+        top += height;
+        (top - height..top).contains(&y)
+    })
+}
+
+/// Where the lines of a listing stand.
+struct Rows {
+    current: Option<usize>,
+    /// The numbers under the current line.
+    values: Option<String>,
+    /// The lines that there is room for.
+    shown: std::ops::Range<usize>,
+    /// The height of a line.
+    row: f32,
+    top: f32,
+}
+
+/// As many lines as fit, the current one a third from the top of them; one row more for its numbers.
+fn rows(lines: &[ListingLine<'_>], event: Option<&dyn Fact>, flat: bool, size: Vec2, look: &Look) -> Rows {
+    let top = look.heading(&mut Figure::default(), "", "");
+    let current = lines.iter().position(|line| line.current);
+    let values = current.and_then(|line| {
+        let template = lines[line].values?;
+        Some(if flat { fill(&without_z(template), event?) } else { fill(template, event?) })
+    });
+    let row = look.line();
+    let rows = (((size.y - top - look.margin() * 0.5) / row) as usize).max(1);
+    let extra = usize::from(values.is_some()) + lines.iter().filter(|line| line.instead.is_some()).count();
+    let room = rows.saturating_sub(extra).max(1);
+    let first = current.map_or(0, |line| line.saturating_sub(room / 3)).min(lines.len().saturating_sub(room));
+    Rows { current, values, shown: first..lines.len().min(first + room), row, top }
 }
 
 /// A template without what it says of the z axis: `x {{next_x}}  y {{next_y}}  z {{next_z}}`.

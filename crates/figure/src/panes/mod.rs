@@ -2,6 +2,7 @@
 
 mod bytes;
 mod cells;
+mod changed;
 mod costs;
 pub(crate) mod legend;
 mod listing;
@@ -17,15 +18,16 @@ mod work;
 
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
+pub use changed::{changed, changed_of_build};
 pub use costs::costs;
-pub use listing::{ListingLine, listing};
+pub use listing::{ListingLine, line_at, listing};
 pub use pane::{Ask, Pane};
 pub use ruler::{ruler, ruler_height, ruler_line, ruler_line_height};
 pub use slabs::slabs;
-pub use space::{space, space_of_build};
+pub use space::{ghost, ghost_of_build, space, space_of_build};
 pub use stack::{stack, stack_height, stack_of_build};
-pub(crate) use timeline::track;
 pub use timeline::{Track, timeline, timeline_of_build};
+pub(crate) use timeline::{symbol_at, symbol_of_build_at, symbol_on_track, track};
 pub use tree::{TreeView, tree, tree_of_build};
 pub(crate) use weighing::weighing;
 pub(crate) use work::weighed;

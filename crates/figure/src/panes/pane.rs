@@ -26,6 +26,8 @@ pub enum Pane {
     Bytes,
     /// The algorithm with the line of this step.
     Listing,
+    /// What is not as it was at the step before.
+    Changed,
     /// What waits.
     Stack,
     /// What waits, with the current place on top.
@@ -40,7 +42,7 @@ pub enum Pane {
 
 impl Pane {
     /// Every pane.
-    pub const ALL: [Pane; 13] = [
+    pub const ALL: [Pane; 14] = [
         Pane::Picture,
         Pane::Ruler,
         Pane::RulerLine,
@@ -49,6 +51,7 @@ impl Pane {
         Pane::Slabs,
         Pane::Bytes,
         Pane::Listing,
+        Pane::Changed,
         Pane::Stack,
         Pane::StackHere,
         Pane::Work,
@@ -76,6 +79,7 @@ impl Pane {
             Pane::Slabs => "Slabs",
             Pane::Bytes => "Bytes",
             Pane::Listing => "Walk",
+            Pane::Changed => "Changed",
             Pane::Stack | Pane::StackHere => "Stack",
             Pane::Work => "Work",
             Pane::Legend => "Signs",

@@ -1,5 +1,7 @@
 //! The walk from its first step to its last, to be scrubbed.
 
+use std::borrow::Cow;
+
 use glam::Vec2;
 use raystep_accel::Place;
 
@@ -8,7 +10,7 @@ use crate::moments::{Build, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::fact::{grow, visit};
-use crate::words::{Fact, Symbol, VolumeName};
+use crate::words::{Fact, Symbol, VolumeName, veiled_visit};
 
 /// Most symbols on one track.
 const MOST: usize = 240;
@@ -50,33 +52,18 @@ impl Track {
 /// a question is open, `hide_ahead` leaves out what is still to come.
 pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(walk.structure);
-    let fact = |step: usize| -> Option<&dyn Fact> { Some(walk.events.get(step - 1)?) };
-    let lost = if walk.lost > 0 { format!("not kept: {} more steps", walk.lost) } else { String::new() };
-    let tape = Recorded {
-        steps: walk.events.len(),
-        fact: &fact,
-        symbols: visit::SYMBOLS,
-        lost: &lost,
-        flat: walk.flat,
-        volume,
-    };
-    draw(&tape, step, hide_ahead, size, look)
+    let fact = |step: usize| -> Option<&dyn Fact> { Some(walk.events.get(step.checked_sub(1)?)?) };
+    let now = step.checked_sub(1).and_then(|index| walk.events.get(index));
+    let says = now.map(|event| if hide_ahead { veiled_visit(event).short(volume) } else { event.short(volume) });
+    draw(&of_walk(walk, &not_kept(walk), &fact), step, says, hide_ahead, size, look)
 }
 
 /// The track of a build.
 pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
     let volume = VolumeName::of(build.structure);
-    let lost = grow::left_out(build.lost, volume);
-    let fact = |step: usize| -> Option<&dyn Fact> { Some(build.events.get(step - 1)?) };
-    let tape = Recorded {
-        steps: build.events.len(),
-        fact: &fact,
-        symbols: grow::SYMBOLS,
-        lost: &lost,
-        flat: build.flat,
-        volume,
-    };
-    draw(&tape, step, hide_ahead, size, look)
+    let fact = |step: usize| -> Option<&dyn Fact> { Some(build.events.get(step.checked_sub(1)?)?) };
+    let says = fact(step).map(|event| event.short(volume));
+    draw(&of_build(build, &grow::left_out(build.lost, volume), &fact), step, says, hide_ahead, size, look)
 }
 
 /// The track of steps of any kind: `fact` says what each shows, the first one being 1.
@@ -88,7 +75,9 @@ pub(crate) fn track<'a>(
     step: usize,
     ask: &Ask<'_>,
 ) -> Figure {
-    draw(&Recorded { steps, fact, symbols: &[], lost: "", flat, volume }, step, ask.hide, ask.size, &ask.look)
+    let says = step.checked_sub(1).and_then(|_| fact(step)).map(|fact| fact.short(volume));
+    let tape = Recorded { steps, fact, symbols: &[], lost: "", flat, volume };
+    draw(&tape, step, says, ask.hide, ask.size, &ask.look)
 }
 
 /// What is on a track.
@@ -104,16 +93,37 @@ struct Recorded<'a> {
     volume: VolumeName,
 }
 
-fn draw(tape: &Recorded<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
-    let Recorded { steps, fact, lost, volume, .. } = *tape;
+/// How many steps of a walk were not recorded, in words.
+fn not_kept(walk: &Walk<'_>) -> String {
+    if walk.lost > 0 { format!("not kept: {} more steps", walk.lost) } else { String::new() }
+}
+
+fn of_walk<'a>(walk: &Walk<'_>, lost: &'a str, fact: &'a dyn Fn(usize) -> Option<&'a dyn Fact>) -> Recorded<'a> {
+    let volume = VolumeName::of(walk.structure);
+    Recorded { steps: walk.events.len(), fact, symbols: visit::SYMBOLS, lost, flat: walk.flat, volume }
+}
+
+fn of_build<'a>(build: &Build<'_>, lost: &'a str, fact: &'a dyn Fn(usize) -> Option<&'a dyn Fact>) -> Recorded<'a> {
+    let volume = VolumeName::of(build.structure);
+    Recorded { steps: build.events.len(), fact, symbols: grow::SYMBOLS, lost, flat: build.flat, volume }
+}
+
+fn draw(
+    tape: &Recorded<'_>,
+    step: usize,
+    says: Option<Cow<'static, str>>,
+    hide_ahead: bool,
+    size: Vec2,
+    look: &Look,
+) -> Figure {
+    let Recorded { steps, lost, .. } = *tape;
     let mut figure = Figure::new(size);
     let track = Track::new(steps, size, look);
     let (small, u) = (look.small(), look.text);
 
     // What is shown now, in words.
     let count = format!("step {step} of {steps}");
-    let says = if step > 0 { fact(step) } else { None };
-    let says = says.map_or("at the very beginning".into(), |fact| fact.short(volume));
+    let says = says.unwrap_or("at the very beginning".into());
     let (above, below) = (Vec2::new(look.margin(), track.y - 0.65 * u), Vec2::new(look.margin(), track.y + 0.75 * u));
     write(&mut figure, Role::Text, None, above, &count, u, Face::Bold, Anchor::Start);
     write(&mut figure, Role::Quiet, None, below, &says, small, Face::Regular, Anchor::Start);
@@ -136,15 +146,55 @@ fn draw(tape: &Recorded<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &L
         figure.add(role, None, Ink::Circle { center: now, radius: u * 0.5 });
     }
 
-    let right = if !lost.is_empty() {
+    if !lost.is_empty() {
         let at = Vec2::new(track.right, track.y + 1.5 * u);
         write(&mut figure, Role::Quiet, None, at, lost, small, Face::Regular, Anchor::End);
-        track.right - text_width(lost, Face::Regular, small) - u
-    } else {
-        track.right
-    };
-    legend_row(&mut figure, told, tape, Vec2::new(track.left, track.y + 1.5 * u), right, look);
+    }
+    let y = track.y + 1.5 * u;
+    for Named { symbol, name, left, .. } in legend_row(told, tape, &track, look) {
+        let sign = Vec2::new(left + small * 0.4, y);
+        write(&mut figure, symbol.role, None, sign, symbol.sign, small, Face::Medium, Anchor::Middle);
+        let beside = Vec2::new(left + small * 1.2, y);
+        write(&mut figure, Role::Quiet, None, beside, name, small, Face::Regular, Anchor::Start);
+    }
     figure
+}
+
+/// The symbol whose name stands at this point of the legend of a walk's timeline.
+pub(crate) fn symbol_at(walk: &Walk<'_>, step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
+    let fact = |step: usize| -> Option<&dyn Fact> { Some(walk.events.get(step.checked_sub(1)?)?) };
+    named_at(&of_walk(walk, &not_kept(walk), &fact), step, ask, point)
+}
+
+/// The same on the timeline of a build.
+pub(crate) fn symbol_of_build_at(build: &Build<'_>, step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
+    let fact = |step: usize| -> Option<&dyn Fact> { Some(build.events.get(step.checked_sub(1)?)?) };
+    let lost = grow::left_out(build.lost, VolumeName::of(build.structure));
+    named_at(&of_build(build, &lost, &fact), step, ask, point)
+}
+
+/// The same on the track of steps of any kind.
+pub(crate) fn symbol_on_track<'a>(
+    steps: usize,
+    fact: &'a dyn Fn(usize) -> Option<&'a dyn Fact>,
+    volume: VolumeName,
+    flat: bool,
+    step: usize,
+    ask: &Ask<'_>,
+    point: Vec2,
+) -> Option<Symbol> {
+    named_at(&Recorded { steps, fact, symbols: &[], lost: "", flat, volume }, step, ask, point)
+}
+
+fn named_at(tape: &Recorded<'_>, step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
+    let look = &ask.look;
+    let track = Track::new(tape.steps, ask.size, look);
+    if (point.y - track.y - 1.5 * look.text).abs() > look.text * 0.8 {
+        return None;
+    }
+    let told = if ask.hide { step.min(tape.steps) } else { tape.steps };
+    let named = legend_row(told, tape, &track, look);
+    named.into_iter().find(|named| (named.left..named.right).contains(&point.x)).map(|named| named.symbol)
 }
 
 /// The symbols of the first `told` steps that stand on the track, at least `apart` points from each other.
@@ -173,9 +223,21 @@ fn crowd(told: usize, tape: &Recorded<'_>, track: &Track, apart: f32) -> Vec<(f3
     filled.filter_map(|(bin, best)| best.map(|(symbol, place)| (middle(bin), symbol, place))).collect()
 }
 
-/// The symbols that occur in the first `told` steps, with their names.
-fn legend_row(figure: &mut Figure, told: usize, tape: &Recorded<'_>, at: Vec2, right: f32, look: &Look) {
-    let (small, mut x) = (look.small(), at.x);
+/// A symbol in the legend of a timeline.
+struct Named {
+    symbol: Symbol,
+    name: &'static str,
+    left: f32,
+    right: f32,
+}
+
+/// The symbols that occur in the first `told` steps, with their names, as far as there is room.
+fn legend_row(told: usize, tape: &Recorded<'_>, track: &Track, look: &Look) -> Vec<Named> {
+    let small = look.small();
+    let room = match tape.lost {
+        "" => track.right,
+        lost => track.right - text_width(lost, Face::Regular, small) - look.text,
+    };
     let mut occur: Vec<Symbol> = Vec::new();
     for symbol in (1..=told).filter_map(|step| (tape.fact)(step)?.symbol()) {
         if !occur.contains(&symbol) {
@@ -184,16 +246,16 @@ fn legend_row(figure: &mut Figure, told: usize, tape: &Recorded<'_>, at: Vec2, r
     }
     let rank = |symbol: &Symbol| tape.symbols.iter().position(|known| known == symbol).unwrap_or(usize::MAX);
     occur.sort_by_key(rank);
-    for symbol in &occur {
-        let name = if *symbol == visit::VOLUME { tape.volume.one } else { symbol.name };
-        let width = small * 1.2 + text_width(name, Face::Regular, small);
-        if x + width > right {
+    let mut left = track.left;
+    let mut row = Vec::new();
+    for symbol in occur {
+        let name = if symbol == visit::VOLUME { tape.volume.one } else { symbol.name };
+        let right = left + small * 1.2 + text_width(name, Face::Regular, small);
+        if right > room {
             break;
         }
-        let sign = Vec2::new(x + small * 0.4, at.y);
-        write(figure, symbol.role, None, sign, symbol.sign, small, Face::Medium, Anchor::Middle);
-        let beside = Vec2::new(x + small * 1.2, at.y);
-        write(figure, Role::Quiet, None, beside, name, small, Face::Regular, Anchor::Start);
-        x += width + look.text * 1.5;
+        row.push(Named { symbol, name, left, right });
+        left = right + look.text * 1.5;
     }
+    row
 }

@@ -238,6 +238,7 @@ impl Theme {
             Role::Hover => look(stroke(self.text, 2.6, Solid), Some(self.hover.alpha(96)), self.text),
             Role::Edge => look(stroke(self.edge, 1.0, Solid), None, self.quiet),
             Role::Hidden => look(stroke(self.edge, 0.9, Dotted), None, self.quiet),
+            Role::Ghost => look(stroke(self.edge, 2.8, Dotted), None, self.quiet),
             Role::Wrong => hatched(stroke(self.wrong, 3.2, Dashed), tint(self.wrong), self.wrong),
             Role::Text => look(stroke(self.text, 1.2, Solid), None, self.text),
             Role::Quiet => look(stroke(self.edge, 1.0, Solid), None, self.quiet),

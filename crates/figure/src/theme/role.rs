@@ -41,6 +41,8 @@ pub enum Role {
     Edge,
     /// A line behind a surface: thin and dotted.
     Hidden,
+    /// Where the step before stood: pale and dotted.
+    Ghost,
     /// Where a mistaken walk goes wrong.
     Wrong,
     /// Plain text.
@@ -59,7 +61,7 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 26] = [
+    pub const ALL: [Role; 27] = [
         Role::Scene,
         Role::Ray,
         Role::Live,
@@ -79,6 +81,7 @@ impl Role {
         Role::Hover,
         Role::Edge,
         Role::Hidden,
+        Role::Ghost,
         Role::Wrong,
         Role::Text,
         Role::Quiet,

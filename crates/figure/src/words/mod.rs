@@ -6,7 +6,8 @@ mod sentence;
 mod template;
 mod volume;
 
-pub use fact::{Answer, Fact, Symbol, sentence, short};
+pub(crate) use fact::veiled_visit;
+pub use fact::{Answer, Fact, Symbol, sentence, short, veiled};
 pub(crate) use number::counted;
 pub use number::{number, value};
 pub use template::{fill, told};

@@ -13,7 +13,7 @@ use crate::theme::{Face, Role, text_width};
 use crate::words::number;
 
 /// A row for each known interval over one axis.
-pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+pub fn ruler(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     // Without a heading, room for the number of the current t, if there is one.
     let labelled = moment.event.as_ref().and_then(current_t).is_some();
@@ -43,7 +43,7 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
         let y = top + row * (index as f32 + 0.5);
         let name = Vec2::new(look.margin(), y);
         write(&mut figure, span.role, span.place, name, &span.name, letters, Face::Medium, Anchor::Start);
-        draw_span(&mut figure, &axis, span, y, letters);
+        draw_span(&mut figure, &axis, span, hide, y, letters);
     }
     if more > 0 {
         let at = Vec2::new(look.margin(), top + row * (spans.len() as f32 + 0.5));
@@ -76,7 +76,7 @@ pub fn ruler_line_height(walk: &Walk<'_>, look: &Look) -> f32 {
 }
 
 /// Everything on one line, names above: for the far end of a lecture hall.
-pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
     // Of a node about to be left, the part before what waits next.
     let mut spans = spans(walk, moment);
     if let (Some(first), Some(next)) = (spans.first().map(|span| span.interval), moment.stack.last())
@@ -88,7 +88,7 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> 
     // What lies over each other, as slabs and boxes do, needs a row each.
     let apart = spans.windows(2).all(|pair| pair[0].interval.far <= pair[1].interval.near);
     if moment.slab.is_some() || !apart {
-        return ruler(walk, moment, size, &Look { titles: false, ..*look });
+        return ruler(walk, moment, hide, size, &Look { titles: false, ..*look });
     }
     let mut figure = Figure::new(size);
     let u = look.text;
@@ -99,7 +99,7 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> 
     let now = moment.event.as_ref().and_then(current_t).filter(|t| axis.shows(*t)).map(|t| axis.x(t));
     let mut taken = f32::NEG_INFINITY;
     for span in &spans {
-        draw_span(&mut figure, &axis, span, y, u);
+        draw_span(&mut figure, &axis, span, hide, y, u);
         let mut middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
         let half = text_width(&span.name, Face::Bold, u) / 2.0;
         // Beside the line of the current t, not on it.
@@ -124,16 +124,21 @@ fn axis(walk: &Walk<'_>, left: f32, right: f32) -> Ticks {
 }
 
 /// A bar with a cap at each end, or an arrow where it runs on beyond the axis.
-fn draw_span(figure: &mut Figure, axis: &Ticks, span: &Span, y: f32, u: f32) {
+fn draw_span(figure: &mut Figure, axis: &Ticks, span: &Span, hide: bool, y: f32, u: f32) {
     let (near, far) = (span.interval.near, span.interval.far);
     if span.interval.is_empty() {
-        let says = if near.is_finite() && far.is_finite() {
+        // While a question asks what it comes to, the numbers alone.
+        let finite = near.is_finite() && far.is_finite();
+        let says = if hide {
+            format!("[{}, {}]", number(near), number(far))
+        } else if finite {
             format!("empty: {} > {}", number(near), number(far))
         } else {
             "empty".to_owned()
         };
         let at = Vec2::new(axis.left, y);
-        write(figure, Role::Wrong, span.place, at, &says, u * 0.9, Face::Regular, Anchor::Start);
+        let role = if hide { span.role } else { Role::Wrong };
+        write(figure, role, span.place, at, &says, u * 0.9, Face::Regular, Anchor::Start);
         return;
     }
     let (from, to) = (Vec2::new(axis.x(near), y), Vec2::new(axis.x(far), y));

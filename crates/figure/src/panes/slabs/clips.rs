@@ -9,7 +9,7 @@ use crate::theme::Role;
 use crate::words::number;
 
 /// A row for each face of the last hull tested, the latest at the end; of many, the last that there is room for.
-pub(super) fn table(flat: bool, done: &[Visit], size: Vec2, look: &Look) -> Figure {
+pub(super) fn table(flat: bool, done: &[Visit], hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let Some(last) = done.iter().rposition(|event| matches!(event, Visit::Clip { .. })) else { return figure };
     let place = done[last].place();
@@ -23,22 +23,22 @@ pub(super) fn table(flat: bool, done: &[Visit], size: Vec2, look: &Look) -> Figu
 
     let top = look.heading(&mut figure, &format!("Faces of {place}"), "");
     let now = (last + 1 == done.len()).then(|| done[last]);
-    let missed = matches!(done[last], Visit::Clip { empty: true, .. });
+    let missed = !hide && matches!(done[last], Visit::Clip { empty: true, .. });
     let room = if missed { look.line() } else { 0.0 };
     let fit = ((size.y - room - top) / (look.text * 1.9)).max(3.0) as usize - 1;
     let shown = &clips[clips.len().saturating_sub(fit)..];
-    let rows: Vec<_> = shown.iter().map(|event| row(event, now == Some(*event))).collect();
+    let rows: Vec<_> = shown.iter().map(|event| row(event, now == Some(*event), hide)).collect();
     let current = shown.iter().position(|event| now == Some(*event));
     let heads = vec!["face", "plane", "o", "d", "t", "ray comes", "left"];
     let end = Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, size.y - room, look);
-    if let Visit::Clip { t_near, t_far, empty: true, .. } = done[last] {
+    if let (Visit::Clip { t_near, t_far, .. }, true) = (done[last], missed) {
         let says = format!("Empty: {} > {}. The hull is missed.", number(t_near), number(t_far));
         verdict(&mut figure, Some(place), end, &says, look);
     }
     figure
 }
 
-fn row(event: &Visit, now: bool) -> Vec<Entry> {
+fn row(event: &Visit, now: bool, hide: bool) -> Vec<Entry> {
     let Visit::Clip { face, o, d, plane, t, entering, t_near, t_far, empty, .. } = *event else { return Vec::new() };
     let role = if now { Role::Value } else { Role::Text };
     let mut row = vec![Entry::new(face.to_string(), Role::Text)];
@@ -53,6 +53,6 @@ fn row(event: &Visit, now: bool) -> Vec<Entry> {
         },
         role,
     ));
-    row.push(left(t_near, t_far, empty, role));
+    row.push(left(t_near, t_far, empty && !hide, role));
     row
 }

@@ -27,16 +27,17 @@ impl Slab {
 }
 
 /// Of the volume that was tested last, a row for each of its slabs: its planes, where they cut the ray, and what
-/// is left of the ray. Of a sphere, its equation; of a hull, a row for each face.
-pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
+/// is left of the ray. Of a sphere, its equation; of a hull, a row for each face. While a question is open, `hide`
+/// leaves the numbers without what they come to.
+pub fn slabs(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let done = &walk.events[..moment.step.min(walk.events.len())];
     match done
         .iter()
         .rfind(|event| matches!(event, Visit::Roots { .. } | Visit::Clip { .. }) || slab_of(event).is_some())
     {
-        Some(Visit::Roots { .. }) => return roots::table(done, size, look),
-        Some(Visit::Clip { .. }) => return clips::table(walk.flat, done, size, look),
+        Some(Visit::Roots { .. }) => return roots::table(done, hide, size, look),
+        Some(Visit::Clip { .. }) => return clips::table(walk.flat, done, hide, size, look),
         _ => {}
     }
     let last = done.iter().rposition(|event| slab_of(event).is_some());
@@ -55,11 +56,11 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     let top = look.heading(&mut figure, &format!("Slabs of {place}"), "");
     let now = moment.event.as_ref();
     slabs.retain(|slab| !walk.leaves_out(slab.axis));
-    let rows = slabs.iter().map(|slab| row(slab, now)).collect();
+    let rows = slabs.iter().map(|slab| row(slab, now, hide)).collect();
     let current = now.and_then(slab_of).and_then(|(_, axis)| slabs.iter().position(|slab| slab.axis == axis));
     let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];
     let empty = slabs.iter().rev().find_map(|slab| match slab.narrow {
-        Some(Visit::Narrow { empty: true, t_near, t_far, .. }) => Some((t_near, t_far)),
+        Some(Visit::Narrow { empty: true, t_near, t_far, .. }) if !hide => Some((t_near, t_far)),
         _ => None,
     });
     let room = if empty.is_some() { look.line() } else { 0.0 };
@@ -128,7 +129,7 @@ fn test_up_to(events: &[Visit], last: usize) -> (Place, Vec<Slab>) {
     (place, slabs)
 }
 
-fn row(slab: &Slab, now: Option<&Visit>) -> Vec<Entry> {
+fn row(slab: &Slab, now: Option<&Visit>, hide: bool) -> Vec<Entry> {
     // What the current event says stands out.
     let role = |event: &Option<Visit>| if event.as_ref() == now { Role::Value } else { Role::Text };
     let (cut_role, narrow_role) = (role(&slab.cut), role(&slab.narrow));
@@ -160,7 +161,7 @@ fn row(slab: &Slab, now: Option<&Visit>) -> Vec<Entry> {
         _ => row.extend(vec![Entry::none(); 7]),
     }
     row.push(match slab.narrow {
-        Some(Visit::Narrow { t_near, t_far, empty, .. }) => left(t_near, t_far, empty, narrow_role),
+        Some(Visit::Narrow { t_near, t_far, empty, .. }) => left(t_near, t_far, empty && !hide, narrow_role),
         _ => Entry::none(),
     });
     row

@@ -9,7 +9,7 @@ use crate::theme::Role;
 use crate::words::number;
 
 /// The equation put to the last sphere tested, its solutions, and what is left of the ray.
-pub(super) fn table(done: &[Visit], size: Vec2, look: &Look) -> Figure {
+pub(super) fn table(done: &[Visit], hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let last = done.iter().rposition(|event| matches!(event, Visit::Roots { .. }));
     let Some((index, Visit::Roots { place, a, b, c, discriminant, t1, t2, t_near, t_far, empty })) =
@@ -17,6 +17,7 @@ pub(super) fn table(done: &[Visit], size: Vec2, look: &Look) -> Figure {
     else {
         return figure;
     };
+    let empty = empty && !hide;
     let top = look.heading(&mut figure, &format!("Sphere of {place}"), "a·t² + 2·b·t + c = 0");
     let role = if index + 1 == done.len() { Role::Value } else { Role::Text };
     let none = discriminant < 0.0;

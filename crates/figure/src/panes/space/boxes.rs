@@ -176,6 +176,8 @@ impl Drawing<'_> {
     pub(super) fn guesses(&mut self) {
         for (place, word) in &self.moment.guesses {
             let text = match place {
+                // An answer that is the place's own name says it once.
+                place if *word == place.to_string() => format!("{word}?"),
                 Place::Node(node) => format!("{node} {word}?"),
                 Place::Cell(cell) => format!("{cell} {word}?"),
                 Place::Prim(prim) => format!("{prim} {word}?"),

@@ -3,6 +3,7 @@
 mod boxes;
 mod build;
 mod cells;
+mod ghost;
 mod instances;
 mod prims;
 mod rays;
@@ -12,6 +13,7 @@ use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, Structure};
 
 pub use build::space_of_build;
+pub use ghost::{ghost, ghost_of_build};
 
 use crate::moments::{Moment, Walk};
 use crate::theme::Role;

@@ -296,16 +296,21 @@ impl Pen {
                 x += width + u * 0.5;
             }
         };
-        // The root, then the nearest ones.
-        let near = above.len().saturating_sub(8).max(1);
-        for (index, &node) in above.iter().enumerate() {
-            match index {
-                0 => put(text_role(Role::Seen), Some(Place::Node(node)), &node.to_string(), Face::MonoMedium),
-                _ if index == near && near > 1 => put(Role::Quiet, None, "… ›", Face::Regular),
-                _ if index < near => continue,
-                _ => put(text_role(Role::Seen), Some(Place::Node(node)), &node.to_string(), Face::MonoMedium),
-            }
+        // The root, then the nearest ones, as many as fit; a gap between them says that there are more.
+        let wide = |node: &NodeId| {
+            let sign = text_width("›", Face::Regular, u) + u * 0.5;
+            text_width(&node.to_string(), Face::MonoMedium, u) + u * 0.5 + sign
+        };
+        let room = self.size.x - 2.0 * self.margin - u * 3.0;
+        let fits = |near: usize| above.iter().take(1).chain(&above[near..]).map(wide).sum::<f32>() <= room;
+        let near = (above.len().saturating_sub(8).max(1)..above.len()).find(|&near| fits(near)).unwrap_or(above.len());
+        for (index, &node) in above.iter().enumerate().filter(|(index, _)| *index == 0 || *index >= near) {
+            put(text_role(Role::Seen), Some(Place::Node(node)), &node.to_string(), Face::MonoMedium);
             put(Role::Quiet, None, "›", Face::Regular);
+            if index == 0 && near > 1 {
+                put(Role::Quiet, None, "…", Face::Regular);
+                put(Role::Quiet, None, "›", Face::Regular);
+            }
         }
         let beside = above.iter().flat_map(|&node| tree.children(node)).filter(|&n| tree.role(n) == Role::Waiting);
         for (index, node) in beside.enumerate() {

@@ -5,7 +5,7 @@ pub(crate) mod visit;
 
 use std::borrow::Cow;
 
-use raystep_accel::{Event, Place, Value};
+use raystep_accel::{Event, Place, Value, Visit};
 
 use crate::theme::Role;
 use crate::words::VolumeName;
@@ -134,4 +134,21 @@ pub fn sentence(event: &(impl Fact + ?Sized), volume: VolumeName) -> String {
 /// What an event is, in a few words; `volume` is what is tested in its structure.
 pub fn short(event: &(impl Fact + ?Sized), volume: VolumeName) -> Cow<'static, str> {
     event.short(volume)
+}
+
+/// The event without what it comes to: while a question asks for the verdict, the numbers stand there and the
+/// conclusion does not.
+pub fn veiled(event: &Event) -> Event {
+    match event {
+        Event::Walk(event) => Event::Walk(veiled_visit(event)),
+        Event::Build(_) => *event,
+    }
+}
+
+pub(crate) fn veiled_visit(event: &Visit) -> Visit {
+    let mut veiled = *event;
+    if let Visit::Narrow { empty, .. } | Visit::Roots { empty, .. } | Visit::Clip { empty, .. } = &mut veiled {
+        *empty = false;
+    }
+    veiled
 }
