@@ -17,9 +17,6 @@ use crate::window::look::visuals::{fill, ink};
 /// Below this width of the window what changed, the stack and the work share one place behind tabs.
 const NARROW: f32 = 1400.0;
 
-/// How near to its border a pane leaves the pointer to the border.
-pub(super) const BORDER: f32 = 5.0;
-
 /// Below this height of the page the tree stands behind a tab as well.
 const LOW: f32 = 540.0;
 

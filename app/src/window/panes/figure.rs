@@ -4,9 +4,8 @@ use egui::{Rect, Sense, Ui};
 use raystep_accel::Place;
 use raystep_figure::Look;
 
-use super::columns::BORDER;
 use super::page::{Asked, Kept, Page};
-use super::space::glam_size;
+use super::space::{BORDER, glam_size};
 use crate::shown::beside::Beside;
 use crate::shown::pictures::Pane;
 use crate::window::look::painter::{paint_figure, place_at};

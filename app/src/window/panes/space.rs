@@ -5,9 +5,11 @@ use glam::Vec3;
 use raystep_accel::{Place, Ray};
 use raystep_figure::{Camera, Figure, Form, Role, Space, Theme};
 
-use super::columns::BORDER;
 use crate::shown::eye;
 use crate::window::look::painter::{paint_figure, paint_labels, place_at};
+
+/// How near to its border a pane leaves the pointer to the border.
+pub(super) const BORDER: f32 = 5.0;
 
 /// How near to an end of the ray the pointer must be to take hold of it, in points.
 const GRIP: f32 = 13.0;

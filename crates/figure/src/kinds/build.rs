@@ -54,7 +54,7 @@ impl Kind for Build<'_> {
         let nodes = self.structure.node_count() > 0;
         let ruler = nodes && !self.weighs_in_the_plane();
         Some(match pane {
-            Pane::Picture if self.weighs_in_the_plane() => weighing(self, moment, hide, size, look),
+            Pane::Picture if self.weighs_in_the_plane() => weighing(self, moment, ask),
             // Between two weighings there is nothing but the tree so far.
             Pane::RulerLine if ruler && moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)

@@ -9,13 +9,14 @@ use raystep_accel::{Aabb, Axis, Grow, NodeId, Place, Primitives};
 
 use self::plots::Plot;
 use self::sides::Sides;
+use super::Ask;
 use super::space::space_of_build;
 use crate::moments::{Build, GrowMoment, Weighed};
 use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
 use crate::stage::{Camera, Scenery, crop, stage};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
-use crate::world::{Form, SpaceMark};
+use crate::world::{Form, Space, SpaceMark};
 
 /// A node that is smaller than this part of the whole box is shown alone.
 const SMALL: f32 = 0.35;
@@ -50,7 +51,8 @@ impl Candidate {
 }
 
 /// The picture. While a question asks for the costs, `hide` shows the planes without them.
-pub(crate) fn weighing(build: &Build<'_>, moment: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
+pub(crate) fn weighing(build: &Build<'_>, moment: &GrowMoment, ask: &Ask<'_>) -> Figure {
+    let Ask { size, ref look, hide, .. } = *ask;
     let mut figure = Figure::new(size);
     let u = look.text;
     let now = moment.event.and_then(Candidate::of);
@@ -74,7 +76,8 @@ pub(crate) fn weighing(build: &Build<'_>, moment: &GrowMoment, hide: bool, size:
     let space = Area { min, max, seen };
 
     let sides = now.map(|now| Sides::of(build, now.node, now.axis, now.plane, now.below));
-    picture(&mut figure, build, moment, &space, sides.as_ref().filter(|_| !hide), look);
+    let known = ask.space.cloned().unwrap_or_else(|| space_of_build(build, moment));
+    picture(&mut figure, build, moment, known, &space, sides.as_ref().filter(|_| !hide), look);
     let mut plot = Plot { figure: &mut figure, build, moment, look, space: &space, costs, beside, hide };
     plot.draw(now);
     if let (Some(now), false) = (now, hide) {
@@ -123,11 +126,11 @@ fn picture(
     figure: &mut Figure,
     build: &Build<'_>,
     moment: &GrowMoment,
+    mut space: Space,
     area: &Area,
     sides: Option<&Sides>,
     look: &Look,
 ) {
-    let mut space = space_of_build(build, moment);
     let weighs = matches!(moment.event, Some(Grow::Weigh { .. }));
     if weighs {
         space.marks.retain(|mark| mark.role == Role::Guess || mark.role != Role::Candidate && !is_label(mark));
