@@ -120,7 +120,7 @@ fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, St
         let unusable = rays.iter().filter(|ray| ray.is_err()).count();
         if unusable > 0 {
             let (file, all) = (name(path), rays.len());
-            eprintln!("raystep: {file}: {unusable} of {all} rows are no rays; the table of hits says why");
+            files::say(&format!("{file}: {unusable} of {all} rows are no rays; the table of hits says why"));
         }
         return Ok(rays);
     }

@@ -135,12 +135,15 @@ fn peak_mib() -> u64 {
     line.split_whitespace().next().and_then(|kib| kib.parse::<u64>().ok()).unwrap_or(0) / 1024
 }
 
+/// The input that is tried now, and since when.
+type Current = Arc<Mutex<Option<(Instant, Vec<u8>)>>>;
+
 /// Writes down the input of a run that never ends, and ends the program.
-struct Watch(Arc<Mutex<Option<(Instant, Vec<u8>)>>>);
+struct Watch(Current);
 
 impl Watch {
     fn over(name: &'static str, keep: &Path) -> Watch {
-        let current: Arc<Mutex<Option<(Instant, Vec<u8>)>>> = Arc::default();
+        let current = Current::default();
         let (seen, keep) = (Arc::downgrade(&current), keep.to_path_buf());
         std::thread::spawn(move || {
             while let Some(current) = seen.upgrade() {

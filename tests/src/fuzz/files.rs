@@ -111,7 +111,7 @@ fn scene(text: &str) {
             assert!(scene.bounds().min.is_finite() && scene.bounds().max.is_finite());
         }
         Err(wrong) => {
-            assert!(wrong.line >= 1 && !wrong.message.is_empty() && wrong.to_string().len() < 3000, "{wrong}")
+            assert!(wrong.line >= 1 && !wrong.message.is_empty() && wrong.to_string().len() < 3000, "{wrong}");
         }
     }
 }

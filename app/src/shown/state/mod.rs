@@ -287,13 +287,17 @@ impl State {
             Act::Set(settings) => {
                 // Several parameters are one change.
                 self.keep();
-                settings.iter().for_each(|(key, value)| self.set(key, value));
+                for (key, value) in &settings {
+                    self.set(key, value);
+                }
             }
             Act::Compare(kind) => self.compare(kind),
             Act::Slide(id) => {
                 let slide = self.library.slide(&id).map(|slide| &slide.file);
                 let index = self.library.slides.iter().position(|other| Some(&other.file) == slide);
-                index.into_iter().for_each(|index| self.show_slide(index));
+                if let Some(index) = index {
+                    self.show_slide(index);
+                }
             }
         }
     }

@@ -23,7 +23,7 @@ impl Sides {
             let mut order = prims;
             order.sort_by(|a, b| bounds(a).center()[axis].total_cmp(&bounds(b).center()[axis]).then(a.cmp(b)));
             let above = order.split_off((count as usize).min(order.len()));
-            let around = |prims: &[PrimId]| prims.iter().map(bounds).fold(Aabb::EMPTY, |all, one| all.union(one));
+            let around = |prims: &[PrimId]| prims.iter().map(bounds).fold(Aabb::EMPTY, Aabb::union);
             let (below_box, above_box) = (around(&order), around(&above));
             return Sides { below: order, above, below_box, above_box };
         }
