@@ -12,7 +12,7 @@ use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
 use super::fault::Fault;
-use super::{files, rays};
+use super::{files, rays, spelt};
 use crate::export::{Size, camera};
 
 /// What to trace, and how.
@@ -90,7 +90,7 @@ fn name(path: &Path) -> String {
 
 fn rule(arguments: &TraceArguments, flat: bool) -> Result<Rule, Fault> {
     let wrong = |error: raystep_accel::RuleError| Fault::new(error.to_string());
-    let mut rule = Rule::default_for(&arguments.structure).map_err(wrong)?;
+    let mut rule = spelt::answering(&arguments.structure)?;
     for pair in &arguments.rule {
         let Some((key, value)) = pair.split_once('=') else {
             return Err(Fault::new(format!("--rule {pair}: a parameter is written key=value")));

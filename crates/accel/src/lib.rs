@@ -14,6 +14,7 @@ mod axis;
 mod best;
 mod bsp;
 mod bvh;
+mod digits;
 mod direction;
 mod event;
 mod events;

@@ -4,8 +4,9 @@ use glam::{DVec3, Vec3};
 
 use super::fragment::{Fragment, Proposal, proposals};
 use super::{ConvexCell, FreePlane};
+use crate::digits::unit;
 use crate::watch::BETWEEN_LOOKS;
-use crate::{Axes, BspPlanes, BspRule, Cancelled, Grow, NodeId, Observer, Place, Primitives, Random};
+use crate::{Axes, BspPlanes, BspRule, Cancelled, Grow, Measure, NodeId, Observer, Place, Primitives, Random};
 
 /// Planes stand a little further beside a fragment than it is padded, so that it lies on one side of them
 /// even after rounding.
@@ -43,11 +44,14 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
     pub(super) fn best(&mut self) -> Result<Option<(FreePlane, f32)>, Cancelled> {
         let mut proposed = self.proposed();
         self.count(&mut proposed)?;
-        let whole = self.cell.measure(self.rule.measure);
+        // In a unit in which the cell has a size, however small or large it is.
+        let unit = f64::from(unit(self.cell.bounds().extent().max_element()));
+        let unit = if self.rule.measure == Measure::Area { unit * unit } else { unit };
+        let whole = (self.cell.size(self.rule.measure) * unit) as f32;
         let mut best: Option<(FreePlane, Place, f32)> = None;
         for Across { from, planes, .. } in &proposed {
             for tried in planes {
-                let cost = self.weigh(tried, *from, whole);
+                let cost = self.weigh(tried, *from, unit, whole);
                 if let Some(cost) = cost
                     && best.is_none_or(|(_, _, least)| cost < least)
                 {
@@ -86,8 +90,8 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
     }
 
     /// What the node costs if it is cut by the plane, as in a kd-tree; none if hardly anything is separated.
-    fn weigh(&mut self, &Tried { plane, below, above }: &Tried, from: Place, whole: f32) -> Option<f32> {
-        let [lower, upper] = self.cell.halves(plane, self.rule.measure).map(|half| half / whole);
+    fn weigh(&mut self, &Tried { plane, below, above }: &Tried, from: Place, unit: f64, whole: f32) -> Option<f32> {
+        let [lower, upper] = self.cell.halves(plane, self.rule.measure).map(|half| (half * unit) as f32 / whole);
         let tests = lower * below as f32 + upper * above as f32;
         let cost = self.rule.traversal_cost + self.rule.intersection_cost * tests;
         self.tell(plane, from);

@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::Vec3;
 
 use super::{binned, sweep};
+use crate::digits::unit;
 use crate::watch::{patiently, sort_patiently};
 use crate::{Aabb, Axis, BvhRule, BvhSplit, Cancelled, Grow, NodeId, Observer, PrimId};
 
@@ -49,6 +50,8 @@ pub(super) struct Splitter<'a> {
     is_below: Vec<bool>,
     moved: Vec<u32>,
     pub(super) measures: Vec<f32>,
+    /// What sides are multiplied with before they are measured.
+    unit: f32,
 }
 
 impl<'a> Splitter<'a> {
@@ -67,7 +70,7 @@ impl<'a> Splitter<'a> {
         };
         let orders = rule.axes.list().iter().map(order).collect::<Result<_, _>>()?;
         let (is_below, moved, measures) = (vec![false; boxes.len()], Vec::new(), vec![0.0; boxes.len()]);
-        Ok(Splitter { rule, boxes, centers, orders, is_below, moved, measures })
+        Ok(Splitter { rule, boxes, centers, orders, is_below, moved, measures, unit: 1.0 })
     }
 
     /// All primitives.
@@ -98,6 +101,7 @@ impl<'a> Splitter<'a> {
         halve: bool,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Cut, Cancelled> {
+        self.unit = unit(part.bounds.extent().max_element());
         let choice = match self.rule.split {
             _ if halve => None,
             BvhSplit::Middle => self.middle(part, watch)?,
@@ -123,9 +127,15 @@ impl<'a> Splitter<'a> {
     /// What a ray that meets the node is expected to cost: one step, and the tests of each child times the
     /// chance that the ray meets it (slide 53, as in the kd-tree).
     pub(super) fn cost(&self, part: &Part, below: (f32, usize), above: (f32, usize)) -> f32 {
-        let whole = part.bounds.measure(self.rule.measure);
+        let whole = self.measure(&part.bounds);
         let chance = |measure: f32| if whole > 0.0 { measure / whole } else { 1.0 };
         1.0 + chance(below.0) * below.1 as f32 + chance(above.0) * above.1 as f32
+    }
+
+    /// How large a box is, in a unit in which the node that is being split has a size.
+    #[inline]
+    pub(super) fn measure(&self, bounds: &Aabb) -> f32 {
+        if bounds.is_empty() { 0.0 } else { self.rule.measure.of(bounds.extent() * self.unit) }
     }
 
     /// The box around a node's centres.
@@ -168,8 +178,7 @@ impl<'a> Splitter<'a> {
             }
         }
         let [low, high] = bounds;
-        let measure = |bounds: &Aabb| bounds.measure(self.rule.measure);
-        let cost = self.cost(part, (measure(&low), below), (measure(&high), part.len() - below));
+        let cost = self.cost(part, (self.measure(&low), below), (self.measure(&high), part.len() - below));
         let (below, above) = (part.range.start..at, at..part.range.end);
         Ok(Cut {
             axis,

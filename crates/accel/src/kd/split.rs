@@ -24,7 +24,8 @@ pub(super) struct Scale<'a, O> {
     pub(super) refs: &'a [Reference],
     pub(super) rule: &'a KdRule,
     pub(super) watch: &'a mut O,
-    /// The sides of `bounds`, and its measure.
+    /// The sides of `bounds`, and its measure, in the unit with which it has one.
+    pub(super) unit: f32,
     pub(super) extent: Vec3,
     pub(super) whole: f32,
 }
@@ -139,7 +140,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
             Axis::Y => self.extent.with_y(side),
             Axis::Z => self.extent.with_z(side),
         };
-        let chance = |side: f32| self.rule.measure.of(sides(side)) / self.whole;
+        let chance = |side: f32| self.rule.measure.of(sides(side * self.unit)) / self.whole;
         let (lower, upper) = (chance(plane - self.bounds.min[axis]), chance(self.bounds.max[axis] - plane));
         let tests = lower * below as f32 + upper * above as f32;
         let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };

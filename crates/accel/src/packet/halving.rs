@@ -5,7 +5,7 @@ use super::{Found, Lanes, Packet, PacketVisit, WalkPackets};
 use crate::halving::{Halving, Node, Plane, split};
 use crate::mailbox::Mailbox;
 use crate::stack::Part as LanePart;
-use crate::{Accel, List, NodeId, Observer, Primitives, Visit, Want};
+use crate::{Accel, List, NodeId, Observer, Primitives, Want};
 
 impl<N: Node> WalkPackets for Halving<N> {
     fn walk_packet(
@@ -21,10 +21,10 @@ impl<N: Node> WalkPackets for Halving<N> {
         // The part of each ray in the tree's box.
         let mut root = Part::new(NodeId::ROOT);
         for (lane, ray) in walk.rays() {
-            if !self.covers(ray) {
+            if let Some(why) = self.bars(ray) {
                 // Too far away to be told where it goes: brute force, for this lane alone.
                 let watch = &mut walk.lane(lane);
-                watch.on(Visit::Distant { reach: self.margin.reach });
+                watch.on(why);
                 walk.best[lane].hit = List.walk(prims, ray, want, watch);
             } else if let Some(part) = self.enter(ray, &mut walk.lane(lane)) {
                 root.live[lane] = part.live;

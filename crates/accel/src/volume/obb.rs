@@ -4,6 +4,7 @@ use glam::{DMat3, DVec3, Vec3};
 
 use super::{Outline, Volume, corners, slack, span, spans};
 use crate::bvh::Spans;
+use crate::digits::bars_projection;
 use crate::watch::patiently;
 use crate::{
     Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit,
@@ -11,6 +12,11 @@ use crate::{
 
 impl Volume for Obb {
     type Draft = Spans;
+
+    #[inline]
+    fn bars(ray: &Ray) -> Option<Visit> {
+        bars_projection(ray)
+    }
 
     fn fit<P: Primitives>(
         prims: &P,
@@ -32,7 +38,7 @@ impl Volume for Obb {
     }
 
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
-        let slack = slack(ray.o - self.center, self.half.length());
+        let slack = slack(ray, ray.o - self.center, self.half.length());
         Obb { half: self.half + slack, ..*self }.slab(ray, within, place, watch)
     }
 
