@@ -199,6 +199,9 @@ fn what_cannot_be_done_is_said_in_a_sentence() {
     refused(&folder, &["export", "--slide", "5/33", "--ray", "nobody", "--out", "pictures"], "no ray");
     refused(&folder, &["export", "--slide", "5/33", "--size", "9", "--out", "pictures"], "1600x1000");
     refused(&folder, &["nonsense.obj"], "no such file");
+    let trace = ["trace", "--scene", "flat-twelve", "--pixel", "800,500", "--structure"];
+    refused(&folder, &[&trace[..], &["slab"]].concat(), "only tests the box");
+    refused(&folder, &["measure", "--also", "slab"], "only tests the box");
 }
 
 #[test]
@@ -218,8 +221,40 @@ fn structures_are_verified() {
     assert!(output.status.success() && text(&output.stdout).contains(": 0 lost."), "{}", text(&output.stdout));
     refused(&folder, &["verify", "--structure", "kt"], "did you mean \"kd\"?");
     refused(&folder, &["verify", "--structure", "list"], "brute force is the judge");
+    refused(&folder, &["verify", "--structure", "slab"], "only tests the box");
     refused(&folder, &["verify", "--rays", "0"], "--rays");
     refused(&folder, &["verify", "--replay", "none.csv"], "none.csv");
+}
+
+/// What is stopped by Ctrl+C was not done: it says how far it came, and the exit code is not 0.
+#[test]
+#[cfg(unix)]
+fn a_verification_that_is_stopped_ends_soon_and_fails() {
+    use std::io::{BufRead, BufReader, Read};
+    let folder = folder("stopped");
+    for more in [&[][..], &["--in-turn"], &["--watertight"]] {
+        // More rays than anybody waits for.
+        let mut child = Command::new(env!("CARGO_BIN_EXE_raystep"))
+            .args([&["verify", "--rays", "1000000000"], more].concat())
+            .current_dir(&folder)
+            .stdout(std::process::Stdio::piped())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut first = String::new();
+        let mut out = BufReader::new(child.stdout.take().unwrap());
+        out.read_line(&mut first).unwrap();
+        assert!(first.contains("1,000,000,000 rays"), "{first}");
+        let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        assert!(killed.success());
+        let mut rest = String::new();
+        out.read_to_string(&mut rest).unwrap();
+        let output = child.wait_with_output().unwrap();
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{more:?}: {said}");
+        assert!(said.contains("raystep: stopped after"), "{more:?}: {said}");
+        assert!(rest.contains("Stopped after"), "{more:?}: {rest}");
+    }
 }
 
 /// Lines without what differs from run to run or when a structure is added: figures become `#`, kinds of their own go.

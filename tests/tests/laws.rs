@@ -75,7 +75,7 @@ impl Drop for At {
 }
 
 fn is_distant(events: &[Visit]) -> bool {
-    matches!(events.first(), Some(Visit::Distant { .. }))
+    matches!(events.first(), Some(Visit::Distant { .. } | Visit::Extreme { .. }))
 }
 
 #[test]

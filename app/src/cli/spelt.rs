@@ -4,6 +4,18 @@ use raystep_accel::{Rule, RuleError};
 
 use crate::fault::Fault;
 
+/// A kind of structure that answers rays, with the parameters it has when nobody sets any.
+pub(crate) fn answering(kind: &str) -> Result<Rule, Fault> {
+    match Rule::default_for(kind).map_err(|error| Fault::new(error.to_string()))? {
+        Rule::Slab => Err(Fault::new(format!(
+            "the structure \"slab\" only tests the box around everything and meets no primitive, so it answers no \
+             ray; there are {}",
+            Rule::KINDS.join(", ")
+        ))),
+        rule => Ok(rule),
+    }
+}
+
 /// The rule that `kind key=value ...` spells.
 ///
 /// # Errors
@@ -11,7 +23,7 @@ use crate::fault::Fault;
 pub fn rule(line: &str) -> Result<Rule, Fault> {
     let wrong = |error: RuleError| Fault::new(error.to_string());
     let mut words = line.split_whitespace();
-    let mut rule = Rule::default_for(words.next().unwrap_or_default()).map_err(wrong)?;
+    let mut rule = answering(words.next().unwrap_or_default())?;
     for word in words {
         let (key, value) = word.split_once('=').ok_or_else(|| Fault::new(format!("{word} is no key=value")))?;
         rule.set(key, value).map_err(wrong)?;

@@ -11,7 +11,7 @@ use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
 use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
-use super::rays;
+use super::{rays, spelt};
 use crate::counts::thousands;
 use crate::export::Size;
 use crate::fault::Fault;
@@ -104,7 +104,7 @@ fn name(path: &Path) -> String {
 
 fn rule(arguments: &TraceArguments, flat: bool) -> Result<Rule, Fault> {
     let wrong = |error: raystep_accel::RuleError| Fault::new(error.to_string());
-    let mut rule = Rule::default_for(&arguments.structure).map_err(wrong)?;
+    let mut rule = spelt::answering(&arguments.structure)?;
     for pair in &arguments.rule {
         let Some((key, value)) = pair.split_once('=') else {
             return Err(Fault::new(format!("--rule {pair}: a parameter is written key=value")));

@@ -5,12 +5,13 @@ use std::path::Path;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use raystep_accel::{Accel, List, Primitives, Prims, Random, Ray, Rule, Structure};
-use raystep_scene::trial::{rays::Targets, scenes::cases_of, sphere};
+use raystep_scene::trial::rays::{AIMS, Targets};
+use raystep_scene::trial::{crowd, scenes::cases_of, sphere};
 use raystep_scene::{Scene, scene_names};
 
 use super::kept::{self, Difference};
 use super::tally::{Sample, Tally};
-use super::{referee, stopped};
+use super::{UntilStopped, referee, stopped};
 
 /// What is shot at what.
 pub(super) struct Campaign<'a> {
@@ -29,13 +30,16 @@ pub(super) struct Campaign<'a> {
 /// After so many rays the scenes of a seed are drawn anew.
 const ROUND: u64 = 2_000_000;
 /// So many rays are one piece of work for a thread.
-const BLOCK: u64 = 1020;
+const BLOCK: u64 = 54 * AIMS as u64;
 /// A scene that would get fewer rays than this is left out.
 const FEWEST: u64 = 60;
 /// Brute force would spend all its time in a scene of more primitives.
 const LARGEST: usize = 30_000;
 /// One ray in so many goes to the referee too.
 const SAMPLE: u64 = 32;
+/// From so many rays on a crowd that nothing can part is tried as well, by its share of them or at least by some.
+const CROWDED: u64 = 100_000;
+const LEAST: u64 = 19;
 
 /// A scene and its structures.
 struct Stage<'a> {
@@ -68,6 +72,9 @@ impl Campaign<'_> {
         let standing = standing();
         let mut owed = vec![0; standing.len()];
         for round in 0..self.rays.div_ceil(ROUND) {
+            if stopped() {
+                break;
+            }
             let rays = ROUND.min(self.rays - round * ROUND);
             let drawn = drawn(self.seed.wrapping_add(round));
             let all: Vec<&Scene> = drawn.iter().chain(&standing).collect();
@@ -79,7 +86,23 @@ impl Campaign<'_> {
         }
         // Scenes that stay the same get what all rounds left to them at once: some take long to build.
         tally += self.shoot_all(&standing, &owed, u64::MAX, bar);
+        tally += self.shoot_into_the_crowd(bar);
         tally
+    }
+
+    /// A few rays more at a crowd, by one structure of each kind: that it is built at all is the test.
+    fn shoot_into_the_crowd(&self, bar: &ProgressBar) -> Tally {
+        let Some(scene) = named([crowd::NAME.to_owned()].into_iter(), usize::MAX).pop() else {
+            return Tally::default();
+        };
+        if self.rays < CROWDED || stopped() {
+            return Tally::default();
+        }
+        let mut rules = self.rules.clone();
+        rules.dedup_by_key(|(line, _)| kind_of(line));
+        let rays = (self.rays / scene.prims.len() as u64).max(LEAST);
+        bar.inc_length(rays);
+        Campaign { rules, ..*self }.shoot(&scene, self.seed, rays, bar)
     }
 
     /// Shoots at each scene its share of a round's rays.
@@ -96,9 +119,12 @@ impl Campaign<'_> {
     fn shoot(&self, scene: &Scene, seed: u64, rays: u64, bar: &ProgressBar) -> Tally {
         let build = |&(line, rule): &(&'static str, Rule)| {
             let rule = if scene.flat { rule.flat() } else { rule };
-            Structure::build(&scene.prims, &rule, &mut ()).ok().map(|structure| (line, structure))
+            Structure::build(&scene.prims, &rule, &mut UntilStopped).ok().map(|structure| (line, structure))
         };
         let structures: Vec<_> = self.rules.par_iter().filter_map(build).collect();
+        if stopped() {
+            return Tally::default();
+        }
         let all: Vec<&Structure> = structures.iter().map(|(_, structure)| structure).collect();
         let targets = Targets::of(&scene.prims, scene.flat, &all);
         let stage = Stage { scene, structures, targets, seed };
@@ -123,6 +149,9 @@ impl Campaign<'_> {
         let mut tally = Tally::default();
         let prims = &stage.scene.prims;
         for number in numbers {
+            if stopped() {
+                break;
+            }
             // A few make no ray, as their direction is zero: then it is the next one's turn.
             let Some(ray) = (number as u32..).find_map(|i| stage.targets.ray(prims, i, &mut random)) else { continue };
             let right = List.intersect(prims, &ray, &mut ());
@@ -157,18 +186,18 @@ fn is_for_the_referee(prims: &Prims, ray: &Ray) -> bool {
 
 /// The scenes that a seed draws by lot.
 fn drawn(seed: u64) -> Vec<Scene> {
-    named(cases_of(seed).into_iter().map(|case| case.name))
+    named(cases_of(seed).into_iter().map(|case| case.name), LARGEST)
 }
 
 /// The scenes that are the same for every seed: the spheres and what is shipped.
 fn standing() -> Vec<Scene> {
-    named(sphere::NAMES.map(str::to_owned).into_iter().chain(scene_names()))
+    named(sphere::NAMES.map(str::to_owned).into_iter().chain(scene_names()), LARGEST)
 }
 
-/// The scenes of these names that are not too large.
-fn named(names: impl Iterator<Item = String>) -> Vec<Scene> {
+/// The scenes of these names that have no more than so many primitives.
+fn named(names: impl Iterator<Item = String>, largest: usize) -> Vec<Scene> {
     let scenes = names.filter_map(|name| Scene::named(&name).ok());
-    scenes.filter(|scene| scene.prims.len() <= LARGEST).collect()
+    scenes.filter(|scene| scene.prims.len() <= largest).collect()
 }
 
 /// How many rays each scene gets: brute force takes about the same time in each, so that a hundred small

@@ -14,9 +14,10 @@ use std::time::Instant;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use raystep_accel::Rule;
+use raystep_accel::{Grow, Observer, Rule};
 use raystep_scene::trial::rules::rules;
 
+use super::spelt;
 use crate::counts::thousands;
 use crate::fault::Fault;
 use crate::files;
@@ -53,6 +54,25 @@ pub struct VerifyArguments {
 /// Whether Ctrl+C was pressed: what runs ends soon, and what is known by then is printed.
 static STOPPED: AtomicBool = AtomicBool::new(false);
 
+/// Called when Ctrl+C is pressed. Whoever presses it again does not want to wait.
+fn stop() {
+    const INTERRUPTED: i32 = 130;
+    if STOPPED.swap(true, Ordering::Relaxed) {
+        std::process::exit(INTERRUPTED);
+    }
+}
+
+/// Watches builders, which break off when Ctrl+C is pressed.
+struct UntilStopped;
+
+impl Observer<Grow> for UntilStopped {
+    fn on(&mut self, _: Grow) {}
+
+    fn cancelled(&self) -> bool {
+        stopped()
+    }
+}
+
 /// Shoots the rays.
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
     if let Some(path) = &arguments.replay {
@@ -61,7 +81,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
     }
     let kinds = kinds(&arguments.structure)?;
     // Where no handler can be set, Ctrl+C ends the program at once, as usual.
-    let _ = ctrlc::set_handler(|| STOPPED.store(true, Ordering::Relaxed));
+    let _ = ctrlc::set_handler(stop);
     if arguments.watertight {
         return watertight::run(arguments.rays, arguments.seed, &kinds);
     }
@@ -82,6 +102,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
     bar.finish_and_clear();
     files::print(&report(&tally, &kinds, &campaign, begun.elapsed().as_secs_f64()))?;
     match tally.differences() {
+        0 if stopped() => Err(unfinished(tally.rays, rays)),
         0 => Ok(()),
         n => Err(Fault::new(format!(
             "{}: a structure does not answer as brute force does; the rays are kept in {}",
@@ -89,6 +110,15 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
             keep.display()
         ))),
     }
+}
+
+/// What was asked for was not done, though nothing wrong was found.
+fn unfinished(shot: u64, asked: u64) -> Fault {
+    Fault::new(format!(
+        "stopped after {} of {}: no difference so far, and the others were not tried",
+        thousands(shot),
+        counted(asked, "ray")
+    ))
 }
 
 /// The kinds that are meant; brute force is the judge of all of them.
@@ -101,7 +131,7 @@ fn kinds(structure: &str) -> Result<Vec<&'static str>, Fault> {
             judged().collect::<Vec<_>>().join(", ")
         ))),
         kind => {
-            let rule = Rule::default_for(kind).map_err(|error| Fault::new(error.to_string()))?;
+            let rule = spelt::answering(kind)?;
             Ok(judged().filter(|judged| *judged == rule.kind()).collect())
         }
     }

@@ -8,7 +8,7 @@ use raystep_accel::{Aabb, Accel, List, Mesh, PrimId, Primitives, Prims, Random, 
 use raystep_scene::Scene;
 use raystep_scene::trial::sphere;
 
-use super::{bar, counted, stopped};
+use super::{UntilStopped, bar, counted, stopped, unfinished};
 use crate::counts::thousands;
 use crate::fault::Fault;
 use crate::files;
@@ -27,15 +27,10 @@ type Lost = ([(u64, u64); AIMS.len()], (u64, u64));
 pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fault> {
     let wrong = |error: &dyn std::fmt::Display| Fault::new(error.to_string());
     let begun = Instant::now();
-    let mut all_lost = 0;
+    let (mut all_shot, mut all_lost) = (0, 0);
     for name in sphere::NAMES {
         let scene = Scene::named(name).map_err(|error| wrong(&error))?;
         let Prims::Mesh(mesh) = &scene.prims else { continue };
-        let mut structures = Vec::new();
-        for kind in kinds {
-            let rule = Rule::default_for(kind).map_err(|error| wrong(&error))?;
-            structures.push(Structure::build(mesh, &rule, &mut ()).map_err(|error| wrong(&error))?);
-        }
         let center = scene.bounds().center();
         files::print(&format!(
             "{}, {} triangles around ({}, {}, {}): {} at each of {}\n",
@@ -47,6 +42,15 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
             counted(rays, "ray"),
             kinds.join(", ")
         ))?;
+        let mut structures = Vec::new();
+        for kind in kinds {
+            let rule = Rule::default_for(kind).map_err(|error| wrong(&error))?;
+            // A builder breaks off only when all of this is stopped.
+            structures.extend(Structure::build(mesh, &rule, &mut UntilStopped));
+        }
+        if stopped() {
+            break;
+        }
         let bar = bar(rays);
         let blocks: Vec<Lost> = (0..rays.div_ceil(BLOCK))
             .into_par_iter()
@@ -60,6 +64,7 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
         let (aimed, brute) = blocks.into_iter().fold(Lost::default(), sum);
         for (aim, (shot, lost)) in AIMS.iter().zip(aimed) {
             files::print(&format!("  aimed at {aim:<24}{:>16} rays{:>8} lost\n", thousands(shot), thousands(lost)))?;
+            all_shot += shot;
             all_lost += lost;
         }
         files::print(&format!(
@@ -74,6 +79,9 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
     if all_lost > 0 {
         return Err(Fault::new(format!("{} left a closed sphere", counted(all_lost, "ray"))));
     }
+    if stopped() {
+        return Err(unfinished(all_shot, rays * sphere::NAMES.len() as u64));
+    }
     Ok(())
 }
 
@@ -81,6 +89,9 @@ fn shoot(mesh: &Mesh, center: Vec3, structures: &[Structure], seed: u64, numbers
     let mut random = Random::new(Random::new(seed ^ numbers.start).bits());
     let (mut aimed, mut brute) = Lost::default();
     for number in numbers {
+        if stopped() {
+            break;
+        }
         let aim = (number % AIMS.len() as u64) as usize;
         let Some(ray) = ray(mesh, center, aim, &mut random) else { continue };
         let lost = structures.iter().filter(|structure| structure.intersect(mesh, &ray, &mut ()).is_none()).count();

@@ -14,7 +14,7 @@ pub(crate) use walk::{Meeting, split};
 
 use std::fmt::Debug;
 
-use crate::{Aabb, Direction, Margin, NodeId, PrimId, Ray};
+use crate::{Aabb, Direction, Margin, NodeId, PrimId, Ray, Visit};
 
 /// The deepest a tree can be, and so the most nodes that can wait; the root has depth 0.
 const DEEPEST: usize = 64;
@@ -30,8 +30,8 @@ pub trait Plane: Copy + Debug + PartialEq {
     /// The plane and the ray along the plane's direction.
     fn across(self, ray: &Ray) -> Meeting;
 
-    /// Whether the ray is one whose way along any plane's direction can be told.
-    fn measures(ray: &Ray) -> bool;
+    /// What keeps the ray from being told its way along any plane's direction, if anything does.
+    fn bars(ray: &Ray) -> Option<Visit>;
 }
 
 /// What it takes to cut a ray by one plane.
@@ -147,10 +147,10 @@ impl<N: Node> PlaneTree<N> {
         }
     }
 
-    /// Whether the ray starts near enough, and runs fast enough, to be told which side of a plane it is on.
+    /// What keeps the ray from being told which side of a plane it is on, if anything does.
     #[inline]
-    pub(crate) fn covers(&self, ray: &Ray) -> bool {
-        self.margin.covers(ray.o) && N::Plane::measures(ray)
+    pub(crate) fn bars(&self, ray: &Ray) -> Option<Visit> {
+        self.margin.bars(ray).or_else(|| N::Plane::bars(ray))
     }
 
     /// What of the whole each node covers, where `cut` says what of a node its two children cover.

@@ -21,8 +21,8 @@ pub struct Meeting {
 
 impl<N: Node> Accel for PlaneTree<N> {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
-        if !self.covers(ray) {
-            watch.on(Visit::Distant { reach: self.margin.reach });
+        if let Some(why) = self.bars(ray) {
+            watch.on(why);
             return List.walk(prims, ray, want, watch);
         }
         let mut best = Best::new(want);

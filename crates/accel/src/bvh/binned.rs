@@ -26,7 +26,6 @@ pub(super) fn choose(
     part: &Part,
     watch: &mut impl Observer<Grow>,
 ) -> Result<Option<Choice>, Cancelled> {
-    let measure = splitter.rule.measure;
     let mut best: Option<Choice> = None;
     for &axis in splitter.rule.axes.list() {
         // The primitives are ordered, so the outermost centres are the first and the last.
@@ -52,7 +51,7 @@ pub(super) fn choose(
                 continue;
             }
             let plane = low + (high - low) * i as f32 / bins.len() as f32;
-            let side = |bin: Bin| (bin.bounds.measure(measure), bin.count);
+            let side = |bin: Bin| (splitter.measure(&bin.bounds), bin.count);
             let cost = splitter.weigh(node, part, (axis, plane), [side(below), side(above)], watch);
             if best.is_none_or(|best| cost < best.cost) {
                 best = Some(Choice { axis, plane, below: below.count, cost });

@@ -14,6 +14,7 @@ impl Splitter<'_> {
         halve: bool,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Cut, Cancelled> {
+        self.measure_within(part);
         let choice = match self.rule.split {
             _ if halve => None,
             BvhSplit::Middle => self.middle(part, watch)?,
@@ -29,7 +30,7 @@ impl Splitter<'_> {
 
         let cut = self.divide(part, choice, watch)?;
         if halve || matches!(self.rule.split, BvhSplit::Middle | BvhSplit::Median) {
-            let side = |part: &Part| (part.bounds.measure(self.rule.measure), part.len());
+            let side = |part: &Part| (self.measure(&part.bounds), part.len());
             let sides = [side(&cut.below), side(&cut.above)];
             self.weigh(node, part, (cut.axis, cut.plane), sides, watch);
         }

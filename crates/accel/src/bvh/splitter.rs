@@ -5,6 +5,7 @@ use std::ops::Range;
 use glam::Vec3;
 
 use crate::events::{patiently, sort_patiently};
+use crate::geometry::digits::{in_world, unit};
 use crate::{Aabb, Axis, BvhRule, Cancelled, Grow, NodeId, Observer, PrimId};
 
 /// The primitives of one node: a stretch of every order.
@@ -28,10 +29,10 @@ pub(super) struct Choice {
     pub(super) cost: f32,
 }
 
-/// How large the box around a child's primitives is, and how many they are.
+/// How large the box around a child's primitives is, in the splitter's unit, and how many they are.
 pub(super) type Side = (f32, usize);
 
-/// What a division is expected to cost, and from what.
+/// What a division is expected to cost, and from what. The size of the node is in the splitter's unit.
 struct Expected {
     size: f32,
     p_below: f32,
@@ -59,6 +60,8 @@ pub(super) struct Splitter<'a> {
     is_below: Vec<bool>,
     moved: Vec<u32>,
     pub(super) measures: Vec<f32>,
+    /// What sides are multiplied with before they are measured.
+    unit: f32,
 }
 
 impl<'a> Splitter<'a> {
@@ -77,7 +80,7 @@ impl<'a> Splitter<'a> {
         };
         let orders = rule.axes.list().iter().map(order).collect::<Result<_, _>>()?;
         let (is_below, moved, measures) = (vec![false; boxes.len()], Vec::new(), vec![0.0; boxes.len()]);
-        Ok(Splitter { rule, boxes, centers, orders, is_below, moved, measures })
+        Ok(Splitter { rule, boxes, centers, orders, is_below, moved, measures, unit: 1.0 })
     }
 
     /// All primitives.
@@ -100,11 +103,22 @@ impl<'a> Splitter<'a> {
         self.centers[prim as usize][axis]
     }
 
+    /// From now on sizes are in a unit in which this node has one, however small or large it is.
+    pub(super) fn measure_within(&mut self, part: &Part) {
+        self.unit = unit(part.bounds.extent().max_element());
+    }
+
+    /// How large a box is, in the unit of the node that is being split.
+    #[inline]
+    pub(super) fn measure(&self, bounds: &Aabb) -> f32 {
+        if bounds.is_empty() { 0.0 } else { self.rule.measure.of(bounds.extent() * self.unit) }
+    }
+
     /// What a ray that meets the node is expected to cost: one step, and the tests of each child times the
     /// chance that the ray meets it (slide 53, as in the kd-tree). A step tests boxes, and counts as much as a test.
     #[inline]
     fn expect(&self, part: &Part, [below, above]: [Side; 2]) -> Expected {
-        let size = part.bounds.measure(self.rule.measure);
+        let size = self.measure(&part.bounds);
         let chance = |side: f32| if size > 0.0 { side / size } else { 1.0 };
         let (p_below, p_above) = (chance(below.0), chance(above.0));
         let cost = 1.0 + p_below * below.1 as f32 + p_above * above.1 as f32;
@@ -123,15 +137,16 @@ impl<'a> Splitter<'a> {
     ) -> f32 {
         let Expected { size, p_below, p_above, cost } = self.expect(part, sides);
         let [(size_below, below), (size_above, above)] = sides;
+        let told = |size: f32| in_world(size, self.rule.measure, self.unit);
         watch.on(Grow::Weigh {
             node,
             axis: axis.into(),
             plane,
             below: below as u32,
             above: above as u32,
-            size,
-            size_below,
-            size_above,
+            size: told(size),
+            size_below: told(size_below),
+            size_above: told(size_above),
             p_below,
             p_above,
             step: 1.0,
@@ -164,8 +179,7 @@ impl<'a> Splitter<'a> {
             }
         }
         let [low, high] = bounds;
-        let side = |bounds: &Aabb, count: usize| (bounds.measure(self.rule.measure), count);
-        let sides = [side(&low, below), side(&high, part.len() - below)];
+        let sides = [(self.measure(&low), below), (self.measure(&high), part.len() - below)];
         let cost = self.expect(part, sides).cost;
         let (below, above) = (part.range.start..at, at..part.range.end);
         Ok(Cut {

@@ -11,7 +11,7 @@ pub(super) fn choose(
     part: &Part,
     watch: &mut impl Observer<Grow>,
 ) -> Result<Option<Choice>, Cancelled> {
-    let (n, measure) = (part.len(), splitter.rule.measure);
+    let n = part.len();
     let mut best: Option<Choice> = None;
     let mut measures = std::mem::take(&mut splitter.measures);
     for &axis in splitter.rule.axes.list() {
@@ -22,7 +22,7 @@ pub(super) fn choose(
         for i in patiently((1..n).rev(), watch) {
             let i = i?;
             above = above.union(splitter.boxes[order[i] as usize]);
-            measures[i] = above.measure(measure);
+            measures[i] = splitter.measure(&above);
         }
 
         // From below: weigh each division.
@@ -33,7 +33,7 @@ pub(super) fn choose(
             }
             below = below.union(splitter.boxes[order[i - 1] as usize]);
             let plane = splitter.center(order[i], axis);
-            let sides = [(below.measure(measure), i), (measures[i], n - i)];
+            let sides = [(splitter.measure(&below), i), (measures[i], n - i)];
             let cost = splitter.weigh(node, part, (axis, plane), sides, watch);
             if best.is_none_or(|best| cost < best.cost) {
                 best = Some(Choice { axis, plane, below: i, cost });

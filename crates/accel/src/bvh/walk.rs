@@ -2,12 +2,16 @@
 
 use super::Bvh;
 use crate::{
-    Accel, Best, BvhOrder, Ending, Hit, Interval, NodeId, Observer, Place, Primitives, Ray, Side, Verdict, Visit,
+    Accel, Best, BvhOrder, Ending, Hit, Interval, List, NodeId, Observer, Place, Primitives, Ray, Side, Verdict, Visit,
     Volume, Want, test,
 };
 
 impl<V: Volume> Accel for Bvh<V> {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
+        if let Some(why) = V::bars(ray) {
+            watch.on(why);
+            return List.walk(prims, ray, want, watch);
+        }
         let mut walk = BvhWalk::new(self, prims, ray, want, watch);
         let why = match self.order {
             _ if self.nodes.is_empty() => Ending::Outside,

@@ -3,6 +3,7 @@
 
 mod accel;
 mod around;
+mod bars;
 mod mailbox;
 mod margin;
 mod random;
@@ -10,6 +11,7 @@ mod stack;
 
 pub use accel::Accel;
 pub(crate) use around::around;
+pub(crate) use bars::{bars_origin, bars_projection};
 pub(crate) use mailbox::{Mailbox, test_each};
 pub use margin::Margin;
 pub use random::Random;

@@ -109,6 +109,9 @@ vocabulary! {
         World ["world"] { instance: PrimId, t: f32, hit: bool }
         /// The ray starts further away than the structure's margin allows for: brute force answers.
         Distant ["distant"] { reach: f32 }
+        /// The largest component of the ray's direction is too small or too large for the structure's numbers, which
+        /// allow for what lies between `shortest` and `longest`: brute force answers.
+        Extreme ["extreme"] { length: f32, shortest: f32, longest: f32 }
         /// The walk is over.
         End ["end.hit", "end.miss"] { why: Ending, hit: bool, t: f32 }
     }
@@ -151,6 +154,7 @@ impl Visit {
             Visit::Local { .. } => "local",
             Visit::World { .. } => "world",
             Visit::Distant { .. } => "distant",
+            Visit::Extreme { .. } => "extreme",
             Visit::End { hit: true, .. } => "end.hit",
             Visit::End { hit: false, .. } => "end.miss",
         }
@@ -193,7 +197,7 @@ impl Visit {
             | Visit::Beyond { cell, .. } => Place::Cell(cell),
             Visit::Skip { prim } | Visit::Test { prim, .. } | Visit::Better { prim, .. } => Place::Prim(prim),
             Visit::Local { instance, .. } | Visit::World { instance, .. } => Place::Prim(instance),
-            Visit::Distant { .. } | Visit::End { .. } => Place::World,
+            Visit::Distant { .. } | Visit::Extreme { .. } | Visit::End { .. } => Place::World,
         }
     }
 

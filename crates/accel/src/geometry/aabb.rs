@@ -72,10 +72,10 @@ impl Aabb {
         Aabb { min: self.min - by, max: self.max + by }
     }
 
-    /// Its middle.
+    /// Its middle, which lies in it: the sum is halved, since halves of the smallest numbers would be rounded apart.
     #[inline]
     pub fn center(&self) -> Vec3 {
-        self.min * 0.5 + self.max * 0.5
+        (self.min + self.max) * 0.5
     }
 
     /// Its sides.

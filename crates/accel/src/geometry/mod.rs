@@ -2,6 +2,7 @@
 
 mod aabb;
 mod axis;
+pub(crate) mod digits;
 mod direction;
 mod interval;
 mod obb;

@@ -10,8 +10,8 @@ use crate::{
 
 impl<C: Cells> Accel for GridOf<C> {
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want, watch: &mut impl Observer<Visit>) -> Option<Hit> {
-        if !self.margin.covers(ray.o) {
-            watch.on(Visit::Distant { reach: self.margin.reach });
+        if let Some(why) = self.margin.bars(ray) {
+            watch.on(why);
             return List.walk(prims, ray, want, watch);
         }
         let mut best = Best::new(want);

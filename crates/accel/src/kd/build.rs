@@ -6,6 +6,7 @@ use super::reference::{Reference, deal};
 use super::split::Scale;
 use crate::bsp::{Cutter, Half, Stops};
 use crate::events::patiently;
+use crate::geometry::digits::unit;
 use crate::{Aabb, Cancelled, Grow, KdRule, KdSplit, Margin, NodeId, Observer, PrimId, Primitives};
 
 impl Kd {
@@ -65,9 +66,10 @@ impl<P: Primitives> Cutter for Boxes<'_, P> {
         refs: &[Reference],
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<(Upright, f32)>, Cancelled> {
-        let (rule, extent) = (self.rule, bounds.extent());
+        let (rule, unit) = (self.rule, unit(bounds.extent().max_element()));
+        let extent = bounds.extent() * unit;
         let whole = rule.measure.of(extent);
-        let cut = Scale { node, bounds, refs, rule, watch, extent, whole }.best()?;
+        let cut = Scale { node, bounds, refs, rule, watch, unit, extent, whole }.best()?;
         Ok(cut.map(|cut| (Upright { axis: cut.axis, at: cut.plane }, cut.cost)))
     }
 

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::bsp::{Kind, Meeting, Node, Plane, PlaneTest};
-use crate::{Axis, Direction, NodeId, Ray};
+use crate::{Axis, Direction, NodeId, Ray, Visit};
 
 /// A plane across an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,8 +27,8 @@ impl Plane for Upright {
     }
 
     #[inline]
-    fn measures(_: &Ray) -> bool {
-        true
+    fn bars(_: &Ray) -> Option<Visit> {
+        None
     }
 }
 

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use glam::Vec3;
 
 use super::reference::Reference;
+use crate::geometry::digits::in_world;
 use crate::{Aabb, Axis, Cancelled, Grow, KdRule, KdSplit, NodeId, Observer};
 
 /// A plane and what it is worth.
@@ -24,7 +25,8 @@ pub(super) struct Scale<'a, O> {
     pub(super) refs: &'a [Reference],
     pub(super) rule: &'a KdRule,
     pub(super) watch: &'a mut O,
-    /// The sides of `bounds`, and its measure.
+    /// The sides of `bounds`, and its measure, in the unit with which it has one.
+    pub(super) unit: f32,
     pub(super) extent: Vec3,
     pub(super) whole: f32,
 }
@@ -139,22 +141,23 @@ impl<O: Observer<Grow>> Scale<'_, O> {
             Axis::Y => self.extent.with_y(side),
             Axis::Z => self.extent.with_z(side),
         };
-        let (size, measure) = (self.whole, |side: f32| self.rule.measure.of(sides(side)));
+        let (size, measure) = (self.whole, |side: f32| self.rule.measure.of(sides(side * self.unit)));
         let (size_below, size_above) = (measure(plane - self.bounds.min[axis]), measure(self.bounds.max[axis] - plane));
         let (p_below, p_above) = (size_below / size, size_above / size);
         let tests = p_below * below as f32 + p_above * above as f32;
         let bonus = if below == 0 || above == 0 { 1.0 - self.rule.empty_bonus } else { 1.0 };
         let (step, test) = (self.rule.traversal_cost, self.rule.intersection_cost);
         let cost = bonus * (step + test * tests);
+        let told = |size: f32| in_world(size, self.rule.measure, self.unit);
         self.watch.on(Grow::Weigh {
             node: self.node,
             axis: axis.into(),
             plane,
             below,
             above,
-            size,
-            size_below,
-            size_above,
+            size: told(size),
+            size_below: told(size_below),
+            size_above: told(size_above),
             p_below,
             p_above,
             step,

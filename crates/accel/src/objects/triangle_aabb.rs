@@ -1,26 +1,29 @@
 //! A triangle and a box (Akenine-Möller, "Fast 3D triangle-box overlap testing", 2001).
 
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 use super::{Part, Probe};
-use crate::{Aabb, Axis, Observer, Triangle};
+use crate::{Aabb, Observer, Triangle};
 
 impl Triangle {
     /// Whether it touches the box. Two convex bodies are apart exactly if some axis separates their
-    /// shadows; here thirteen axes are enough.
+    /// shadows; here thirteen axes are enough. In double precision: along a normal three coordinates are
+    /// multiplied, which in single precision are no number from 10¹³ on.
     pub fn overlaps(&self, bounds: &Aabb, watch: &mut impl Observer<Probe>) -> bool {
+        let [a, b, c] = [self.a, self.b, self.c].map(Vec3::as_dvec3);
+        let (min, max) = (bounds.min.as_dvec3(), bounds.max.as_dvec3());
         // Seen from the middle of the box.
-        let center = bounds.center();
-        let half = bounds.extent() * 0.5;
-        let corners = [self.a - center, self.b - center, self.c - center];
-        let edges = [self.b - self.a, self.c - self.b, self.a - self.c];
+        let center = (min + max) * 0.5;
+        let half = (max - min) * 0.5;
+        let corners = [a - center, b - center, c - center];
+        let edges = [b - a, c - b, a - c];
 
         // The three normals of the box.
-        let box_axes_overlap = Axis::ALL.iter().all(|&axis| {
+        let box_axes_overlap = (0..3).all(|axis| {
             let shadow = corners.map(|corner| corner[axis]);
-            shadows_overlap(Part::Second, Vec3::AXES[axis.index()], shadow, half[axis], watch)
+            shadows_overlap(Part::Second, DVec3::AXES[axis], shadow, half[axis], watch)
         });
-        let mut overlap_along = |of: Part, along: Vec3| {
+        let mut overlap_along = |of: Part, along: DVec3| {
             let shadow = corners.map(|corner| along.dot(corner));
             shadows_overlap(of, along, shadow, along.abs().dot(half), watch)
         };
@@ -28,18 +31,19 @@ impl Triangle {
             // The triangle's normal.
             && overlap_along(Part::First, edges[0].cross(edges[1]))
             // The cross products of their edges.
-            && edges.iter().all(|edge| Vec3::AXES.iter().all(|axis| overlap_along(Part::Edges, axis.cross(*edge))))
+            && edges.iter().all(|edge| DVec3::AXES.iter().all(|axis| overlap_along(Part::Edges, axis.cross(*edge))))
     }
 }
 
 /// Whether the shadows of the corners and of a box that reaches so far overlap on `along`. On no axis at
 /// all, as of a triangle without area, they do.
 #[inline]
-fn shadows_overlap(of: Part, along: Vec3, [a, b, c]: [f32; 3], reach: f32, watch: &mut impl Observer<Probe>) -> bool {
-    let (a_low, a_high) = (a.min(b).min(c), a.max(b).max(c));
-    let overlap = a_low <= reach && a_high >= -reach;
-    let Vec3 { x, y, z } = along;
-    watch.on(Probe::Shadow { of, x, y, z, a_low, a_high, b_low: -reach, b_high: reach, apart: !overlap });
+fn shadows_overlap(of: Part, along: DVec3, [a, b, c]: [f64; 3], reach: f64, watch: &mut impl Observer<Probe>) -> bool {
+    let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+    let overlap = low <= reach && high >= -reach;
+    let Vec3 { x, y, z } = along.as_vec3();
+    let [a_low, a_high, b_low, b_high] = [low, high, -reach, reach].map(|at| at as f32);
+    watch.on(Probe::Shadow { of, x, y, z, a_low, a_high, b_low, b_high, apart: !overlap });
     overlap
 }
 

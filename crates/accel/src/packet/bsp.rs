@@ -4,7 +4,7 @@ use super::walk::{Part, Walk};
 use super::{Found, Packet, PacketVisit, WalkPackets};
 use crate::bsp::{Node, Plane, PlaneTree, split};
 use crate::common::{Mailbox, Part as LanePart};
-use crate::{Accel, Lanes, List, NodeId, Observer, Primitives, Visit, Want};
+use crate::{Accel, Lanes, List, NodeId, Observer, Primitives, Want};
 
 impl<N: Node> WalkPackets for PlaneTree<N> {
     fn walk_packet(
@@ -20,10 +20,10 @@ impl<N: Node> WalkPackets for PlaneTree<N> {
         // The part of each ray in the tree's box.
         let mut root = Part::new(NodeId::ROOT);
         for (lane, ray) in walk.rays() {
-            if !self.covers(ray) {
+            if let Some(why) = self.bars(ray) {
                 // Too far away to be told where it goes: brute force, for this lane alone.
                 let watch = &mut walk.lane(lane);
-                watch.on(Visit::Distant { reach: self.margin.reach });
+                watch.on(why);
                 walk.best[lane].hit = List.walk(prims, ray, want, watch);
             } else if let Some(part) = self.enter(ray, &mut walk.lane(lane)) {
                 root.live[lane] = part.live;

@@ -3,7 +3,7 @@
 use super::walk::{Part, Walk};
 use super::{Found, Packet, PacketVisit, WalkPackets};
 use crate::bvh::{BvhWalk, each};
-use crate::{AnyBvh, Bvh, NodeId, Observer, Primitives, Volume, Want};
+use crate::{Accel, AnyBvh, Bvh, List, NodeId, Observer, Primitives, Volume, Want};
 
 impl<V: Volume> WalkPackets for Bvh<V> {
     /// Always in order and with the early exit, whatever the rule says of single rays.
@@ -17,6 +17,13 @@ impl<V: Volume> WalkPackets for Bvh<V> {
         let mut walk = Walk::new(packet, prims, want, watch);
         let mut root = Part::new(NodeId::ROOT);
         for (lane, ray) in walk.rays() {
+            if let Some(why) = V::bars(ray) {
+                // Not to be measured: brute force, for this lane alone.
+                let watch = &mut walk.lane(lane);
+                watch.on(why);
+                walk.best[lane].hit = List.walk(prims, ray, want, watch);
+                continue;
+            }
             let best = walk.best[lane];
             if let Some(met) = BvhWalk::resume(self, prims, ray, best, &mut walk.lane(lane)).root() {
                 root.live[lane] = met.within;

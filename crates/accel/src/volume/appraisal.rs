@@ -3,6 +3,7 @@
 use glam::Vec3;
 
 use super::{Hull, KDop, Volume};
+use crate::geometry::digits::length;
 use crate::{
     Aabb, Accel, Axes, BvhVolume, Interval, List, Measure, Obb, Place, PrimId, Primitives, Random, Ray, Sphere,
 };
@@ -11,7 +12,7 @@ use crate::{
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Appraisal {
     /// How much room it encloses.
-    pub content: f32,
+    pub content: f64,
     /// Its surface.
     pub area: f32,
     /// How much memory it takes.
@@ -50,7 +51,7 @@ fn appraise<V: Volume>(prims: &impl Primitives, rays: u32, seed: u64) -> Apprais
     let volume = V::fit(prims, ids(), &bounds, Axes::Xyz, &()).expect("nobody cancels");
     let (mut met, mut in_vain) = (0, 0);
     let mut random = Random::new(seed);
-    let radius = bounds.extent().length() * 0.5;
+    let radius = length(bounds.extent()) * 0.5;
     for _ in 0..rays {
         let (from, to) = (on_sphere(&mut random) * radius, on_sphere(&mut random) * radius);
         let Ok(ray) = Ray::new(bounds.center() + from, to - from) else { continue };

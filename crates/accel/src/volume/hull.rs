@@ -4,6 +4,7 @@ use glam::{DVec3, Vec3};
 
 use super::quickhull::quickhull;
 use super::{Outline, Spans, Volume, corners, slack, spans};
+use crate::common::bars_projection;
 use crate::slab::{earlier, later};
 use crate::{
     Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit,
@@ -26,6 +27,11 @@ const MOST_CORNERS: usize = 48;
 
 impl Volume for Hull {
     type Draft = Spans;
+
+    #[inline]
+    fn bars(ray: &Ray) -> Option<Visit> {
+        bars_projection(ray)
+    }
 
     fn fit<P: Primitives>(
         prims: &P,
@@ -59,7 +65,7 @@ impl Volume for Hull {
     /// Clips the ray against one plane after the other (Cyrus and Beck 1978).
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
         let f = ray.o - self.bounds.center();
-        let slack = slack(f, self.bounds.extent().length() * 0.5);
+        let slack = slack(ray, f, self.bounds.extent().length() * 0.5);
         let Interval { near: mut t_near, far: mut t_far } = within;
         for (face, &(n, offset)) in (0..).zip(&self.planes) {
             let (o, d, plane) = (n.dot(f), n.dot(ray.d), offset + slack);

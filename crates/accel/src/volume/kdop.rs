@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::{Outline, Spans, Volume, corners, slack, spans};
+use crate::common::bars_projection;
 use crate::slab::Slab;
 use crate::{Aabb, Axes, Cancelled, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 
@@ -35,6 +36,11 @@ impl Direction {
 impl<const FIRST: usize, const N: usize> Volume for KDop<FIRST, N> {
     type Draft = Spans;
 
+    #[inline]
+    fn bars(ray: &Ray) -> Option<Visit> {
+        if N == 0 { None } else { bars_projection(ray) }
+    }
+
     fn fit<P: Primitives>(
         prims: &P,
         ids: impl Iterator<Item = PrimId>,
@@ -56,7 +62,7 @@ impl<const FIRST: usize, const N: usize> Volume for KDop<FIRST, N> {
         }
         // Then the slanted ones, whose normals are up to √3 long.
         let f = ray.o - self.bounds.center();
-        let slack = 2.0 * slack(f, self.bounds.extent().length() * 0.5);
+        let slack = 2.0 * slack(ray, f, self.bounds.extent().length() * 0.5);
         for (i, &[low, high]) in self.slabs.iter().enumerate() {
             let n = Direction::SLANTED_VECTORS[FIRST + i];
             let across = Direction::Slanted((FIRST + i) as u8);

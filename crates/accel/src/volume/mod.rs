@@ -33,6 +33,12 @@ pub trait Volume: Clone + Debug + PartialEq {
     /// What stands for it while a tree is put together.
     type Draft: Draft;
 
+    /// What keeps the ray from being measured against it, if anything does.
+    #[inline]
+    fn bars(_: &Ray) -> Option<Visit> {
+        None
+    }
+
     /// The volume around some primitives; `bounds` is the box around them. There must be at least one.
     ///
     /// # Errors
@@ -60,7 +66,7 @@ pub trait Volume: Clone + Debug + PartialEq {
     }
 
     /// How much room it encloses.
-    fn content(&self) -> f32 {
+    fn content(&self) -> f64 {
         self.outline().content()
     }
 
@@ -75,11 +81,16 @@ pub trait Volume: Clone + Debug + PartialEq {
 /// seen edge-on leaves its t uncertain by about 80, and the test itself errs by a few.
 const SLACK: f32 = 128.0 * f32::EPSILON;
 
+/// More than [`SLACK`] loses where the squares of lengths are too small for single precision, and by how much more
+/// than rounding to the smallest steps of t, 10⁻⁴⁵, moves a point along a direction of length one. (A number as small
+/// as those steps would do, but processors are slow to reckon with them.)
+const LOST: f32 = 1e-27;
+
 /// By how much a volume is larger for a ray whose origin lies at `f` from its middle, if it reaches `reach`
 /// from there, in world units.
 #[inline]
-fn slack(f: Vec3, reach: f32) -> f32 {
-    SLACK * (f.length() + reach)
+fn slack(ray: &Ray, f: Vec3, reach: f32) -> f32 {
+    SLACK * (f.length() + reach) + LOST * (1.0 + ray.d.abs().element_sum())
 }
 
 /// The corners of all primitives of a set.

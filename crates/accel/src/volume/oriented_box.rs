@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3, Vec3};
 
 use super::{Outline, Spans, Volume, corners, slack, span, spans};
+use crate::common::bars_projection;
 use crate::events::patiently;
 use crate::{
     Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit,
@@ -10,6 +11,11 @@ use crate::{
 
 impl Volume for Obb {
     type Draft = Spans;
+
+    #[inline]
+    fn bars(ray: &Ray) -> Option<Visit> {
+        bars_projection(ray)
+    }
 
     fn fit<P: Primitives>(
         prims: &P,
@@ -31,7 +37,7 @@ impl Volume for Obb {
     }
 
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
-        let slack = slack(ray.o - self.center, self.half.length());
+        let slack = slack(ray, ray.o - self.center, self.half.length());
         Obb { half: self.half + slack, ..*self }.slab(ray, within, place, watch)
     }
 

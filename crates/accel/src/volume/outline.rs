@@ -63,15 +63,15 @@ impl Outline {
     }
 
     /// The volume inside it.
-    pub fn content(&self) -> f32 {
+    pub fn content(&self) -> f64 {
         match self {
-            Outline::Box(bounds) => bounds.extent().max(Vec3::ZERO).element_product(),
-            Outline::Sphere(sphere) => 4.0 / 3.0 * std::f32::consts::PI * sphere.radius.powi(3),
+            Outline::Box(bounds) => bounds.extent().max(Vec3::ZERO).as_dvec3().element_product(),
+            Outline::Sphere(sphere) => 4.0 / 3.0 * std::f64::consts::PI * f64::from(sphere.radius).powi(3),
             Outline::Faces(faces) => {
                 // A pyramid over each face, with its tip in the middle.
                 let middle = self.bounds().center().as_dvec3();
                 let pyramid = |face: &Vec<Vec3>| (face[0].as_dvec3() - middle).dot(area(face)).abs() / 3.0;
-                faces.iter().map(pyramid).sum::<f64>() as f32
+                faces.iter().map(pyramid).sum()
             }
         }
     }

@@ -5,7 +5,9 @@ use std::f32::consts::PI;
 use glam::{DMat3, DVec3};
 
 use super::{Outline, Volume, corners, slack};
+use crate::common::bars_origin;
 use crate::events::patiently;
+use crate::geometry::digits::length;
 use crate::slab::{earlier, later};
 use crate::{
     Aabb, Axes, Cancelled, Corner, Each, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Probe, Ray,
@@ -14,6 +16,11 @@ use crate::{
 
 impl Volume for Sphere {
     type Draft = Sphere;
+
+    #[inline]
+    fn bars(ray: &Ray) -> Option<Visit> {
+        bars_origin(ray)
+    }
 
     fn fit<P: Primitives>(
         prims: &P,
@@ -27,7 +34,7 @@ impl Volume for Sphere {
 
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
         let Sphere { center, radius } = *self;
-        let larger = Sphere { center, radius: radius + slack(ray.o - center, radius) };
+        let larger = Sphere { center, radius: radius + slack(ray, ray.o - center, radius) };
         let Interval { near: mut t_near, far: mut t_far } = within;
         // Where the ray's line enters and leaves it.
         let mut equation = [0.0; 4];
@@ -108,7 +115,7 @@ impl Sphere {
     #[must_use]
     pub fn union(self, other: Sphere) -> Sphere {
         let (small, large) = if self.radius < other.radius { (self, other) } else { (other, self) };
-        let apart = (small.center - large.center).length();
+        let apart = length(small.center - large.center);
         // One lies in the other.
         if apart + small.radius <= large.radius {
             return large;

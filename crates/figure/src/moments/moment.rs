@@ -313,7 +313,7 @@ impl Moment {
                 self.met = tests.iter().find(|test| hit && test.t == Some(t)).map(|test| test.prim);
                 self.tested.push(PrimTest { prim: instance, t: hit.then_some(t) });
             }
-            Visit::Probe { .. } | Visit::Beyond { .. } | Visit::Distant { .. } => self.rest(),
+            Visit::Probe { .. } | Visit::Beyond { .. } | Visit::Distant { .. } | Visit::Extreme { .. } => self.rest(),
             Visit::Skip { prim } => {
                 self.rest();
                 self.skipped.push(prim);

@@ -1,7 +1,9 @@
 //! Rays to disagree about: most of them touch something exactly.
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Accel, Axis, List, Obb, PrimId, Primitives, Prims, Random, Ray, Shape, Structure};
+use raystep_accel::{
+    Aabb, Accel, Axis, List, NodeId, Obb, Outline, PrimId, Primitives, Prims, Random, Ray, Shape, Structure,
+};
 
 /// What rays of a scene aim at.
 pub struct Targets {
@@ -11,7 +13,15 @@ pub struct Targets {
     points: Vec<Vec<Vec3>>,
     /// For each axis where something lies exactly: corners, faces of boxes, planes of structures.
     places: [Vec<f32>; 3],
+    /// Three points in each of some planes that stand as they like: those of BSP trees, and the faces of volumes.
+    planes: Vec<[Vec3; 3]>,
 }
+
+/// In how many ways rays are aimed; each is tried once in so many rays.
+pub const AIMS: u32 = 19;
+
+/// Of each tree so many nodes at most give their planes.
+const NODES: usize = 48;
 
 impl Targets {
     /// What rays aim at in a scene with these structures.
@@ -38,14 +48,15 @@ impl Targets {
             corners.push(Vec3::ZERO);
         }
         let places = Axis::ALL.map(|axis| corners.iter().map(|p| p[axis]).collect());
-        Targets { bounds, flat, points, places }
+        let mut planes: Vec<_> = structures.iter().flat_map(|structure| planes_of(structure)).collect();
+        planes.retain(|points| points.iter().all(|p| p.is_finite()));
+        Targets { bounds, flat, points, places, planes }
     }
 
     /// A ray, one of many kinds in turn. `i` says which.
     pub fn ray(&self, prims: &Prims, i: u32, random: &mut Random) -> Option<Ray> {
         let (mut o, mut d) = self.line(i, random);
-        // Directions of any length.
-        d *= [1.0, 1.0, 1.0, 1e9, 1e-9, 0.37][(i / 17 % 6) as usize];
+        d = self.as_long_as(d, i / AIMS);
         if self.flat && !i.is_multiple_of(5) {
             (o.z, d.z) = (0.0, 0.0);
         }
@@ -53,11 +64,31 @@ impl Targets {
         self.range(ray, prims, i, random)
     }
 
+    /// The longest side of the box around everything.
+    fn size(&self) -> f32 {
+        self.bounds.extent().max_element().max(f32::from_bits(1))
+    }
+
+    /// The direction in one of many lengths.
+    fn as_long_as(&self, d: Vec3, number: u32) -> Vec3 {
+        let along = d / d.abs().max_element();
+        match number % 10 {
+            3 => d * 1e9,
+            4 => d * 1e-9,
+            5 => d * 0.37,
+            6 => along,
+            // So slow that t comes near the largest number, and so fast that it comes near the smallest.
+            7 => along * (self.size() * 1e-37).max(1e-43),
+            8 => along * ((self.size() * 1e38).min(1e36) * 100.0),
+            _ => d,
+        }
+    }
+
     /// An origin and a direction.
     fn line(&self, i: u32, random: &mut Random) -> (Vec3, Vec3) {
-        let size = self.bounds.extent().max_element().max(f32::MIN_POSITIVE);
+        let size = self.size();
         let outside = self.bounds.center() + direction(random) * size * random.range(0.9, 3.0);
-        match i % 17 {
+        match i % AIMS {
             // From outside to anywhere.
             0 => (outside, self.inside(random) - outside),
             // From anywhere inside.
@@ -68,7 +99,7 @@ impl Targets {
                 let mut d = Vec3::ZERO * direction(random);
                 d[axis] = if random.below(2) == 0 { 1.0 } else { -1.0 };
                 let mut o = self.place(random);
-                if i % 17 == 2 {
+                if i % AIMS == 2 {
                     o[axis] = self.bounds.center()[axis] - d[axis] * size * 2.0;
                 }
                 (o, d)
@@ -125,6 +156,21 @@ impl Targets {
                 let o = self.bounds.center() + direction(random) * size * 10f32.powi(random.below(6) as i32);
                 (o, self.inside(random) - o)
             }
+            // Along an axis, from as far away as numbers go.
+            16 => {
+                let (mut o, mut d) = (self.place(random), Vec3::ZERO);
+                let axis = random.below(3) as usize;
+                d[axis] = if random.below(2) == 0 { 1.0 } else { -1.0 };
+                o[axis] -= d[axis] * size * 10f32.powi(random.below(38) as i32);
+                (o.clamp(Vec3::splat(-3e38), Vec3::splat(3e38)), d)
+            }
+            // Within a plane of a structure.
+            17 if !self.planes.is_empty() => {
+                let [a, b, c] = self.planes[random.below(self.planes.len() as u32) as usize];
+                let at = [a, b.lerp(c, random.unit()), a.lerp(b, 0.5)][random.below(3) as usize];
+                let d = [b - a, c - a, (b - a) + (c - a) * random.unit()][random.below(3) as usize];
+                (if random.below(2) == 0 { at - d * 2.0 } else { at }, d)
+            }
             // Away from everything.
             _ => (outside, outside - self.inside(random)),
         }
@@ -161,6 +207,26 @@ impl Targets {
         let mut one = || points[random.below(points.len() as u32) as usize];
         (one(), one())
     }
+}
+
+/// Three points in each plane of some nodes.
+fn planes_of(structure: &Structure) -> Vec<[Vec3; 3]> {
+    let nodes = (0..structure.node_count() as u32).step_by(structure.node_count().div_ceil(NODES).max(1)).map(NodeId);
+    let faces = nodes.flat_map(|node| match structure {
+        Structure::Bsp(tree) => tree.plane(node).map(|plane| tree.cell(node).section(plane)).into_iter().collect(),
+        Structure::Bvh(tree) => match tree.outline(node) {
+            Outline::Faces(faces) => faces,
+            Outline::Sphere(ball) => {
+                let r = ball.radius;
+                let pole = ball.center + Vec3::X * r;
+                vec![vec![pole, pole + Vec3::Y * r, pole + Vec3::Z * r]]
+            }
+            // Its faces are among the places.
+            Outline::Box(_) => Vec::new(),
+        },
+        _ => Vec::new(),
+    });
+    faces.filter_map(|face| face.first_chunk().copied()).collect()
 }
 
 fn direction(random: &mut Random) -> Vec3 {

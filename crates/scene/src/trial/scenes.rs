@@ -15,6 +15,25 @@ pub struct Case {
 
 type Shapes = Vec<Shape<'static>>;
 
+/// Scenes of everything, scaled and then moved on every axis, up to what a file may hold: coordinates of
+/// 10¹⁸, and the smallest numbers that there are.
+const SCALES: [(&str, f32, f32); 14] = [
+    ("far away", 1.0, 1.5e5),
+    ("further away", 20.0, 1e7),
+    ("huge and as far away as can be", 1e13, 4e17),
+    ("tiny and off", 1e-3, 1.0),
+    ("huge", 1e9, 0.0),
+    ("scaled by 1e13", 1e13, 0.0),
+    ("scaled by 1e15", 1e15, 0.0),
+    ("as large as can be", 4e17, 0.0),
+    ("tiny", 1e-9, 0.0),
+    ("scaled by 1e-15", 1e-15, 0.0),
+    ("scaled by 1e-18", 1e-18, 0.0),
+    ("scaled by 1e-30", 1e-30, 0.0),
+    ("scaled by 1e-38", 1e-38, 0.0),
+    ("as small as can be", 1e-44, 0.0),
+];
+
 /// All of them, as tests use them.
 pub fn cases() -> Vec<Case> {
     cases_of(0)
@@ -45,6 +64,7 @@ pub fn cases_of(seed: u64) -> Vec<Case> {
     add("closed surface", false, ball(10));
     add("slivers", false, slivers(seeded(6), 60));
     add("needles through a point", false, needles(seeded(7), 50));
+    add("needles of a million to one", false, fine_needles(seeded(22), 60));
     add("without area", false, without_area(seeded(8)));
     add("spheres", false, spheres(seeded(9), 40));
     add("discs", false, discs(seeded(10), 40));
@@ -55,9 +75,8 @@ pub fn cases_of(seed: u64) -> Vec<Case> {
         false,
         [soup(seeded(11), 40, 0.4), spheres(seeded(12), 15), discs(seeded(13), 15), slivers(seeded(14), 10)].concat(),
     );
-    for (name, scale, offset) in
-        [("far away", 1.0, 1.5e5), ("tiny", 1e-9, 0.0), ("huge", 1e9, 0.0), ("tiny and off", 1e-3, 1.0)]
-    {
+    add("from grains to worlds", false, of_all_sizes(seeded(23), 74));
+    for (name, scale, offset) in SCALES {
         let shapes = [
             lattice(seeded(15), 20),
             ball(6),
@@ -164,6 +183,34 @@ pub fn needles(seed: u64, n: usize) -> Vec<Shape<'static>> {
         .map(|_| {
             let along = point(random, 1.0).normalize();
             triangle(-along, along, along + point(random, 0.01))
+        })
+        .collect()
+}
+
+/// A million times as long as wide, lying anywhere.
+fn fine_needles(seed: u64, n: usize) -> Shapes {
+    let random = &mut Random::new(seed);
+    (0..n)
+        .map(|_| {
+            let (from, along) = (point(random, 1.0), point(random, 1.0).normalize());
+            let across = along.any_orthogonal_vector().normalize() * 1e-6;
+            triangle(from, from + along, from + along * random.unit() + across)
+        })
+        .collect()
+}
+
+/// Triangles and balls of 10⁻¹⁸ to 10¹⁸, each about as far from the origin as it is large.
+fn of_all_sizes(seed: u64, n: usize) -> Shapes {
+    let random = &mut Random::new(seed);
+    (0..n)
+        .map(|i| {
+            let size = 10f32.powi(i as i32 / 2 % 37 - 18) * 0.4;
+            let at = point(random, size);
+            if i % 2 == 0 {
+                triangle(at, at + point(random, size), at + point(random, size))
+            } else {
+                sphere(at, size * random.range(0.0, 0.5))
+            }
         })
         .collect()
 }

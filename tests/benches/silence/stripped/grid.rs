@@ -48,7 +48,7 @@ impl StrippedGrid {
 
     #[inline(always)]
     fn walk(&self, prims: &impl Primitives, ray: &Ray, want: Want) -> Option<Hit> {
-        if !self.margin.covers(ray.o) {
+        if self.margin.bars(ray).is_some() {
             return List.walk(prims, ray, want, &mut ());
         }
         let mut best = Best::new(want);

@@ -101,14 +101,19 @@ impl ConvexCell {
 
     /// The size of its surface, or the length of its outline in a flat scene.
     pub fn measure(&self, measure: Measure) -> f32 {
+        self.size(measure) as f32
+    }
+
+    /// The same in double precision.
+    pub(super) fn size(&self, measure: Measure) -> f64 {
         match measure {
-            Measure::Area => self.faces.iter().map(|face| area(&face.corners).length() / 2.0).sum::<f64>() as f32,
+            Measure::Area => self.faces.iter().map(|face| area(&face.corners).length() / 2.0).sum(),
             Measure::Perimeter => self.floor().map_or(0.0, outline),
         }
     }
 
     /// The measures of what lies below a plane and above it, without cutting.
-    pub(super) fn halves(&self, plane: FreePlane, measure: Measure) -> [f32; 2] {
+    pub(super) fn halves(&self, plane: FreePlane, measure: Measure) -> [f64; 2] {
         match measure {
             Measure::Area => {
                 let (mut below, mut above, mut open) = (0.0, 0.0, DVec3::ZERO);
@@ -121,7 +126,7 @@ impl ConvexCell {
                 }
                 // The areas of a closed surface, as vectors, sum to zero: what is missing is the cut's.
                 let section = open.length();
-                [below + section, above + section].map(|twice| (twice / 2.0) as f32)
+                [below + section, above + section].map(|twice| twice / 2.0)
             }
             Measure::Perimeter => [-1.0, 1.0]
                 .map(|side| self.floor().map_or(0.0, |floor| outline(&kept(floor, |p| side * plane.height(p))))),
@@ -182,7 +187,7 @@ fn area(corners: &[DVec3]) -> DVec3 {
 }
 
 /// How long it is around a polygon.
-fn outline(corners: &[DVec3]) -> f32 {
+fn outline(corners: &[DVec3]) -> f64 {
     let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(a, b)| a.distance(*b)).sum::<f64>() as f32
+    corners.iter().zip(next).map(|(a, b)| a.distance(*b)).sum()
 }

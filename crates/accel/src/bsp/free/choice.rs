@@ -5,7 +5,8 @@ use glam::{DVec3, Vec3};
 use super::fragment::{Fragment, Proposal, proposals};
 use super::{ConvexCell, FreePlane};
 use crate::events::BETWEEN_LOOKS;
-use crate::{Axes, BspPlanes, BspRule, Cancelled, Grow, NodeId, Observer, Place, Primitives, Random};
+use crate::geometry::digits::unit;
+use crate::{Axes, BspPlanes, BspRule, Cancelled, Grow, Measure, NodeId, Observer, Place, Primitives, Random};
 
 /// Planes stand a little further beside a fragment than it is padded, so that it lies on one side of them
 /// even after rounding.
@@ -43,11 +44,14 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
     pub(super) fn best(&mut self) -> Result<Option<(FreePlane, f32)>, Cancelled> {
         let mut proposed = self.proposed();
         self.count(&mut proposed)?;
-        let whole = self.cell.measure(self.rule.measure);
+        // In a unit in which the cell has a size, however small or large it is.
+        let unit = f64::from(unit(self.cell.bounds().extent().max_element()));
+        let unit = if self.rule.measure == Measure::Area { unit * unit } else { unit };
+        let whole = self.cell.size(self.rule.measure);
         let mut best: Option<(FreePlane, Place, f32)> = None;
         for Across { from, planes, .. } in &proposed {
             for tried in planes {
-                let cost = self.weigh(tried, *from, whole);
+                let cost = self.weigh(tried, *from, whole, unit);
                 if let Some(cost) = cost
                     && best.is_none_or(|(_, _, least)| cost < least)
                 {
@@ -86,9 +90,10 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
     }
 
     /// What the node costs if it is cut by the plane, as in a kd-tree; none if hardly anything is separated.
-    fn weigh(&mut self, &Tried { plane, below, above }: &Tried, from: Place, whole: f32) -> Option<f32> {
+    fn weigh(&mut self, &Tried { plane, below, above }: &Tried, from: Place, whole: f64, unit: f64) -> Option<f32> {
         let [size_below, size_above] = self.cell.halves(plane, self.rule.measure);
-        let (p_below, p_above) = (size_below / whole, size_above / whole);
+        let in_unit = |size: f64| (size * unit) as f32;
+        let (p_below, p_above) = (in_unit(size_below) / in_unit(whole), in_unit(size_above) / in_unit(whole));
         let tests = p_below * below as f32 + p_above * above as f32;
         let (step, test) = (self.rule.traversal_cost, self.rule.intersection_cost);
         let cost = step + test * tests;
@@ -99,9 +104,9 @@ impl<P: Primitives, O: Observer<Grow>> Scale<'_, P, O> {
             plane: plane.at,
             below,
             above,
-            size: whole,
-            size_below,
-            size_above,
+            size: whole as f32,
+            size_below: size_below as f32,
+            size_above: size_above as f32,
             p_below,
             p_above,
             step,

@@ -3,7 +3,8 @@
 use glam::{DVec3, Vec3};
 
 use crate::bsp::{Kind, Meeting, Node, Plane, PlaneTest};
-use crate::{Direction, NodeId, Ray};
+use crate::common::bars_projection;
+use crate::{Direction, NodeId, Ray, Visit};
 
 /// All points `p` with `normal · p = at`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,10 +22,6 @@ impl FreePlane {
     }
 }
 
-/// Directions with a largest component between these keep their digits in a dot product.
-const SLOWEST: f32 = 1e-30;
-const FASTEST: f32 = 1e30;
-
 impl Plane for FreePlane {
     const TEST: PlaneTest = PlaneTest { numbers: 4, products: 6, sums: 5, quotients: 1 };
 
@@ -40,8 +37,8 @@ impl Plane for FreePlane {
     }
 
     #[inline]
-    fn measures(ray: &Ray) -> bool {
-        (SLOWEST..=FASTEST).contains(&ray.d.abs().max_element())
+    fn bars(ray: &Ray) -> Option<Visit> {
+        bars_projection(ray)
     }
 }
 

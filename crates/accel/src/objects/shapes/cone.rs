@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use super::{Cylinder, Disc};
 use crate::Aabb;
+use crate::geometry::digits::direction;
 
 /// From a point widening to a round base: its mantle and its base are met. Without height it is not met
 /// at all.
@@ -20,7 +21,7 @@ pub struct Cone {
 impl Cone {
     /// A small box around it: the one around base and apex.
     pub fn bounds(&self) -> Aabb {
-        let normal = (self.base - self.apex).normalize_or(Vec3::X);
+        let normal = direction(self.base - self.apex).unwrap_or(Vec3::X);
         Disc { center: self.base, normal, radius: self.radius }.bounds().with_point(self.apex)
     }
 

@@ -4,6 +4,7 @@ use glam::Vec3;
 
 use super::Disc;
 use crate::Aabb;
+use crate::geometry::digits::direction;
 
 /// All points no further than `radius` from the segment between two ends, and between the ends: its mantle
 /// and both ends are met. Without length it is not met at all.
@@ -20,7 +21,7 @@ pub struct Cylinder {
 impl Cylinder {
     /// A small box around it: the one around both ends.
     pub fn bounds(&self) -> Aabb {
-        let normal = (self.to - self.from).normalize_or(Vec3::X);
+        let normal = direction(self.to - self.from).unwrap_or(Vec3::X);
         let end = |center: Vec3| Disc { center, normal, radius: self.radius }.bounds();
         end(self.from).union(end(self.to))
     }

@@ -126,7 +126,7 @@ impl Shape<'_> {
             // Rounding moves it by no more than this; a meeting further out lies beside the shape.
             let t = own.clamp(met);
             let is_near = (t - met).abs() <= SLACK * met.abs();
-            (is_near && t.is_finite() && ray.range().contains(t)).then_some(t)
+            (is_near && met.is_finite() && ray.range().contains(t)).then_some(t)
         };
         match self {
             Shape::Triangle(shape) => shape.meet(ray, watch).and_then(accept),

@@ -106,6 +106,7 @@ impl Fact for Visit {
             Visit::Local { .. } => "the ray enters an instance",
             Visit::World { .. } => "the ray leaves the instance",
             Visit::Distant { .. } => "too far away: brute force",
+            Visit::Extreme { .. } => "too short or too long: brute force",
             Visit::End { why: Ending::Outside, .. } => return format!("the {one} is never met").into(),
             Visit::End { hit: true, .. } => "the nearest hit is found",
             Visit::End { .. } => "nothing is hit",

@@ -177,6 +177,12 @@ pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
         Visit::Distant { reach } => {
             format!("The ray starts further away than {}: every primitive is tested instead.", number(reach))
         }
+        Visit::Extreme { length, shortest, longest } => format!(
+            "The largest component of the ray's direction, {}, is not between {} and {}: every primitive is tested instead.",
+            number(length),
+            number(shortest),
+            number(longest)
+        ),
         Visit::End { why: Ending::Outside, .. } => {
             format!("The ray does not meet the {}: nothing is hit.", volume.one)
         }
