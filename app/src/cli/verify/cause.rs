@@ -34,7 +34,9 @@ pub(super) fn cause(
     let bounds = shape.bounds();
     let largest = ray.o.abs().max(bounds.min.abs()).max(bounds.max.abs()).max_element();
     let inward = middle(&shape) - (ray.o.as_dvec3() + ray.d.as_dvec3() * t);
-    let rounding = f64::from(largest * f32::EPSILON);
+    // Where t lies in the smallest steps that there are, it moves the hit by as much.
+    let smallest = f64::from(f32::from_bits(1));
+    let rounding = (f64::from(largest) * f64::from(f32::EPSILON)).max(ray.d.as_dvec3().length().max(1.0) * smallest);
     let moved = |step: f64| {
         let far = step * rounding;
         // Along the ray, t changes by as much as the ray is moved; on a slanted primitive, by somewhat more.

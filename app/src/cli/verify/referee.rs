@@ -13,7 +13,8 @@ pub(super) fn nearest(prims: &impl Primitives, ray: &Ray) -> Option<(f64, PrimId
 /// The same for the ray that begins so far from where this one does.
 pub(super) fn nearest_moved(prims: &impl Primitives, ray: &Ray, by: DVec3) -> Option<(f64, PrimId)> {
     let line = Line { o: ray.o.as_dvec3() + by, d: ray.d.as_dvec3() };
-    let in_range = |t: &f64| f64::from(ray.t_min) <= *t && *t <= f64::from(ray.t_max);
+    // Further away t is no number of single precision.
+    let in_range = |t: &f64| f64::from(ray.t_min) <= *t && *t <= f64::from(ray.t_max.min(f32::MAX));
     let mut best: Option<(f64, PrimId)> = None;
     for prim in (0..prims.len() as u32).map(PrimId) {
         for t in line.meets(&prims.shape(prim)).into_iter().filter(in_range) {
