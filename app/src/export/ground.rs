@@ -78,7 +78,9 @@ impl<'a> Ground<'a> {
             Some(name) => (format!("{}-{}", slug(&name), rule.kind()), name),
             None => {
                 let kind = stage.kind.name();
-                let about = format!("{} · {} · {kind}", slide.section_title(), slide.numbers_text());
+                // A board looks the same on every stage.
+                let on = if stage.board.is_some() { String::new() } else { format!(" · {kind}") };
+                let about = format!("{} · {}{on}", slide.section_title(), slide.numbers_text());
                 (format!("{}-{kind}", of_slide(library, slide)), about)
             }
         };

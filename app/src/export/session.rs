@@ -36,7 +36,7 @@ pub enum View {
 impl<'a> Session<'a> {
     /// The walks of these rays of the ground's stage; where a build is played, that alone.
     pub(crate) fn of_rays(ground: &'a Ground<'a>, rays: &[&NamedRay]) -> Vec<Session<'a>> {
-        if ground.built.growth.is_some() {
+        if ground.built.told.is_some() {
             return Session::new(ground, None, None, ground.stem.clone()).into_iter().collect();
         }
         rays.iter().filter_map(|ray| Session::of_ray(ground, ray)).collect()
@@ -129,6 +129,7 @@ impl<'a> Session<'a> {
                 Told::Walk { name: self.ray.as_deref(), ray: &walk.ray, events: &walk.events, hit: walk.hit }
             }
             Tape::Build(build) => Told::Build(&build.events),
+            Tape::Board(filled) => Told::Board(&filled.events),
         };
         let rule = &self.ground.rule;
         json(&Record {
@@ -169,8 +170,11 @@ impl<'a> Session<'a> {
         let slide = self.ground.slide;
         let event = self.play.event(step);
         let (heading, caption) = self.said(event.as_ref(), step, beat);
-        let played = self.ray.as_ref().map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {ray}"));
-        let about = format!("{} · {played}", self.ground.about);
+        let about = match (&self.ray, &self.play.tape) {
+            (Some(ray), _) => format!("{} · ray: {ray}", self.ground.about),
+            (None, Tape::Board(_)) => self.ground.about.clone(),
+            (None, _) => format!("{} · how it is built", self.ground.about),
+        };
         let listing = lines(self.ground.library.listing(&slide.listing), &self.play, step, None);
         let mut below: Vec<Pane> = slide.show.iter().filter_map(pane).collect();
         below.dedup();

@@ -2,6 +2,7 @@
 //! that. It knows no window, file or clock, so that everything that shows slides can share it.
 
 pub(crate) mod beside;
+mod board;
 pub(crate) mod camera;
 pub mod command;
 pub(crate) mod eye;

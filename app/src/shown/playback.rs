@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use raystep_accel::{Accel, Cost, Event, Hit, Mistake, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Nodes, Reel};
-use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
+use raystep_lesson::{Choice, Play, Slide, Stage, Tape, WalkTape};
 use raystep_scene::Scene;
 
 use super::reel::reel;
@@ -63,8 +63,8 @@ pub struct Built {
     pub structure: Arc<Structure>,
     /// Its nodes, as pictures need them.
     pub nodes: Arc<Nodes>,
-    /// How it was built, if that is to be played.
-    pub growth: Option<Arc<BuildTape>>,
+    /// What is played without a ray: how it was built, or a board.
+    pub told: Option<Tape>,
     /// How many seconds it took to build.
     pub seconds: f32,
 }
@@ -72,10 +72,10 @@ pub struct Built {
 impl Playback {
     /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
     pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
-        let Built { scene, rule, structure, nodes, growth, seconds } = built;
+        let Built { scene, rule, structure, nodes, told, seconds } = built;
         // A mistake's own scene is no scene of the slide: nothing is told there.
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
-        let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, beats)?;
+        let mut play = raystep_lesson::Built { scene, structure, told }.play(ray, beats)?;
         // Beats that speak of another of the slide's rays are silent on this one.
         if let RayChoice::Named(index) = view.ray
             && let Some(this) = stage.rays.get(index)
@@ -138,7 +138,7 @@ impl Playback {
             rule: self.rule,
             structure: self.play.structure.clone(),
             nodes: self.nodes.clone(),
-            growth: self.play.tape.growth(),
+            told: self.play.tape.without_ray(),
             seconds: self.seconds,
         }
     }
@@ -177,7 +177,7 @@ impl Playback {
     pub fn answer(&self) -> Option<Option<Hit>> {
         match &self.play.tape {
             Tape::Walk(walk) => Some(walk.hit),
-            Tape::Build(_) => None,
+            Tape::Build(_) | Tape::Board(_) => None,
         }
     }
 

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use raystep_accel::{Mistake, Place, Value};
+use super::board::board;
 use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, told};
 use raystep_lesson::{Beat, Facts, Listing, Medium, Play, Plays, Show, Tape};
 
@@ -16,6 +17,7 @@ pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
         Tape::Build(build) => {
             Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, flat })
         }
+        Tape::Board(filled) => Reel::new(board(filled)),
     }
 }
 
@@ -24,6 +26,7 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
     match plays {
         Plays::Walk => "Before the walk: the ray has met nothing yet.",
         Plays::Build => "Before the build: the primitives lie there, and nothing is known of them yet.",
+        Plays::Board => "Nothing is filled in yet.",
     }
 }
 

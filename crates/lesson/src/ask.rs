@@ -4,7 +4,8 @@ use raystep_accel::{Event, Place, Value};
 
 use crate::Spot;
 
-/// A question. Its right answer is read off what is played, so it is right for every ray.
+/// A question. Its right answer is read off what is played, so it is right for every ray; only what no event tells is
+/// said by the slide itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ask {
     /// The question: Markdown, with `{{field}}` of the coming event.
@@ -35,6 +36,8 @@ pub enum About {
     },
     /// Which of these events comes.
     Event(Vec<String>),
+    /// What no event tells: the slide says it.
+    Said(String),
 }
 
 /// Why an answer is wrong.

@@ -8,7 +8,7 @@ use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
 use crate::{
-    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter, Slide,
+    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Problem, Script, Setter, Slide,
     Spot, Stage, StageKind, condition, names,
 };
 
@@ -120,7 +120,7 @@ impl Checker<'_> {
     /// Of every paragraph that is asked for, all that it names happens somewhere.
     fn silence(&mut self, slide: &Slide) {
         for (spot, _) in std::mem::take(&mut self.told).into_iter().filter(|(_, said)| !said) {
-            let what = if slide.plays == Plays::Build { "build" } else { "ray" };
+            let what = if slide.plays.has_rays() { "ray" } else { slide.plays.name() };
             self.say(
                 slide,
                 spot,
@@ -141,7 +141,7 @@ impl Checker<'_> {
                         self.say(slide, spot, error.to_string());
                     }
                 }
-                Act::Compare(kind) if slide.plays == Plays::Build || *kind == stage.plan.kind => {
+                Act::Compare(kind) if !slide.plays.has_rays() || *kind == stage.plan.kind => {
                     self.say(slide, spot, format!("there is nothing to compare with `{kind}` here"));
                 }
                 Act::Compare(_) => {}
@@ -237,10 +237,10 @@ impl Checker<'_> {
     fn stage(&mut self, slide: &Slide, stage: &Stage, listing: Option<&Listing>, built: &Built) {
         let readable = self.readable(slide);
         let beside = self.build_beside(slide, stage, built);
-        if slide.plays == Plays::Build {
+        if !slide.plays.has_rays() {
             let Some(play) = built.play_with(beside.as_ref(), None, &slide.beats) else { return };
             self.hear(slide, &play);
-            let what = format!("in the build of the {} stage", stage.kind.name());
+            let what = format!("in the {} of the {} stage", slide.plays.name(), stage.kind.name());
             for (index, beat) in slide.beats.iter().enumerate() {
                 self.values(slide, beat, &play);
                 if readable {
@@ -372,7 +372,9 @@ impl Checker<'_> {
 /// What is built, in words: slides share it.
 fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     let settings: Vec<_> = plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
-    format!("{} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
+    // A board measures what its own slide asks for.
+    let own = if stage.board.is_some() { slide.file.as_str() } else { "" };
+    format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 
 /// Some value of a fact of a beat, wherever in the play it is one.

@@ -2,7 +2,7 @@
 
 use raystep_accel::{Axis, Event, Grow, Place, Structure, Value, Visit};
 
-use crate::{About, Ask, Choice, Play, names};
+use crate::{About, Ask, Choice, Play, Reason, names};
 
 /// The answers beside the right one to the question where a node is cut: nearest to its middle, and with
 /// the most even shares.
@@ -16,6 +16,9 @@ impl Ask {
     /// two: this walk leaves nothing to ask.
     pub fn choices(&self, play: &Play, step: usize) -> Vec<Choice> {
         let Some(event) = play.event(step) else { return Vec::new() };
+        if let About::Said(right) = &self.about {
+            return self.said(right);
+        }
         let Some(right) = self.right(play, &event) else { return Vec::new() };
         if is_cut(self, &event) {
             return self.cuts(play, step, &event);
@@ -48,7 +51,24 @@ impl Ask {
             About::Field(field) => event.field(field),
             About::Count { event: name, .. } => Some(Value::Count(self.count(name, play, event))),
             About::Event(_) => Some(Value::Word(event.name(), &[])),
+            About::Said(_) => None,
         }
+    }
+
+    /// The answer that the slide says, among the wrong ones, in the order of their letters, which tells nothing.
+    fn said(&self, right: &str) -> Vec<Choice> {
+        let mut answers: Vec<(&str, Option<&Reason>)> = vec![(right, None)];
+        answers.extend(self.reasons.iter().map(|reason| (reason.answer.as_str(), Some(reason))));
+        answers.sort_by_key(|(answer, _)| *answer);
+        let choice = |(index, (answer, reason)): (usize, (&str, Option<&Reason>))| Choice {
+            label: Some(reason.and_then(|reason| reason.label.clone()).unwrap_or_else(|| answer.to_owned())),
+            value: Value::Count(index as u32),
+            place: None,
+            right: reason.is_none(),
+            reason: reason.map(|reason| reason.text.clone()),
+            own: None,
+        };
+        answers.into_iter().enumerate().map(choice).collect()
     }
 
     /// How many events of that name there are, only those alike if the question says so.

@@ -6,6 +6,7 @@
 mod ask;
 mod attributes;
 mod beat;
+mod board;
 mod body;
 mod check;
 mod choices;
@@ -33,6 +34,10 @@ mod wait;
 
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
+pub use board::{
+    Board, BoardTape, Cell, Chart, Column, Counted, Drawn, Formula, Map, Maps, Measured, Panel, Row, Scale, Stroke,
+    Table,
+};
 pub use check::{check, check_file};
 pub use condition::Condition;
 pub use facts::Facts;

@@ -1,6 +1,6 @@
-//! What a slide plays: a ray's walk, or the building of its structure.
+//! What a slide plays: a ray's walk, the building of its structure, or a board that is filled.
 
-use raystep_accel::{Grow, Visit};
+use raystep_accel::{Grow, Reveal, Visit};
 
 /// Names of events, each group with the fields that they have.
 type Vocabulary = &'static [(&'static [&'static str], &'static [&'static str])];
@@ -13,17 +13,25 @@ pub enum Plays {
     Walk,
     /// The building of the structure; there is no ray.
     Build,
+    /// The filling of tables and charts; there is no ray.
+    Board,
 }
 
 impl Plays {
-    /// Both.
-    pub const ALL: [Plays; 2] = [Plays::Walk, Plays::Build];
+    /// All of them.
+    pub const ALL: [Plays; 3] = [Plays::Walk, Plays::Build, Plays::Board];
+
+    /// Whether a ray walks.
+    pub fn has_rays(self) -> bool {
+        self == Plays::Walk
+    }
 
     /// How a slide writes it, and what it is called.
     pub fn name(self) -> &'static str {
         match self {
             Plays::Walk => "walk",
             Plays::Build => "build",
+            Plays::Board => "board",
         }
     }
 
@@ -32,6 +40,7 @@ impl Plays {
         match self {
             Plays::Walk => Visit::NAMES,
             Plays::Build => Grow::NAMES,
+            Plays::Board => Reveal::NAMES,
         }
     }
 }

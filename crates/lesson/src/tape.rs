@@ -1,4 +1,4 @@
-//! What is played, event by event: a ray's walk, or the building of the structure.
+//! What is played, event by event: a ray's walk, the building of the structure, or a board that is filled.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Visit};
 use raystep_scene::Scene;
 
-use crate::{Plays, names};
+use crate::{Board, BoardTape, Plays, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -21,6 +21,8 @@ pub enum Tape {
     Walk(WalkTape),
     /// A structure is built.
     Build(Arc<BuildTape>),
+    /// A board is filled.
+    Board(Arc<BoardTape>),
 }
 
 /// The walk of a ray.
@@ -56,11 +58,12 @@ impl Tape {
         Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit })
     }
 
-    /// Which of the two it is.
+    /// Which of them it is.
     pub fn plays(&self) -> Plays {
         match self {
             Tape::Walk(_) => Plays::Walk,
             Tape::Build(_) => Plays::Build,
+            Tape::Board(_) => Plays::Board,
         }
     }
 
@@ -69,6 +72,7 @@ impl Tape {
         match self {
             Tape::Walk(walk) => walk.events.len(),
             Tape::Build(build) => build.events.len(),
+            Tape::Board(board) => board.events.len(),
         }
     }
 
@@ -82,6 +86,7 @@ impl Tape {
         match self {
             Tape::Walk(walk) => walk.lost,
             Tape::Build(build) => build.lost.values().sum(),
+            Tape::Board(_) => 0,
         }
     }
 
@@ -90,6 +95,7 @@ impl Tape {
         match self {
             Tape::Walk(walk) => walk.events.get(index).copied().map(Event::Walk),
             Tape::Build(build) => build.events.get(index).copied().map(Event::Build),
+            Tape::Board(board) => board.events.get(index).copied().map(Event::Board),
         }
     }
 
@@ -103,46 +109,50 @@ impl Tape {
         let kept = match self {
             Tape::Walk(walk) => walk.lost == 0,
             Tape::Build(build) => !build.lost.keys().any(|lost| names(name, lost)),
+            Tape::Board(_) => true,
         };
         let counted = || self.events().take(step).filter(|event| names(name, event.name())).count() as u32;
         kept.then(counted)
     }
 
-    /// The build, if it is one.
-    pub fn growth(&self) -> Option<Arc<BuildTape>> {
-        match self {
-            Tape::Walk(_) => None,
-            Tape::Build(build) => Some(build.clone()),
-        }
+    /// The same tape, if it is no ray's.
+    pub fn without_ray(&self) -> Option<Tape> {
+        (!self.plays().has_rays()).then(|| self.clone())
     }
 
     /// The ray that walks, if one does.
     pub fn ray(&self) -> Option<Ray> {
         match self {
             Tape::Walk(walk) => Some(walk.ray),
-            Tape::Build(_) => None,
+            Tape::Build(_) | Tape::Board(_) => None,
         }
     }
 }
 
-impl BuildTape {
-    /// Builds what `rule` says over a scene and keeps what happens, if that is to be played.
+impl Tape {
+    /// Builds what `rule` says over a scene. Keeps what happens, if that is to be played, and fills `board` if that
+    /// is: nothing is kept for a ray that is still to walk.
     ///
     /// # Errors
     /// `watch` asked to give up.
     pub fn record(
         plays: Plays,
+        board: Option<&Arc<Board>>,
         scene: &Scene,
         rule: &Rule,
         watch: &mut impl Observer<Grow>,
-    ) -> Result<(Structure, Option<Arc<BuildTape>>), Cancelled> {
-        match plays {
-            Plays::Walk => Ok((Structure::build(&scene.prims, rule, watch)?, None)),
-            Plays::Build => {
+    ) -> Result<(Structure, Option<Tape>), Cancelled> {
+        match (plays, board) {
+            (Plays::Build, _) => {
                 let mut tape = BuildTape::default();
                 let structure = Structure::build(&scene.prims, rule, &mut (watch, &mut tape))?;
-                Ok((structure, Some(Arc::new(tape))))
+                Ok((structure, Some(Tape::Build(Arc::new(tape)))))
             }
+            (Plays::Board, Some(board)) => {
+                let filled = BoardTape::fill(board, scene, watch)?;
+                Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Board(Arc::new(filled)))))
+            }
+            (Plays::Walk | Plays::Board, _) => Ok((Structure::build(&scene.prims, rule, watch)?, None)),
         }
     }
 }

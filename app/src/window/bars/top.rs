@@ -2,7 +2,7 @@
 
 use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
 use raystep_figure::{Face, Role, Theme};
-use raystep_lesson::{Plays, StageKind};
+use raystep_lesson::StageKind;
 
 use crate::shown::beside::Beside;
 use crate::shown::command::{Command, Entry};
@@ -92,7 +92,7 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 (Command::Compare, matches!(state.beside, Beside::Structure(_)), true),
             ];
             // Brute force has no structure that could be built.
-            let builds = state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+            let builds = state.slide().is_some_and(|slide| !slide.plays.has_rays());
             for (command, on, _) in modes.into_iter().filter(|(.., fits)| *fits) {
                 let button = Button::new(command.name()).selected(on);
                 let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };

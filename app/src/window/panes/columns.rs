@@ -4,7 +4,7 @@
 use egui::{Frame, Panel, Ui};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
-use raystep_lesson::{Plays, Show};
+use raystep_lesson::Show;
 
 use super::figure::figure;
 use super::page::{Asked, Kept, Page};
@@ -155,7 +155,7 @@ pub(super) fn center(
     }
     // The costs of splits are curves and bytes are boxes; intervals are lines, of which four must fit.
     let bytes = bytes(page.state);
-    let builds = page.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+    let builds = page.state.slide().is_some_and(|slide| !slide.plays.has_rays());
     let usual = match () {
         // What a slide is about gets the room.
         () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.38).clamp(200.0, 340.0),

@@ -1,5 +1,6 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
+mod board;
 mod bytes;
 mod cells;
 mod changed;
@@ -16,6 +17,8 @@ mod tree;
 mod weighing;
 mod work;
 
+pub(crate) use board::board;
+pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Row, Scale, Table};
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_of_build};

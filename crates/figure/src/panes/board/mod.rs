@@ -1,0 +1,85 @@
+//! Boards: tables, charts and heat maps beside each other, filled entry by entry.
+
+mod chart;
+mod maps;
+mod table;
+
+use glam::Vec2;
+use raystep_accel::{CellId, Place};
+
+pub use chart::{Chart, Curve, Dot, Drawn, Scale};
+pub use maps::{Map, Maps};
+pub use table::{Column, Row, Table};
+
+use super::Ask;
+use crate::page::Figure;
+
+/// A part of a board. Its entries (rows, points, lines) have numbers, in the order in which they come to be seen.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Panel {
+    /// A table.
+    Table(Table),
+    /// A chart.
+    Chart(Chart),
+    /// Heat maps.
+    Maps(Maps),
+}
+
+/// How far a board is filled.
+#[derive(Clone, Copy, Debug)]
+struct Filled {
+    /// How many entries are to be seen.
+    step: usize,
+    /// Whether a question about the next one is open.
+    asks: bool,
+}
+
+impl Filled {
+    fn shows(self, entry: usize) -> bool {
+        entry < self.step
+    }
+
+    fn is_new(self, entry: usize) -> bool {
+        entry + 1 == self.step && !self.asks
+    }
+
+    fn is_asked(self, entry: usize) -> bool {
+        entry == self.step && self.asks
+    }
+}
+
+/// The place of an entry.
+fn place(entry: usize) -> Option<Place> {
+    Some(Place::Cell(CellId(entry as u32)))
+}
+
+/// The panels, filled up to a step.
+pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
+    let mut figure = Figure::new(ask.size);
+    let filled = Filled { step, asks: ask.hide };
+    let mut corner = Vec2::ZERO;
+    let wide = ask.size.x > ask.size.y * 1.15;
+    for (index, panel) in panels.iter().enumerate() {
+        let left = panels.len() - index;
+        let mut room = ask.size - corner;
+        if left > 1 {
+            // The first of two has the larger part: a chart's, or what the rows of a table need.
+            match panel {
+                Panel::Chart(_) if wide => room.x *= 0.58,
+                Panel::Chart(_) | Panel::Maps(_) => room.y *= 0.55,
+                Panel::Table(table) => room.y = table.height(&ask.look).min(room.y * 0.7),
+            }
+        }
+        let part = match panel {
+            Panel::Table(table) => table::draw(table, filled, room, &ask.look),
+            Panel::Chart(chart) => chart::draw(chart, filled, room, &ask.look),
+            Panel::Maps(maps) => maps::draw(maps, filled, room, &ask.look),
+        };
+        figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
+        match panel {
+            Panel::Chart(_) if wide => corner.x += room.x,
+            _ => corner.y += room.y,
+        }
+    }
+    figure
+}

@@ -1,0 +1,98 @@
+//! What stands on a board, and in which order it comes to be seen.
+
+use crate::keys::Keys;
+use crate::limits;
+use crate::reading::Reading;
+
+use super::{Chart, Column, Drawn, Map, Maps, Row, Table, chart, maps, table};
+
+/// Tables, charts and heat maps.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Board {
+    /// What it holds, the largest first.
+    pub panels: Vec<Panel>,
+}
+
+/// A part of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Panel {
+    /// A table.
+    Table(Table),
+    /// A chart.
+    Chart(Chart),
+    /// Heat maps.
+    Maps(Maps),
+}
+
+/// One thing on a board that comes to be seen.
+#[derive(Clone, Copy, Debug)]
+pub enum Entry<'a> {
+    /// A row of a table.
+    Row(&'a Row),
+    /// A point or a line of a chart.
+    Drawn(&'a Drawn),
+    /// A heat map, and what it counts.
+    Map(&'a Map, Column),
+}
+
+impl Board {
+    /// Everything that comes to be seen: its panel and its place there, in the order in which it does.
+    pub fn order(&self) -> Vec<(usize, usize)> {
+        let mut order: Vec<(f32, usize, usize)> = Vec::new();
+        for (index, panel) in self.panels.iter().enumerate() {
+            // What names no step of its own comes after what stands before it.
+            let mut step = 0.0;
+            for (place, own) in panel.steps().into_iter().enumerate() {
+                step = own.unwrap_or(step);
+                order.push((step, index, place));
+            }
+        }
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order.into_iter().map(|(_, panel, place)| (panel, place)).collect()
+    }
+
+    /// What stands at a place of a panel.
+    pub fn entry(&self, (panel, place): (usize, usize)) -> Option<Entry<'_>> {
+        match self.panels.get(panel)? {
+            Panel::Table(table) => table.rows.get(place).map(Entry::Row),
+            Panel::Chart(chart) => chart.drawn.get(place).map(Entry::Drawn),
+            Panel::Maps(maps) => maps.maps.get(place).map(|map| Entry::Map(map, maps.of)),
+        }
+    }
+}
+
+impl Panel {
+    fn steps(&self) -> Vec<Option<f32>> {
+        match self {
+            Panel::Table(table) => table.rows.iter().map(|row| row.step).collect(),
+            Panel::Chart(chart) => chart.drawn.iter().map(|drawn| drawn.step).collect(),
+            Panel::Maps(maps) => maps.maps.iter().map(|map| map.step).collect(),
+        }
+    }
+}
+
+/// Reads the tables, charts and heat maps of a head.
+pub(crate) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Board {
+    let mut board = Board::default();
+    for mut keys in keys.tables("chart", reading) {
+        board.panels.extend(chart::read(&mut keys, reading).map(Panel::Chart));
+        keys.finish(reading);
+    }
+    for mut keys in keys.tables("table", reading) {
+        board.panels.extend(table::read(&mut keys, reading).map(Panel::Table));
+        keys.finish(reading);
+    }
+    for mut keys in keys.tables("heat", reading) {
+        board.panels.extend(maps::read(&mut keys, reading).map(Panel::Maps));
+        keys.finish(reading);
+    }
+    if !["chart", "table", "heat"].into_iter().any(|key| keys.has(key)) {
+        reading.problem(0, "a board has tables, charts or heat maps: write `[[table]]`, `[[chart]]` or `[[heat]]`");
+    }
+    let entries = board.order().len();
+    if entries > limits::BOARD {
+        reading.problem(0, format!("the board shows {entries} things: at most {} are allowed", limits::BOARD));
+        return Board::default();
+    }
+    board
+}
