@@ -67,7 +67,7 @@ fn here(column: Column, measured: &Measured) -> String {
     match column {
         Column::Tests => digits(measured.tests),
         // Where there is nothing to enter, none were.
-        Column::Visits | Column::Nodes if measured.nodes == 0 => "\u{2013}".to_owned(),
+        Column::Visits | Column::Boxes | Column::Nodes if measured.nodes == 0 => "\u{2013}".to_owned(),
         Column::Visits => digits(measured.visits),
         Column::Boxes => digits(measured.boxes),
         Column::Bytes if measured.bytes == 0 => "\u{2013}".to_owned(),

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use raystep_accel::{Mistake, Place, Value};
 use super::board::board;
+use raystep_accel::{Mistake, Place, Value};
 use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, told};
 use raystep_lesson::{Beat, Facts, Listing, Medium, Play, Plays, Show, Tape};
 

@@ -8,8 +8,8 @@ use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
 use crate::{
-    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Problem, Script, Setter, Slide,
-    Spot, Stage, StageKind, condition, names,
+    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Problem, Script, Setter, Slide, Spot,
+    Stage, StageKind, condition, names,
 };
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well. `setter` says what in
@@ -183,7 +183,8 @@ impl Checker<'_> {
         self.camera(slide, stage, &scene);
         // Every wrong parameter, not only the first.
         let mut good = true;
-        for plan in std::iter::once(&stage.plan).chain(&stage.beside) {
+        let measured = stage.board.iter().flat_map(|board| board.plans());
+        for plan in std::iter::once(&stage.plan).chain(&stage.beside).chain(measured) {
             match Rule::default_for(&plan.kind) {
                 Ok(mut rule) => {
                     for setting in &plan.settings {

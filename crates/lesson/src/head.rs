@@ -259,7 +259,10 @@ fn rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
 fn no_rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
     if let Some(value) = keys.raw("rays") {
         let plays = reading.plays.name();
-        reading.problem(value.span().start, format!("`rays` belong to a slide that plays a walk: this one plays a {plays}"));
+        reading.problem(
+            value.span().start,
+            format!("`rays` belong to a slide that plays a walk: this one plays a {plays}"),
+        );
     }
     Vec::new()
 }

@@ -310,6 +310,7 @@ fn boards(built: &Built) -> Option<&Board> {
 
 fn same(a: &Built, b: &Built) -> bool {
     a.rule == b.rule
-        && boards(a) == boards(b) && a.told.is_some() == b.told.is_some()
+        && boards(a) == boards(b)
+        && a.told.is_some() == b.told.is_some()
         && (Arc::ptr_eq(&a.scene, &b.scene) || a.scene.name == b.scene.name)
 }

@@ -72,10 +72,12 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Cha
     let (title, about) = (keys.need::<String>("title", reading), keys.get::<String>("about", reading));
     let x = axis("x", keys, reading);
     let y = axis("y", keys, reading);
-    let drawn: Vec<Drawn> =
-        keys.tables("drawn", reading).into_iter().filter_map(|mut keys| draw(&mut keys, reading)).collect();
+    let drawn: Vec<Drawn> = keys.tables("drawn", reading).into_iter().filter_map(|keys| draw(keys, reading)).collect();
     if drawn.is_empty() {
-        reading.problem(keys.at(), "nothing is drawn in the chart: write `drawn = [{ name = \"...\", point = [\"8\", \"3\"] }]`");
+        reading.problem(
+            keys.at(),
+            "nothing is drawn in the chart: write `drawn = [{ name = \"...\", point = [\"8\", \"3\"] }]`",
+        );
     }
     Some(Chart { title: title?.1, about: about.unwrap_or_default().1, x: x?, y: y?, drawn })
 }
@@ -84,7 +86,8 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Cha
 fn axis(key: &'static str, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Scale> {
     const SCALES: [&str; 2] = ["linear", "log"];
     let Some(mut keys) = keys.table(key, reading) else {
-        reading.problem(keys.at(), format!("`{key}` is missing: write `{key} = {{ name = \"...\", from = 0, to = 10 }}`"));
+        reading
+            .problem(keys.at(), format!("`{key}` is missing: write `{key} = {{ name = \"...\", from = 0, to = 10 }}`"));
         return None;
     };
     let name = keys.need::<String>("name", reading);
@@ -107,7 +110,7 @@ fn axis(key: &'static str, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Op
 }
 
 /// `{ name = "8 primitives", point = ["8", "3"] }`, `{ name = "linear", law = "3 / 8 * x", from = 8, to = 5e10 }`
-fn draw(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
+fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let (name, note) = (keys.need::<String>("name", reading), keys.get::<String>("note", reading));
     let step = keys.get::<f32>("step", reading).map(|(_, step)| step);
     let point = keys.get::<Vec<String>>("point", reading);
@@ -115,6 +118,7 @@ fn draw(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let (from, to) = (keys.get::<f64>("from", reading), keys.get::<f64>("to", reading));
     let guess = keys.get::<bool>("guess", reading).unwrap_or_default().1;
     let at = keys.at();
+    keys.finish(reading);
     let stroke = match (point, law) {
         (Some((at, point)), None) => {
             let [x, y] = point.as_slice() else {

@@ -16,11 +16,15 @@ impl Formula {
     pub(crate) fn read(text: &str, at: usize, allowed: &[&str], reading: &mut Reading<'_>) -> Option<Formula> {
         let Ok(parsed) = exmex::parse::<f64>(text) else {
             let short = crate::problem::short(text);
-            reading.problem(at, format!("`{short}` is no formula: write numbers, + - * / ^ and brackets, as in 3 / 8 * 5 * 10^10"));
+            reading.problem(
+                at,
+                format!("`{short}` is no formula: write numbers, + - * / ^ and brackets, as in 3 / 8 * 5 * 10^10"),
+            );
             return None;
         };
         if let Some(other) = parsed.var_names().iter().find(|name| !allowed.contains(&name.as_str())) {
-            let known = if allowed.is_empty() { "numbers alone".to_owned() } else { format!("`{}`", allowed.join("`, `")) };
+            let known =
+                if allowed.is_empty() { "numbers alone".to_owned() } else { format!("`{}`", allowed.join("`, `")) };
             reading.problem(at, format!("the formula `{text}` names `{other}`: it may name {known}"));
             return None;
         }

@@ -1,5 +1,6 @@
 //! What stands on a board, and in which order it comes to be seen.
 
+use crate::Plan;
 use crate::keys::Keys;
 use crate::limits;
 use crate::reading::Reading;
@@ -49,6 +50,16 @@ impl Board {
         }
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         order.into_iter().map(|(_, panel, place)| (panel, place)).collect()
+    }
+
+    /// Everything that is built to be measured.
+    pub(crate) fn plans(&self) -> impl Iterator<Item = &Plan> {
+        let entries = self.order().into_iter().filter_map(|at| self.entry(at));
+        entries.filter_map(|entry| match entry {
+            Entry::Row(row) => row.plan.as_ref(),
+            Entry::Map(map, _) => Some(&map.plan),
+            Entry::Drawn(_) => None,
+        })
     }
 
     /// What stands at a place of a panel.

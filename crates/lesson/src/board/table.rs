@@ -109,15 +109,10 @@ impl Cell {
 pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Table> {
     let (title, about) = (keys.need::<String>("title", reading), keys.get::<String>("about", reading));
     let of = keys.get::<String>("of", reading);
-    let columns = keys.tables("columns", reading).into_iter().filter_map(|mut keys| column(&mut keys, reading)).collect();
-    let rows = keys.tables("rows", reading).into_iter().filter_map(|mut keys| row(&mut keys, reading)).collect();
-    let table = Table {
-        title: title?.1,
-        about: about.unwrap_or_default().1,
-        of: of.unwrap_or_default().1,
-        columns,
-        rows,
-    };
+    let columns = keys.tables("columns", reading).into_iter().filter_map(|keys| column(keys, reading)).collect();
+    let rows = keys.tables("rows", reading).into_iter().filter_map(|keys| row(keys, reading)).collect();
+    let table =
+        Table { title: title?.1, about: about.unwrap_or_default().1, of: of.unwrap_or_default().1, columns, rows };
     let at = keys.at();
     let measures = table.columns.iter().any(|(column, _)| column.is_measured());
     if table.columns.is_empty() || table.rows.is_empty() {
@@ -129,8 +124,9 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Tab
 }
 
 /// `{ tells = "printed", head = "as printed" }`
-fn column(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<(Column, String)> {
+fn column(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<(Column, String)> {
     let (tells, head) = (keys.need::<String>("tells", reading), keys.need::<String>("head", reading));
+    keys.finish(reading);
     let ((at, tells), (_, head)) = (tells?, head?);
     let known = Column::NAMES.iter().find(|(name, _)| *name == tells);
     if known.is_none() {
@@ -140,7 +136,7 @@ fn column(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<(Column, Str
 }
 
 /// `{ name = "Uniform grid", structure = { kind = "grid" }, printed = "44.86", computed = "26336575 / 44.86" }`
-fn row(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
+fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let (name, note) = (keys.need::<String>("name", reading), keys.get::<String>("note", reading));
     let step = keys.get::<f32>("step", reading);
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
@@ -159,5 +155,6 @@ fn row(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     {
         cells.push((Column::Computed, Cell::Value(formula, unit)));
     }
+    keys.finish(reading);
     Some(Row { name: name?.1, note: note.unwrap_or_default().1, cells, plan, step: step.map(|(_, step)| step) })
 }

@@ -201,7 +201,8 @@ impl Plot<'_> {
                 }
             }
         };
-        let wide = text_width(&drawn.name, Face::Bold, u).max(text_width(&drawn.note, Face::Regular, self.look.small()));
+        let wide =
+            text_width(&drawn.name, Face::Bold, u).max(text_width(&drawn.note, Face::Regular, self.look.small()));
         let high = if drawn.note.is_empty() { u * 1.3 } else { u * 2.6 };
         let size = Vec2::new(wide, high);
         let sides = [
@@ -216,7 +217,10 @@ impl Plot<'_> {
         ];
         let free = |corner: Vec2| {
             let end = corner + size;
-            let inside = corner.x >= self.min.x && end.x <= self.max.x + u * 2.0 && corner.y >= self.min.y - u && end.y <= self.max.y;
+            let inside = corner.x >= self.min.x
+                && end.x <= self.max.x + u * 2.0
+                && corner.y >= self.min.y - u
+                && end.y <= self.max.y;
             let apart = |(a, b): &(Vec2, Vec2)| end.x < a.x || b.x < corner.x || end.y < a.y || b.y < corner.y;
             inside && self.taken.iter().all(apart) && !self.crossed(corner, end)
         };

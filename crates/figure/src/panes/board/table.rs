@@ -84,7 +84,8 @@ impl Table {
 
     fn widths(&self, text: f32) -> Vec<f32> {
         let name = |row: &Row| {
-            let note = if row.note.is_empty() { 0.0 } else { text_width(&row.note, Face::Regular, text * 0.9) + text * 0.7 };
+            let note =
+                if row.note.is_empty() { 0.0 } else { text_width(&row.note, Face::Regular, text * 0.9) + text * 0.7 };
             text_width(&row.name, Face::Bold, text) + note
         };
         let first = self.rows.iter().map(name).fold(text_width(&self.of, Face::Regular, text * 0.9), f32::max);
@@ -97,11 +98,21 @@ impl Table {
         std::iter::once(first).chain((0..self.columns.len()).map(column)).collect()
     }
 
+    /// A cell, cut before its point if all in its column are bare numbers; else all of it.
+    fn at_point<'a>(&self, column: usize, cell: &'a str) -> (&'a str, &'a str) {
+        let bare = |cell: &str| cell.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b',' | b'.'));
+        let mut cells = self.rows.iter().filter_map(|row| row.cells.get(column));
+        match cell.find('.').filter(|_| cells.all(|cell| bare(cell) || cell == "\u{2013}")) {
+            Some(at) => cell.split_at(at),
+            None => (cell, ""),
+        }
+    }
+
     /// The most room that the numbers of a column need before and behind their points.
     fn around_points(&self, column: usize, text: f32) -> (f32, f32) {
         let cells = self.rows.iter().filter_map(|row| row.cells.get(column));
         let parts = cells.map(|cell| {
-            let (before, behind) = at_point(cell);
+            let (before, behind) = self.at_point(column, cell);
             (text_width(before, Face::Mono, text), text_width(behind, Face::Mono, text))
         });
         parts.fold((0.0, 0.0), |(a, b), (before, behind)| (a.max(before), b.max(behind)))
@@ -110,15 +121,6 @@ impl Table {
 
 /// Room between two columns, at least, in letters.
 const GAP: f32 = 1.6;
-
-/// A number, cut before its point; what has none, and what has a unit, stands before it.
-fn at_point(cell: &str) -> (&str, &str) {
-    let number = cell.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b',' | b'.'));
-    match cell.find('.').filter(|_| number) {
-        Some(at) => cell.split_at(at),
-        None => (cell, ""),
-    }
-}
 
 /// The lines of a head: written with `|` between them.
 fn lines_of(head: &str) -> Vec<&str> {
@@ -179,7 +181,7 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, look: &Look) -> Fi
                 let at = Vec2::new(end - width * 0.5, y);
                 write(&mut figure, Role::Guess, None, at, "?", text, Face::Bold, Anchor::Middle);
             } else if shown || asked {
-                let (before, behind) = at_point(cell);
+                let (before, behind) = table.at_point(index, cell);
                 let (_, after) = table.around_points(index, text);
                 let at = Vec2::new(end - after, y);
                 write(&mut figure, column.role, place, at, before, text, Face::Mono, Anchor::End);
