@@ -2,7 +2,7 @@
 
 use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
 use raystep_figure::{Face, Role, Theme};
-use raystep_lesson::StageKind;
+use raystep_lesson::{Plays, StageKind};
 
 use crate::shown::beside::Beside;
 use crate::shown::command::{Command, Entry};
@@ -101,6 +101,10 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 if response.on_disabled_hover_text("A build has no ray to compare with").clicked() {
                     asked = Some(Asked::Command(command));
                 }
+            }
+            // Whatever stands on a board has a structure of its own.
+            if state.slide().is_some_and(|slide| slide.plays == Plays::Board) {
+                return;
             }
             if room.breaks {
                 broken(ui, state, theme, &mut asked);

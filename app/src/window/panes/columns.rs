@@ -32,6 +32,10 @@ pub(super) fn right(
     sizes: &mut Remembered,
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
+    // A board needs all the room, and nothing runs beside it.
+    if ![Pane::Listing, Pane::Changed, Pane::Stack, Pane::Work].into_iter().any(|pane| has(kept, pane)) {
+        return None;
+    }
     let whole = ui.ctx().content_rect().width();
     let frame = Frame::new().fill(fill(page.theme, Role::Page));
     let usual = (whole * 0.28).clamp(318.0, 470.0);

@@ -12,7 +12,7 @@ pub use maps::{Map, Maps};
 pub use table::{Column, Row, Table};
 
 use super::Ask;
-use crate::page::Figure;
+use crate::page::{Figure, Look};
 
 /// A part of a board. Its entries (rows, points, lines) have numbers, in the order in which they come to be seen.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,12 +53,31 @@ fn place(entry: usize) -> Option<Place> {
     Some(Place::Cell(CellId(entry as u32)))
 }
 
+/// Letters that are small enough for all panels: what stands in the presenter's hall is large, but a table may not be cut.
+fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
+    let beside = wide && panels.len() > 1 && panels.iter().any(|panel| matches!(panel, Panel::Chart(_)));
+    let (mut across, mut up) = (0.0_f32, 0.0_f32);
+    for panel in panels {
+        let [width, height] = match panel {
+            Panel::Table(table) => table.letters(),
+            Panel::Chart(_) => [34.0, 18.0],
+            Panel::Maps(maps) => [26.0 * maps.maps.len() as f32, 22.0],
+        };
+        let share = if beside { if matches!(panel, Panel::Chart(_)) { 0.58 } else { 0.42 } } else { 1.0 };
+        across = across.max(width / share);
+        up = if beside { up.max(height) } else { up + height };
+    }
+    let most = (ask.size.x / across.max(1.0)).min(ask.size.y / up.max(1.0));
+    Look { text: ask.look.text.min(most), ..ask.look }
+}
+
 /// The panels, filled up to a step.
 pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
     let filled = Filled { step, asks: ask.hide };
     let mut corner = Vec2::ZERO;
     let wide = ask.size.x > ask.size.y * 1.15;
+    let look = fitted(panels, ask, wide);
     for (index, panel) in panels.iter().enumerate() {
         let left = panels.len() - index;
         let mut room = ask.size - corner;
@@ -67,13 +86,13 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
             match panel {
                 Panel::Chart(_) if wide => room.x *= 0.58,
                 Panel::Chart(_) | Panel::Maps(_) => room.y *= 0.55,
-                Panel::Table(table) => room.y = table.height(&ask.look).min(room.y * 0.7),
+                Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
             }
         }
         let part = match panel {
-            Panel::Table(table) => table::draw(table, filled, room, &ask.look),
-            Panel::Chart(chart) => chart::draw(chart, filled, room, &ask.look),
-            Panel::Maps(maps) => maps::draw(maps, filled, room, &ask.look),
+            Panel::Table(table) => table::draw(table, filled, room, &look),
+            Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
+            Panel::Maps(maps) => maps::draw(maps, filled, room, &look),
         };
         figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
         match panel {

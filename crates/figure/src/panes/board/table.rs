@@ -64,6 +64,12 @@ impl Table {
         look.text * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5 + 3.5)
     }
 
+    /// How wide and how high it is at least, in letters.
+    pub(super) fn letters(&self) -> [f32; 2] {
+        let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
+        [natural * 0.9 + 2.0, 0.8 * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5) + 3.5]
+    }
+
     /// How many lines the longest head has.
     fn head_lines(&self) -> usize {
         self.columns.iter().map(|column| lines_of(&column.head).len()).max().unwrap_or(1)
