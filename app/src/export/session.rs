@@ -36,7 +36,7 @@ pub enum View {
 impl<'a> Session<'a> {
     /// The walks of these rays of the ground's stage; where a build is played, that alone.
     pub(crate) fn of_rays(ground: &'a Ground<'a>, rays: &[&NamedRay]) -> Vec<Session<'a>> {
-        if ground.built.told.is_some() {
+        if !ground.slide.plays.has_rays() {
             return Session::new(ground, None, None, ground.stem.clone()).into_iter().collect();
         }
         rays.iter().filter_map(|ray| Session::of_ray(ground, ray)).collect()
@@ -130,6 +130,13 @@ impl<'a> Session<'a> {
             }
             Tape::Build(build) => Told::Build(&build.events),
             Tape::Board(filled) => Told::Board(&filled.events),
+            // The first of the walks: the others are the same ray's.
+            Tape::Walks(walks) => match walks.walks.first() {
+                Some(Tape::Walk(walk)) => {
+                    Told::Walk { name: self.ray.as_deref(), ray: &walk.ray, events: &walk.events, hit: walk.hit }
+                }
+                _ => Told::Board(&[]),
+            },
         };
         let rule = &self.ground.rule;
         json(&Record {

@@ -25,7 +25,7 @@ mod theme;
 mod words;
 mod world;
 
-pub use kinds::{Board, Film, Guess, Instant, Kind, Reel, Still};
+pub use kinds::{Board, Film, Guess, Instant, Kind, Reel, Still, Walks};
 pub use moments::{
     Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
     Tested, Waiting, Walk, Weighed,

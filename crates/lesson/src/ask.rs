@@ -36,6 +36,8 @@ pub enum About {
     },
     /// Which of these events comes.
     Event(Vec<String>),
+    /// Of walks side by side, the one that has the fewest such events.
+    Least(String),
     /// What no event tells: the slide says it.
     Said(String),
 }

@@ -8,8 +8,8 @@ use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
 use crate::{
-    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Problem, Script, Setter, Slide, Spot,
-    Stage, StageKind, condition, names,
+    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter, Slide,
+    Spot, Stage, StageKind, condition, names,
 };
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well. `setter` says what in
@@ -141,7 +141,7 @@ impl Checker<'_> {
                         self.say(slide, spot, error.to_string());
                     }
                 }
-                Act::Compare(kind) if !slide.plays.has_rays() || *kind == stage.plan.kind => {
+                Act::Compare(kind) if slide.plays != Plays::Walk || *kind == stage.plan.kind => {
                     self.say(slide, spot, format!("there is nothing to compare with `{kind}` here"));
                 }
                 Act::Compare(_) => {}
@@ -184,7 +184,7 @@ impl Checker<'_> {
         // Every wrong parameter, not only the first.
         let mut good = true;
         let measured = stage.board.iter().flat_map(|board| board.plans());
-        for plan in std::iter::once(&stage.plan).chain(&stage.beside).chain(measured) {
+        for plan in std::iter::once(&stage.plan).chain(&stage.beside).chain(&stage.abreast).chain(measured) {
             match Rule::default_for(&plan.kind) {
                 Ok(mut rule) => {
                     for setting in &plan.settings {
@@ -373,8 +373,8 @@ impl Checker<'_> {
 /// What is built, in words: slides share it.
 fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     let settings: Vec<_> = plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
-    // A board measures what its own slide asks for.
-    let own = if stage.board.is_some() { slide.file.as_str() } else { "" };
+    // A board measures what its own slide asks for, and walks have structures of their own.
+    let own = if stage.board.is_some() || !stage.abreast.is_empty() { slide.file.as_str() } else { "" };
     format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 

@@ -2,11 +2,14 @@
 
 use raystep_accel::{Axis, Event, Grow, Place, Structure, Value, Visit};
 
-use crate::{About, Ask, Choice, Play, Reason, names};
+use crate::{About, Ask, Choice, Play, Reason, Tape, names};
 
 /// The answers beside the right one to the question where a node is cut: nearest to its middle, and with
 /// the most even shares.
 pub(crate) const CUTS: [&str; 2] = ["middle", "even"];
+
+/// How a slide writes that no walk has the fewest alone.
+const ALIKE: &str = "alike";
 
 /// As many answers as a question about a number offers.
 const NUMBERS: usize = 3;
@@ -18,6 +21,9 @@ impl Ask {
         let Some(event) = play.event(step) else { return Vec::new() };
         if let About::Said(right) = &self.about {
             return self.said(right);
+        }
+        if let About::Least(event) = &self.about {
+            return self.least(event, play);
         }
         let Some(right) = self.right(play, &event) else { return Vec::new() };
         if is_cut(self, &event) {
@@ -51,8 +57,31 @@ impl Ask {
             About::Field(field) => event.field(field),
             About::Count { event: name, .. } => Some(Value::Count(self.count(name, play, event))),
             About::Event(_) => Some(Value::Word(event.name(), &[])),
-            About::Said(_) => None,
+            About::Said(_) | About::Least(_) => None,
         }
+    }
+
+    /// The walks to choose from, and that none of them has the fewest such events alone.
+    fn least(&self, event: &str, play: &Play) -> Vec<Choice> {
+        let Tape::Walks(walks) = &play.tape else { return Vec::new() };
+        let counts: Vec<u32> = walks.walks.iter().filter_map(|walk| walk.count(event, walk.len())).collect();
+        let Some(least) = counts.iter().copied().min() else { return Vec::new() };
+        let alone = counts.iter().filter(|count| **count == least).count() == 1;
+        let walk = |(index, name): (usize, String)| (name, alone && counts.get(index) == Some(&least));
+        let mut answers: Vec<(String, bool)> = walks.names().into_iter().enumerate().map(walk).collect();
+        answers.push((ALIKE.to_owned(), !alone));
+        let choice = |(index, (answer, right)): (usize, (String, bool))| Choice {
+            label: self
+                .label(&answer)
+                .or_else(|| (answer == ALIKE).then(|| "no single one".to_owned()))
+                .or(Some(answer.clone())),
+            value: Value::Count(index as u32),
+            place: None,
+            right,
+            reason: if right { None } else { self.reason(&answer) },
+            own: None,
+        };
+        answers.into_iter().enumerate().map(choice).collect()
     }
 
     /// The answer that the slide says, among the wrong ones, in the order of their letters, which tells nothing.

@@ -9,7 +9,7 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
-use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, wait};
+use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, wait, walks};
 
 /// The format that this program reads.
 const FORMAT: f32 = 1.0;
@@ -55,8 +55,8 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     // Everything that follows names the events of what is played.
     reading.plays = plays(&mut keys, reading);
     let listing = match reading.plays {
-        // No algorithm runs on a board.
-        Plays::Board => keys.get::<String>("listing", reading),
+        // No algorithm runs on a board, and no one algorithm where several structures are walked.
+        Plays::Board | Plays::Walks => keys.get::<String>("listing", reading),
         Plays::Walk | Plays::Build => keys.need::<String>("listing", reading),
     };
     let (listing_at, listing) = listing.unwrap_or_default();
@@ -190,8 +190,11 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
         Plays::Board if !keys.has("scene") => Some((keys.at(), "nothing".to_owned())),
         _ => keys.need::<String>("scene", reading),
     };
-    let own = match keys.table("structure", reading) {
+    let abreast = if reading.plays == Plays::Walks { abreast(keys, reading) } else { Vec::new() };
+    reading.abreast = walks::names(&abreast);
+    let own = match keys.table("structure", reading).filter(|_| reading.plays != Plays::Walks) {
         Some(mut table) => plan(&mut table, reading),
+        None if reading.plays == Plays::Walks => abreast.first().cloned(),
         // Whatever stands on a board has a structure of its own.
         None if reading.plays == Plays::Board => Some(Plan::all()),
         None => {
@@ -200,7 +203,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
         }
     };
     let rays = match reading.plays {
-        Plays::Walk => rays(keys, reading),
+        Plays::Walk | Plays::Walks => rays(keys, reading),
         Plays::Build | Plays::Board => no_rays(keys, reading),
     };
     let board = (reading.plays == Plays::Board).then(|| Arc::new(board::read(keys, reading)));
@@ -214,7 +217,22 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     }
     let (scene_at, scene) = scene?;
     let [scene_spot, camera_spot] = [scene_at, camera_at].map(|at| reading.spot(at));
-    Some(Stage { kind, scene, plan: own?, beside, rays, board, camera: look, scene_spot, camera_spot })
+    Some(Stage { kind, scene, plan: own?, beside, rays, abreast, board, camera: look, scene_spot, camera_spot })
+}
+
+/// `structures = [{ kind = "kd" }, { kind = "bsp" }]`: two or three over a flat scene.
+fn abreast(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<Plan> {
+    let at = keys.at();
+    let tables = keys.tables("structures", reading);
+    let many = tables.len();
+    let plans: Vec<Plan> = tables.into_iter().filter_map(|mut table| plan(&mut table, reading)).collect();
+    if !(2..=3).contains(&many) {
+        reading.problem(
+            at,
+            "two or three structures stand side by side: write `structures = [{ kind = \"kd\" }, { kind = \"bvh\" }]`",
+        );
+    }
+    plans
 }
 
 /// `{ kind = "kd", max_depth = 6 }`

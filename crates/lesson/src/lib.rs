@@ -31,6 +31,7 @@ mod template;
 mod texts;
 mod vocabulary;
 mod wait;
+mod walks;
 
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
@@ -51,3 +52,4 @@ pub use slide::{Look, NamedRay, Plan, Setting, Show, Slide, Stage, StageKind};
 pub use tape::{BuildTape, Tape, WalkTape};
 pub use texts::{Script, Setter};
 pub use wait::{Wait, names};
+pub use walks::WalksTape;

@@ -84,7 +84,7 @@ impl Plan {
     /// The structure over a scene, with how it was built if that is to be played.
     fn build(&self, stage: &Stage, scene: &Arc<Scene>, plays: Plays) -> Result<Built, PlayError> {
         let rule = self.rule(scene.flat)?;
-        let (structure, told) = Tape::record(plays, stage.board.as_ref(), scene, &rule, &mut ())?;
+        let (structure, told) = Tape::record(plays, Some(stage), scene, &rule, &mut ())?;
         Ok(Built { scene: scene.clone(), structure: Arc::new(structure), told })
     }
 }
@@ -104,7 +104,7 @@ impl Built {
     /// What happens.
     fn tape(&self, ray: Option<Ray>) -> Option<Tape> {
         match (&self.told, ray) {
-            (Some(told), _) => Some(told.clone()),
+            (Some(told), _) => Some(told.with_ray(&self.scene, ray)),
             (None, Some(ray)) => Some(Tape::walk(&self.scene, &self.structure, ray)),
             (None, None) => None,
         }

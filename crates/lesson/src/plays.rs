@@ -13,17 +13,19 @@ pub enum Plays {
     Walk,
     /// The building of the structure; there is no ray.
     Build,
+    /// A ray's walks through several structures, side by side.
+    Walks,
     /// The filling of tables and charts; there is no ray.
     Board,
 }
 
 impl Plays {
     /// All of them.
-    pub const ALL: [Plays; 3] = [Plays::Walk, Plays::Build, Plays::Board];
+    pub const ALL: [Plays; 4] = [Plays::Walk, Plays::Build, Plays::Walks, Plays::Board];
 
     /// Whether a ray walks.
     pub fn has_rays(self) -> bool {
-        self == Plays::Walk
+        matches!(self, Plays::Walk | Plays::Walks)
     }
 
     /// How a slide writes it, and what it is called.
@@ -31,6 +33,7 @@ impl Plays {
         match self {
             Plays::Walk => "walk",
             Plays::Build => "build",
+            Plays::Walks => "walks",
             Plays::Board => "board",
         }
     }
@@ -38,7 +41,7 @@ impl Plays {
     /// The events that can happen in it.
     pub(crate) fn vocabulary(self) -> Vocabulary {
         match self {
-            Plays::Walk => Visit::NAMES,
+            Plays::Walk | Plays::Walks => Visit::NAMES,
             Plays::Build => Grow::NAMES,
             Plays::Board => Reveal::NAMES,
         }

@@ -188,6 +188,8 @@ pub struct Stage {
     pub beside: Option<Plan>,
     /// Its rays, at least two, the first the slide's own; none where a build is played.
     pub rays: Vec<NamedRay>,
+    /// The structures that a ray walks side by side, where that is played: two or three.
+    pub abreast: Vec<Plan>,
     /// What is filled, where a board is played.
     pub board: Option<Arc<Board>>,
     /// Where it is seen from, if not as its scene says.

@@ -92,7 +92,7 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 (Command::Compare, matches!(state.beside, Beside::Structure(_)), true),
             ];
             // Brute force has no structure that could be built.
-            let builds = state.slide().is_some_and(|slide| !slide.plays.has_rays());
+            let builds = state.slide().is_some_and(|slide| slide.plays != Plays::Walk);
             for (command, on, _) in modes.into_iter().filter(|(.., fits)| *fits) {
                 let button = Button::new(command.name()).selected(on);
                 let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };

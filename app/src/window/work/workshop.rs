@@ -5,13 +5,13 @@ use std::time::Instant;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
-use raystep_figure::Nodes;
-use raystep_lesson::{Board, Library, Plays, Slide, Stage, Tape};
+use raystep_lesson::{Board, Library, Plan, Plays, Slide, Stage, Tape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use super::bench::{Bench, Broken};
 use super::task::Task;
+use crate::shown::all_nodes::AllNodes;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::view::{RayChoice, View};
 
@@ -143,7 +143,7 @@ impl Workshop {
 /// The ray that a view asks for; a build needs none.
 pub(crate) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option<Ray>, String> {
     match (&view.ray, slide.plays) {
-        (_, Plays::Build | Plays::Board) => Ok(None),
+        (_, plays) if !plays.has_rays() => Ok(None),
         (RayChoice::Own(ray), _) => Ok(Some(*ray)),
         (RayChoice::Named(index), _) => {
             let named = stage.rays.get(*index).ok_or("The slide has no such ray.")?;
@@ -207,7 +207,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
                 (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
-            let built = build(scene, rule, slide.plays, stage.board.as_ref(), task)?;
+            let built = build(scene, rule, slide.plays, Some(&stage), task)?;
             let mesh = mesh(&order, &built.scene, task);
             Stands { built, mesh }
         }
@@ -227,20 +227,20 @@ fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
     known.or_else(|| Mesh::new(device, &scene.prims, &|| !task.is_stopped()).map(Arc::new))
 }
 
-/// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played, and `board`
-/// is filled.
+/// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played, and what
+/// `stage` has beside it: more structures, a board.
 pub(crate) fn build(
     scene: Arc<Scene>,
     rule: Rule,
     plays: Plays,
-    board: Option<&Arc<Board>>,
+    stage: Option<&Stage>,
     task: &Task,
 ) -> Result<Built, Failure> {
     let start = Instant::now();
-    let built = Tape::record(plays, board, &scene, &rule, &mut Watch(task));
+    let built = Tape::record(plays, stage, &scene, &rule, &mut Watch(task));
     let (structure, told) = built.map_err(|Cancelled| Failure::Cancelled)?;
     let seconds = start.elapsed().as_secs_f32();
-    let nodes = Arc::new(Nodes::of(&structure));
+    let nodes = Arc::new(AllNodes::of(&structure, told.as_ref()));
     Ok(Built { scene, rule, structure: Arc::new(structure), nodes, told, seconds })
 }
 
@@ -282,6 +282,7 @@ fn fits(built: &Built, view: &View, library: &Library) -> bool {
 fn is_of(told: Option<&Tape>, stage: &Stage) -> bool {
     match told {
         Some(Tape::Board(filled)) => stage.board.as_ref() == Some(&filled.board),
+        Some(Tape::Walks(walks)) => stage.abreast == walks.plans,
         _ => true,
     }
 }
@@ -300,17 +301,18 @@ fn slide_and_stage<'a>(view: &View, library: &'a Library) -> Option<(&'a Slide, 
     Some((slide, slide.stage(view.stage).or(slide.stages.first())?))
 }
 
-/// The board that a kept structure fills.
-fn boards(built: &Built) -> Option<&Board> {
+/// What a kept structure has beside it: the board that it fills, the structures that are walked with it.
+fn others(built: &Built) -> (Option<&Board>, &[Plan]) {
     match &built.told {
-        Some(Tape::Board(filled)) => Some(filled.board.as_ref()),
-        _ => None,
+        Some(Tape::Board(filled)) => (Some(filled.board.as_ref()), &[]),
+        Some(Tape::Walks(walks)) => (None, &walks.plans),
+        _ => (None, &[]),
     }
 }
 
 fn same(a: &Built, b: &Built) -> bool {
     a.rule == b.rule
-        && boards(a) == boards(b)
+        && others(a) == others(b)
         && a.told.is_some() == b.told.is_some()
         && (Arc::ptr_eq(&a.scene, &b.scene) || a.scene.name == b.scene.name)
 }

@@ -8,6 +8,7 @@ mod kind;
 mod reel;
 mod still;
 mod walk;
+mod walks;
 
 pub use board::Board;
 pub use film::Film;
@@ -15,3 +16,4 @@ pub use instant::Instant;
 pub use kind::{Guess, Kind};
 pub use reel::Reel;
 pub use still::Still;
+pub use walks::Walks;

@@ -14,6 +14,7 @@ mod space;
 mod stack;
 mod timeline;
 mod tree;
+mod walks;
 mod weighing;
 mod work;
 
@@ -32,6 +33,7 @@ pub use stack::{stack, stack_height, stack_of_build};
 pub use timeline::{Track, timeline, timeline_of_build};
 pub(crate) use timeline::{symbol_at, symbol_of_build_at, symbol_on_track, track};
 pub use tree::{TreeView, tree, tree_of_build};
+pub(crate) use walks::{Walker, walks};
 pub(crate) use weighing::weighing;
 pub(crate) use work::weighed;
 pub use work::{tested, work, work_of_build};
