@@ -9,7 +9,7 @@ use raystep_scene::Scene;
 use crate::problem::{listed, misspelt};
 use crate::{
     About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter, Slide,
-    Spot, Stage, StageKind, condition, names,
+    Spot, Stage, StageKind, Tape, condition, names,
 };
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well. `setter` says what in
@@ -316,6 +316,14 @@ impl Checker<'_> {
 
     /// Every reason is for an answer that can be given.
     fn reasons(&mut self, slide: &Slide, ask: &Ask, play: &Play, event: &Event) {
+        if let (About::Least(_), Tape::Walks(walks)) = (&ask.about, &play.tape) {
+            let mut allowed = walks.names();
+            allowed.push(crate::choices::ALIKE.to_owned());
+            let allowed: Vec<&str> = allowed.iter().map(String::as_str).collect();
+            for reason in ask.reasons.iter().filter(|reason| !allowed.contains(&reason.answer.as_str())) {
+                self.say(slide, reason.spot, misspelt("answer to this question", &reason.answer, &allowed));
+            }
+        }
         let Some(right) = ask.right(play, event) else { return };
         for reason in ask.reasons.iter().filter(|reason| reason.answer != "else") {
             let answer = reason.answer.as_str();

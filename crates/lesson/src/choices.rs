@@ -9,7 +9,7 @@ use crate::{About, Ask, Choice, Play, Reason, Tape, names};
 pub(crate) const CUTS: [&str; 2] = ["middle", "even"];
 
 /// How a slide writes that no walk has the fewest alone.
-const ALIKE: &str = "alike";
+pub(crate) const ALIKE: &str = "alike";
 
 /// As many answers as a question about a number offers.
 const NUMBERS: usize = 3;

@@ -1,8 +1,9 @@
-//! Boards: what they show, in which order, and what is said of wrong ones.
+//! Boards, and walks side by side: what they show, in which order, and what is said of wrong ones.
 
-use raystep_lesson::{Facts, Library, Medium, check};
+use raystep_lesson::{Facts, Library, Medium, Tape, check};
 
 const SLIDE: &str = include_str!("good_board.md");
+const WALKS: &str = include_str!("good_walks.md");
 
 fn library(slide: &str) -> Library {
     Library::from_files([("03-uniform-grid/22-board.md".to_owned(), slide.to_owned())])
@@ -72,6 +73,58 @@ fn wrong_boards_are_told_what_is_wrong() {
     for (what, from, to) in mistakes {
         assert!(SLIDE.contains(from), "the good board has no {from:?}");
         let found = problems(&SLIDE.replacen(from, to, 1));
+        assert!(!found.is_empty(), "{what} goes unnoticed");
+        table += &format!("{what}\n{found}");
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn walks_side_by_side_go_on_in_step_and_are_told_apart() {
+    assert_eq!(problems(WALKS), "");
+    let library = library(WALKS);
+    let slide = &library.slides[0];
+    let stage = &slide.stages[0];
+    let built = stage.build(slide.plays).unwrap();
+    let mut told = String::new();
+    for ray in &stage.rays {
+        let play = built.play(Some(ray.ray), &slide.beats).unwrap();
+        let Tape::Walks(walks) = &play.tape else { panic!("walks side by side") };
+        // Nobody is ahead of the others by more than its own next step.
+        assert!(walks.reached.is_sorted(), "{:?}", walks.reached);
+        let done: Vec<usize> = walks.walks.iter().map(Tape::len).collect();
+        assert_eq!(done.iter().sum::<usize>(), play.tape.len());
+        told += &format!("{}: {done:?}\n", ray.name);
+        for (beat, step) in slide.beats.iter().zip(&play.beats) {
+            let Some(facts) = step.and_then(|step| Facts::at(&play, step)) else { continue };
+            told += &format!("  {step:?} {:?}\n", facts.event());
+            for fact in ["kd.count.test", "bsp.count.test", "count.test", "kd.plane.plane", "bsp.enter.t_near"] {
+                told += &format!("     {fact} {:?}\n", facts.field(fact));
+            }
+            for choice in beat.ask.iter().flat_map(|ask| ask.choices(&play, step.unwrap())) {
+                told += &format!("     {:?}{}\n", choice.label, if choice.right { ", right" } else { "" });
+            }
+        }
+    }
+    insta::assert_snapshot!(told);
+}
+
+#[test]
+fn wrong_walks_side_by_side_are_told_what_is_wrong() {
+    let mistakes = [
+        ("one structure", ", { kind = \"bsp\" }]", "]"),
+        ("none", "structures =", "structure ="),
+        ("unknown structure", "{ kind = \"bsp\" }", "{ kind = \"bps\" }"),
+        ("of another", "of=bsp", "of=bvh"),
+        ("fact of another", "{{kd.count.test}}", "{{octree.count.test}}"),
+        ("unknown event", "{{kd.count.test}}", "{{kd.count.tset}}"),
+        ("least of nothing", "least=test", "least=tset"),
+        ("answer that is none", "- bsp:", "- bvh:"),
+    ];
+    let mut table = String::new();
+    for (what, from, to) in mistakes {
+        assert!(WALKS.contains(from), "the good slide has no {from:?}");
+        let found = problems(&WALKS.replacen(from, to, 1));
         assert!(!found.is_empty(), "{what} goes unnoticed");
         table += &format!("{what}\n{found}");
     }
