@@ -1,6 +1,8 @@
 //! A slide's board as the figures draw it: its printed words, its formulas' values, its measured numbers.
 
-use raystep_figure::{Board, Chart, Curve, Drawn, Map, Maps, Panel, Role, Row, Scale, Table, number};
+use raystep_figure::{
+    Board, Chart, Curve, Drawn, Image, Map, Maps, Panel, Picture, Pictures, Role, Row, Scale, Table, number,
+};
 use raystep_lesson::{BoardTape, Cell, Column, Measured, Stroke};
 
 /// How many points a law is drawn through.
@@ -12,11 +14,15 @@ pub(crate) fn board(filled: &BoardTape) -> Board<'_> {
         raystep_lesson::Panel::Table(table) => Panel::Table(of_table(table, index, filled)),
         raystep_lesson::Panel::Chart(chart) => Panel::Chart(of_chart(chart, index, filled)),
         raystep_lesson::Panel::Maps(maps) => Panel::Maps(of_maps(maps, index, filled)),
+        raystep_lesson::Panel::Pictures(pictures) => Panel::Pictures(of_pictures(pictures, index, filled)),
     });
     let name = |&(panel, place): &(usize, usize)| match filled.board.panels.get(panel) {
         Some(raystep_lesson::Panel::Table(table)) => table.rows.get(place).map(|row| row.name.clone()),
         Some(raystep_lesson::Panel::Chart(chart)) => chart.drawn.get(place).map(|drawn| drawn.name.clone()),
         Some(raystep_lesson::Panel::Maps(maps)) => maps.maps.get(place).map(|map| map.name.clone()),
+        Some(raystep_lesson::Panel::Pictures(pictures)) => {
+            pictures.pictures.get(place).map(|picture| picture.name.clone())
+        }
         None => None,
     };
     let names = filled.places.iter().map(|at| name(at).unwrap_or_default()).collect();
@@ -144,4 +150,20 @@ fn of_maps(maps: &raystep_lesson::Maps, panel: usize, filled: &BoardTape) -> Map
     };
     let (title, about) = (maps.title.clone(), maps.about.clone());
     Maps { title, about, of: of.to_owned(), maps: maps.maps.iter().enumerate().map(map).collect() }
+}
+
+fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &BoardTape) -> Pictures {
+    let picture = |(place, picture): (usize, &raystep_lesson::Picture)| {
+        let entry = entry(filled, panel, place);
+        let rendered = filled.rendered.get(entry).and_then(Option::as_ref);
+        let blank = || ("".to_owned(), Image { width: 8, height: 5, rgba: vec![255; 160].into() });
+        let (says, image) = rendered.map_or_else(blank, |rendered| {
+            let says = format!("{} triangles · {} tests per ray", grouped(rendered.triangles), digits(rendered.tests));
+            let [width, height] = rendered.size;
+            (says, Image { width, height, rgba: rendered.rgba.clone() })
+        });
+        Picture { entry, name: picture.name.clone(), says, image }
+    };
+    let (title, about) = (pictures.title.clone(), pictures.about.clone());
+    Pictures { title, about, pictures: pictures.pictures.iter().enumerate().map(picture).collect() }
 }

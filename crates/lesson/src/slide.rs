@@ -225,6 +225,13 @@ impl Plan {
     }
 }
 
+impl Plan {
+    /// A hierarchy of boxes as it usually is.
+    pub(crate) fn boxes() -> Plan {
+        Plan { kind: "bvh".to_owned(), ..Plan::all() }
+    }
+}
+
 /// One parameter of a structure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Setting {

@@ -26,6 +26,8 @@ vocabulary! {
         Line ["line"] { entry: u32, from: f32, to: f32, first: f32, last: f32 }
         /// A heat map: what its rays cost in the mean, the least and the most.
         Map ["map"] { entry: u32, mean: f32, least: f32, most: f32 }
+        /// A picture: how many triangles it shows, the rays shot for it, and what each tested in the mean.
+        Picture ["picture"] { entry: u32, triangles: f32, rays: f32, tests: f32 }
     }
 }
 
@@ -37,6 +39,7 @@ impl Reveal {
             Reveal::Point { .. } => "point",
             Reveal::Line { .. } => "line",
             Reveal::Map { .. } => "map",
+            Reveal::Picture { .. } => "picture",
         }
     }
 
@@ -46,7 +49,8 @@ impl Reveal {
             Reveal::Row { entry, .. }
             | Reveal::Point { entry, .. }
             | Reveal::Line { entry, .. }
-            | Reveal::Map { entry, .. } => Place::Cell(CellId(entry)),
+            | Reveal::Map { entry, .. }
+            | Reveal::Picture { entry, .. } => Place::Cell(CellId(entry)),
         }
     }
 

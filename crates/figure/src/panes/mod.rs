@@ -19,7 +19,7 @@ mod weighing;
 mod work;
 
 pub(crate) use board::board;
-pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Row, Scale, Table};
+pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Picture, Pictures, Row, Scale, Table};
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_of_build};

@@ -5,9 +5,9 @@ use crate::keys::Keys;
 use crate::limits;
 use crate::reading::Reading;
 
-use super::{Chart, Column, Drawn, Map, Maps, Row, Table, chart, maps, table};
+use super::{Chart, Column, Drawn, Map, Maps, Picture, Pictures, Row, Table, chart, maps, picture, table};
 
-/// Tables, charts and heat maps.
+/// Tables, charts, heat maps and pictures.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Board {
     /// What it holds, the largest first.
@@ -23,6 +23,8 @@ pub enum Panel {
     Chart(Chart),
     /// Heat maps.
     Maps(Maps),
+    /// Pictures.
+    Pictures(Pictures),
 }
 
 /// One thing on a board that comes to be seen.
@@ -34,6 +36,8 @@ pub enum Entry<'a> {
     Drawn(&'a Drawn),
     /// A heat map, and what it counts.
     Map(&'a Map, Column),
+    /// A picture.
+    Picture(&'a Picture),
 }
 
 impl Board {
@@ -58,8 +62,18 @@ impl Board {
         entries.filter_map(|entry| match entry {
             Entry::Row(row) => row.plan.as_ref(),
             Entry::Map(map, _) => Some(&map.plan),
+            Entry::Picture(picture) => Some(&picture.plan),
             Entry::Drawn(_) => None,
         })
+    }
+
+    /// The pictures that have a scene of their own, and its name.
+    pub(crate) fn scenes(&self) -> impl Iterator<Item = (&Picture, &str)> {
+        let pictures = self.panels.iter().filter_map(|panel| match panel {
+            Panel::Pictures(pictures) => Some(&pictures.pictures),
+            _ => None,
+        });
+        pictures.flatten().filter_map(|picture| Some((picture, picture.scene.as_deref()?)))
     }
 
     /// What stands at a place of a panel.
@@ -67,6 +81,7 @@ impl Board {
         match self.panels.get(panel)? {
             Panel::Table(table) => table.rows.get(place).map(Entry::Row),
             Panel::Chart(chart) => chart.drawn.get(place).map(Entry::Drawn),
+            Panel::Pictures(pictures) => pictures.pictures.get(place).map(Entry::Picture),
             Panel::Maps(maps) => maps.maps.get(place).map(|map| Entry::Map(map, maps.of)),
         }
     }
@@ -77,12 +92,13 @@ impl Panel {
         match self {
             Panel::Table(table) => table.rows.iter().map(|row| row.step).collect(),
             Panel::Chart(chart) => chart.drawn.iter().map(|drawn| drawn.step).collect(),
+            Panel::Pictures(pictures) => pictures.pictures.iter().map(|picture| picture.step).collect(),
             Panel::Maps(maps) => maps.maps.iter().map(|map| map.step).collect(),
         }
     }
 }
 
-/// Reads the tables, charts and heat maps of a head.
+/// Reads the tables, charts, heat maps and pictures of a head.
 pub(crate) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Board {
     let mut board = Board::default();
     for mut keys in keys.tables("chart", reading) {
@@ -97,8 +113,12 @@ pub(crate) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Board {
         board.panels.extend(maps::read(&mut keys, reading).map(Panel::Maps));
         keys.finish(reading);
     }
-    if !["chart", "table", "heat"].into_iter().any(|key| keys.has(key)) {
-        reading.problem(0, "a board has tables, charts or heat maps: write `[[table]]`, `[[chart]]` or `[[heat]]`");
+    for mut keys in keys.tables("picture", reading) {
+        board.panels.extend(picture::read(&mut keys, reading).map(Panel::Pictures));
+        keys.finish(reading);
+    }
+    if !["chart", "table", "heat", "picture"].into_iter().any(|key| keys.has(key)) {
+        reading.problem(0, "a board has tables, charts, heat maps or pictures: write `[[table]]`, `[[chart]]`, `[[heat]]` or `[[picture]]`");
     }
     let entries = board.order().len();
     if entries > limits::BOARD {

@@ -6,7 +6,7 @@ use raystep_accel::{Cancelled, Grow, Observer, Reveal};
 use raystep_scene::Scene;
 
 use super::panel::Entry;
-use super::{Board, Column, Counted, Measured, Stroke};
+use super::{Board, Column, Counted, Measured, Rendered, Stroke};
 
 /// A board, and what comes to be seen on it, in order.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ pub struct BoardTape {
     pub measured: Vec<Option<Measured>>,
     /// What was counted for it, pixel by pixel.
     pub counted: Vec<Option<Counted>>,
+    /// The pictures that were made for it.
+    pub rendered: Vec<Option<Rendered>>,
 }
 
 impl BoardTape {
@@ -29,8 +31,9 @@ impl BoardTape {
     /// # Errors
     /// `watch` asked to give up.
     pub fn fill(board: &Arc<Board>, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<BoardTape, Cancelled> {
-        let (events, places, measured, counted) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let mut tape = BoardTape { board: board.clone(), events, places, measured, counted };
+        let (events, places, measured) = (Vec::new(), Vec::new(), Vec::new());
+        let (counted, rendered) = (Vec::new(), Vec::new());
+        let mut tape = BoardTape { board: board.clone(), events, places, measured, counted, rendered };
         for (index, place) in board.order().into_iter().enumerate() {
             let Some(entry) = board.entry(place) else { continue };
             let measured = match entry {
@@ -38,23 +41,43 @@ impl BoardTape {
                     Some(plan) => Measured::of(plan, scene, watch)?,
                     None => None,
                 },
-                Entry::Drawn(_) | Entry::Map(..) => None,
+                Entry::Drawn(_) | Entry::Map(..) | Entry::Picture(_) => None,
             };
             let counted = match entry {
                 Entry::Map(map, of) => Counted::of(&map.plan, of, scene, watch)?,
-                Entry::Row(_) | Entry::Drawn(_) => None,
+                Entry::Row(_) | Entry::Drawn(_) | Entry::Picture(_) => None,
             };
-            tape.events.push(reveal(index as u32, entry, measured.as_ref(), counted.as_ref()));
+            let rendered = match entry {
+                Entry::Picture(picture) => Rendered::of(picture, scene, watch)?,
+                Entry::Row(_) | Entry::Drawn(_) | Entry::Map(..) => None,
+            };
+            tape.events.push(reveal(index as u32, entry, measured.as_ref(), counted.as_ref(), rendered.as_ref()));
             tape.places.push(place);
             tape.measured.push(measured);
             tape.counted.push(counted);
+            tape.rendered.push(rendered);
         }
         Ok(tape)
     }
 }
 
-fn reveal(entry: u32, what: Entry<'_>, measured: Option<&Measured>, counted: Option<&Counted>) -> Reveal {
+fn reveal(
+    entry: u32,
+    what: Entry<'_>,
+    measured: Option<&Measured>,
+    counted: Option<&Counted>,
+    rendered: Option<&Rendered>,
+) -> Reveal {
     match what {
+        Entry::Picture(_) => {
+            let told = |number: fn(&Rendered) -> f64| rendered.map_or(f32::NAN, |rendered| number(rendered) as f32);
+            Reveal::Picture {
+                entry,
+                triangles: told(|rendered| rendered.triangles as f64),
+                rays: told(|rendered| rendered.rays as f64),
+                tests: told(|rendered| rendered.tests),
+            }
+        }
         Entry::Map(..) => {
             let [least, most] = counted.map_or([f32::NAN; 2], |counted| counted.range().map(|count| count as f32));
             let mean = counted.map_or(f32::NAN, |counted| counted.mean() as f32);

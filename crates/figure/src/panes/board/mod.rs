@@ -1,7 +1,8 @@
-//! Boards: tables, charts and heat maps beside each other, filled entry by entry.
+//! Boards: tables, charts, heat maps and pictures beside each other, filled entry by entry.
 
 mod chart;
 mod maps;
+mod pictures;
 mod table;
 
 use glam::Vec2;
@@ -9,6 +10,7 @@ use raystep_accel::{CellId, Place};
 
 pub use chart::{Chart, Curve, Dot, Drawn, Scale};
 pub use maps::{Map, Maps};
+pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};
 
 use super::Ask;
@@ -23,6 +25,8 @@ pub enum Panel {
     Chart(Chart),
     /// Heat maps.
     Maps(Maps),
+    /// Pictures.
+    Pictures(Pictures),
 }
 
 /// How far a board is filled.
@@ -62,6 +66,7 @@ fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
             Panel::Table(table) => table.letters(),
             Panel::Chart(_) => [34.0, 18.0],
             Panel::Maps(maps) => [26.0 * maps.maps.len() as f32, 22.0],
+            Panel::Pictures(pictures) => [20.0 * pictures.pictures.len() as f32, 18.0],
         };
         let share = if beside { if matches!(panel, Panel::Chart(_)) { 0.58 } else { 0.42 } } else { 1.0 };
         across = across.max(width / share);
@@ -85,7 +90,7 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
             // The first of two has the larger part: a chart's, or what the rows of a table need.
             match panel {
                 Panel::Chart(_) if wide => room.x *= 0.58,
-                Panel::Chart(_) | Panel::Maps(_) => room.y *= 0.55,
+                Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => room.y *= 0.55,
                 Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
             }
         }
@@ -93,6 +98,7 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
             Panel::Table(table) => table::draw(table, filled, room, &look),
             Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
             Panel::Maps(maps) => maps::draw(maps, filled, room, &look),
+            Panel::Pictures(pictures) => pictures::draw(pictures, filled, room, &look),
         };
         figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
         match panel {

@@ -11,6 +11,7 @@ use crate::words::{VolumeName, told};
 const ROW: Symbol = Symbol { sign: "■", name: "row", role: Role::Seen, rank: 0 };
 const POINT: Symbol = Symbol { sign: "●", name: "point", role: Role::Seen, rank: 1 };
 const MAP: Symbol = Symbol { sign: "◇", name: "heat map", role: Role::Seen, rank: 3 };
+const PICTURE: Symbol = Symbol { sign: "□", name: "picture", role: Role::Seen, rank: 4 };
 const LINE: Symbol = Symbol { sign: "△", name: "line", role: Role::Seen, rank: 2 };
 
 impl Fact for Reveal {
@@ -32,6 +33,7 @@ impl Fact for Reveal {
             Reveal::Point { .. } => POINT,
             Reveal::Line { .. } => LINE,
             Reveal::Map { .. } => MAP,
+            Reveal::Picture { .. } => PICTURE,
         })
     }
 
@@ -41,6 +43,7 @@ impl Fact for Reveal {
             Reveal::Point { .. } => "a point of the chart",
             Reveal::Line { .. } => "a line of the chart",
             Reveal::Map { .. } => "a heat map",
+            Reveal::Picture { .. } => "a picture",
         })
     }
 
@@ -48,6 +51,9 @@ impl Fact for Reveal {
         let template = match self {
             Reveal::Row { .. } => "A row of the table is filled.",
             Reveal::Point { .. } => "A point is marked at ({{x}}, {{y}}).",
+            Reveal::Picture { .. } => {
+                "The picture shows {{triangles}} triangles and took {{rays}} rays, {{tests}} tests each."
+            }
             Reveal::Map { .. } => "A ray costs from {{least}} to {{most}}, in the mean {{mean}}.",
             Reveal::Line { .. } => "A line is drawn from ({{from}}, {{first}}) to ({{to}}, {{last}}).",
         };
