@@ -115,6 +115,10 @@ fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> 
     let drawn = chart.drawn.iter().enumerate().map(|(place, drawn)| {
         let curve = match &drawn.stroke {
             Stroke::Point(x, y) => Curve::Point([x.at(0.0), y.at(0.0)]),
+            Stroke::Growth { .. } => {
+                let dots = filled.grown.get(entry(filled, panel, place)).cloned().unwrap_or_default();
+                Curve::Line { dots, guess: false }
+            }
             Stroke::Law { law, from, to, guess } => {
                 let along = |index: usize| {
                     let part = index as f64 / (POINTS - 1) as f64;

@@ -181,9 +181,9 @@ impl Checker<'_> {
             return None;
         }
         self.camera(slide, stage, &scene);
-        for (picture, name) in stage.board.iter().flat_map(|board| board.scenes()) {
+        for (spot, name) in stage.board.iter().flat_map(|board| board.scenes()) {
             if let Err(error) = Scene::named(name) {
-                self.say(slide, picture.spot, error.to_string());
+                self.say(slide, spot, error.to_string());
             }
         }
         // Every wrong parameter, not only the first.

@@ -220,16 +220,16 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     Some(Stage { kind, scene, plan: own?, beside, rays, abreast, board, camera: look, scene_spot, camera_spot })
 }
 
-/// `structures = [{ kind = "kd" }, { kind = "bsp" }]`: two or three over a flat scene.
+/// `structures = [{ kind = "kd" }, { kind = "bsp" }]`: from two to nine over a flat scene.
 fn abreast(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<Plan> {
     let at = keys.at();
     let tables = keys.tables("structures", reading);
     let many = tables.len();
     let plans: Vec<Plan> = tables.into_iter().filter_map(|mut table| plan(&mut table, reading)).collect();
-    if !(2..=3).contains(&many) {
+    if !(2..=9).contains(&many) {
         reading.problem(
             at,
-            "two or three structures stand side by side: write `structures = [{ kind = \"kd\" }, { kind = \"bvh\" }]`",
+            "from two to nine structures stand side by side: write `structures = [{ kind = \"kd\" }, { kind = \"bvh\" }]`",
         );
     }
     plans

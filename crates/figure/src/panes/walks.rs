@@ -26,6 +26,9 @@ pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
     let Ask { size, look, .. } = *ask;
     let u = look.text;
+    if walkers.len() > ABREAST {
+        return map(walkers, ask);
+    }
     let ruler = Vec2::new(size.x, u * (6.0 + 1.9 * walkers.len() as f32));
     let high = (size.y - ruler.y).max(u * 10.0);
     let wide = size.x / walkers.len().max(1) as f32;
@@ -45,38 +48,77 @@ pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     figure
 }
 
-/// One walk: its picture over its counters over its tree or cells over its stack, for which there is room if anything
-/// `waits` in any of the walks.
-fn column(walker: &Walker<'_>, waits: bool, size: Vec2, look: &Look) -> Figure {
-    let Walker { name, note, walk, moment } = *walker;
-    let mut figure = Figure::new(size);
-    let u = look.text;
-    let left = look.margin();
-    let at = Vec2::new(left, u * 1.5);
-    write(&mut figure, Role::Text, None, at, name, u * 1.25, Face::Bold, Anchor::Start);
-    let under = at + Vec2::new(0.0, u * 1.6);
-    let note = elided(note, Face::Regular, look.small(), size.x - 2.0 * left);
-    write(&mut figure, Role::Quiet, None, under, &note, look.small(), Face::Regular, Anchor::Start);
+/// As many stand beside each other with their trees; of more, pictures and counts alone.
+const ABREAST: usize = 3;
 
-    let below = if waits { u * 4.6 } else { 0.0 };
-    let top = u * 4.4;
-    let counters = u * 4.4;
-    let picture = Vec2::new(size.x - 2.0 * left, ((size.y - top - counters - below) * 0.55).min(size.x * 0.75));
+/// The pictures and counts of many walks, in rows.
+fn map(walkers: &[Walker<'_>], ask: &Ask<'_>) -> Figure {
+    let mut figure = Figure::new(ask.size);
+    let rows = walkers.len().div_ceil(ABREAST);
+    let size = Vec2::new(ask.size.x / ABREAST as f32, ask.size.y / rows as f32);
+    let look = Look { text: ask.look.text.min(size.x / 26.0).min(size.y / 18.0), ..ask.look };
+    for (index, walker) in walkers.iter().enumerate() {
+        let mut column = Figure::new(size);
+        head(&mut column, walker, size, &look);
+        let top = look.text * 4.4;
+        let picture = Vec2::new(size.x - 2.0 * look.margin(), size.y - top - look.text * 4.6);
+        picture_and_counts(&mut column, walker, top, picture, &look);
+        crop(&mut column, 0.0);
+        let corner = Vec2::new((index % ABREAST) as f32, (index / ABREAST) as f32) * size;
+        figure.marks.extend(column.marks.into_iter().map(|mark| mark.moved(corner)));
+        if index % ABREAST > 0 {
+            figure.add(Role::Panel, None, line(corner, corner + Vec2::new(0.0, size.y)));
+        }
+        if index % ABREAST == 0 && index > 0 {
+            figure.add(Role::Panel, None, line(corner, corner + Vec2::new(ask.size.x, 0.0)));
+        }
+    }
+    figure
+}
+
+/// The name of the structure, and how it was built.
+fn head(figure: &mut Figure, walker: &Walker<'_>, size: Vec2, look: &Look) {
+    let (u, left) = (look.text, look.margin());
+    let at = Vec2::new(left, u * 1.5);
+    write(figure, Role::Text, None, at, walker.name, u * 1.25, Face::Bold, Anchor::Start);
+    let under = at + Vec2::new(0.0, u * 1.6);
+    let note = elided(walker.note, Face::Regular, look.small(), size.x - 2.0 * left);
+    write(figure, Role::Quiet, None, under, &note, look.small(), Face::Regular, Anchor::Start);
+}
+
+/// The picture of a walk, and below it what the walk has paid so far.
+fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, picture: Vec2, look: &Look) {
+    let Walker { walk, moment, .. } = *walker;
+    let (u, left) = (look.text, look.margin());
     let shown = space(walk, moment);
     let camera = Camera::frame(&walk.world(), picture.x / picture.y, true);
     let mut part = stage(&shown, walk.prims, &camera, picture, Scenery::Drawn);
     crop(&mut part, u * 0.5);
     figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(Vec2::new(left, top))));
-
     let y = top + picture.y + u * 1.6;
     let counts = counts(walk, moment);
-    let share = (size.x - 2.0 * left) / counts.len() as f32;
+    let share = picture.x / counts.len() as f32;
     for (index, (count, what, role)) in counts.into_iter().enumerate() {
         let at = Vec2::new(left + share * index as f32, y);
-        write(&mut figure, role, None, at, &count.to_string(), u * 1.9, Face::Bold, Anchor::Start);
+        write(figure, role, None, at, &count.to_string(), u * 1.9, Face::Bold, Anchor::Start);
         let words = at + Vec2::new(0.0, u * 1.8);
-        write(&mut figure, Role::Quiet, None, words, what, look.small(), Face::Regular, Anchor::Start);
+        write(figure, Role::Quiet, None, words, what, look.small(), Face::Regular, Anchor::Start);
     }
+}
+
+/// One walk: its picture over its counters over its tree or cells over its stack, for which there is room if anything
+/// `waits` in any of the walks.
+fn column(walker: &Walker<'_>, waits: bool, size: Vec2, look: &Look) -> Figure {
+    let Walker { walk, moment, .. } = *walker;
+    let mut figure = Figure::new(size);
+    let u = look.text;
+    let left = look.margin();
+    head(&mut figure, walker, size, look);
+    let below = if waits { u * 4.6 } else { 0.0 };
+    let top = u * 4.4;
+    let counters = u * 4.4;
+    let picture = Vec2::new(size.x - 2.0 * left, ((size.y - top - counters - below) * 0.55).min(size.x * 0.75));
+    picture_and_counts(&mut figure, walker, top, picture, look);
 
     let tree_top = top + picture.y + counters;
     let room = Vec2::new(size.x, (size.y - below - tree_top).max(u * 3.0));
@@ -105,11 +147,9 @@ fn counts(walk: &Walk<'_>, moment: &Moment) -> [(u64, &'static str, Role); 3] {
         Structure::Bvh(_) => {
             [(cost.node_visits, "nodes entered", Role::Text), (cost.box_tests, "volumes tested", Role::Text), tests]
         }
-        structure if structure.grid().is_some() => [
-            (cost.cell_steps, "steps to a cell", Role::Text),
-            (cost.skips, "skipped: tested before", Role::Text),
-            tests,
-        ],
+        structure if structure.grid().is_some() => {
+            [(cost.cell_steps, "steps to a cell", Role::Text), (cost.skips, "skipped", Role::Text), tests]
+        }
         _ => [(cost.node_visits, "nodes entered", Role::Text), (cost.plane_tests, "planes tested", Role::Text), tests],
     }
 }

@@ -4,7 +4,10 @@ use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
 
-use super::Formula;
+use crate::{Plan, Spot, head, limits};
+
+use super::maps::COUNTS;
+use super::{Column, Formula};
 
 /// A chart of a board.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,6 +50,8 @@ pub struct Drawn {
     pub stroke: Stroke,
     /// When it comes to be seen, among everything on the board.
     pub(crate) step: Option<f32>,
+    /// Where it stands.
+    pub(crate) spot: Spot,
 }
 
 /// A line or a point.
@@ -54,6 +59,15 @@ pub struct Drawn {
 pub enum Stroke {
     /// A point, at these two numbers.
     Point(Formula, Formula),
+    /// What is measured over scenes of more and more primitives: their number, and what a ray costs there.
+    Growth {
+        /// What is built.
+        plan: Plan,
+        /// What is counted: tests, visits, boxes.
+        of: Column,
+        /// The names of the scenes.
+        scenes: Vec<String>,
+    },
     /// A law in `x`, from here to there; a guess is dashed.
     Law {
         /// The law.
@@ -117,10 +131,28 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let law = keys.get::<String>("law", reading);
     let (from, to) = (keys.get::<f64>("from", reading), keys.get::<f64>("to", reading));
     let guess = keys.get::<bool>("guess", reading).unwrap_or_default().1;
+    let scenes = keys.get::<Vec<String>>("scenes", reading);
+    let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+    let of = keys.get::<String>("of", reading);
     let at = keys.at();
+    let spot = reading.spot(at);
     keys.finish(reading);
-    let stroke = match (point, law) {
-        (Some((at, point)), None) => {
+    let stroke = match (point, law, scenes) {
+        (None, None, Some((_, scenes))) => {
+            let (of_at, of) = of.unwrap_or((at, Column::Tests.name().to_owned()));
+            let known = COUNTS.into_iter().find(|column| column.name() == of);
+            if known.is_none() {
+                reading.problem(of_at, misspelt("count", &of, &COUNTS.map(Column::name)));
+            }
+            if plan.is_none() {
+                reading.problem(at, "nothing is built: write `structure = { kind = \"kd\" }`");
+            }
+            if !(2..=limits::ENTRIES).contains(&scenes.len()) {
+                reading.problem(at, "two scenes or more, one larger than the other, make a line");
+            }
+            Stroke::Growth { plan: plan?, of: known?, scenes }
+        }
+        (Some((at, point)), None, None) => {
             let [x, y] = point.as_slice() else {
                 reading.problem(at, "a point has two numbers: point = [\"8\", \"3\"]");
                 return None;
@@ -128,7 +160,7 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
             let (x, y) = (Formula::read(x, at, &[], reading), Formula::read(y, at, &[], reading));
             Stroke::Point(x?, y?)
         }
-        (None, Some((law_at, law))) => {
+        (None, Some((law_at, law)), None) => {
             let law = Formula::read(&law, law_at, &["x"], reading)?;
             let (Some((_, from)), Some((_, to))) = (from, to) else {
                 reading.problem(at, "a law says where it begins and ends: `from = 8, to = 5e10`");
@@ -137,9 +169,9 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
             Stroke::Law { law, from, to, guess }
         }
         _ => {
-            reading.problem(at, "what is drawn is either a `point` or a `law`");
+            reading.problem(at, "what is drawn is a `point`, a `law`, or what is measured over `scenes`");
             return None;
         }
     };
-    Some(Drawn { name: name?.1, note: note.unwrap_or_default().1, stroke, step })
+    Some(Drawn { name: name?.1, note: note.unwrap_or_default().1, stroke, step, spot })
 }

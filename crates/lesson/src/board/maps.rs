@@ -32,7 +32,7 @@ pub struct Map {
 }
 
 /// What a map can count.
-const COUNTS: [Column; 3] = [Column::Tests, Column::Visits, Column::Boxes];
+pub(super) const COUNTS: [Column; 3] = [Column::Tests, Column::Visits, Column::Boxes];
 
 /// Reads `[[heat]]`.
 pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Maps> {

@@ -1,7 +1,7 @@
 //! What is measured here: what a structure costs the rays of a picture, in counts, which are the same everywhere.
 
 use glam::Vec2;
-use raystep_accel::{Accel, Cancelled, Cost, Grow, Observer, Structure, pinhole};
+use raystep_accel::{Accel, Cancelled, Cost, Grow, Observer, Primitives, Structure, pinhole};
 use raystep_scene::Scene;
 
 use crate::Plan;
@@ -81,6 +81,36 @@ impl Measured {
             nodes: structure.node_count() as u64 + cells,
             bytes: structure.bytes() as u64,
         }))
+    }
+}
+
+impl Measured {
+    /// One of its counts of a ray.
+    pub(crate) fn count(&self, of: Column) -> f64 {
+        match of {
+            Column::Visits => self.visits,
+            Column::Boxes => self.boxes,
+            _ => self.tests,
+        }
+    }
+
+    /// The same over scenes of more and more primitives: how many those are, and what a ray costs.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(crate) fn growth(
+        plan: &Plan,
+        of: Column,
+        scenes: &[String],
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Vec<[f64; 2]>, Cancelled> {
+        let mut dots = Vec::new();
+        for scene in scenes.iter().filter_map(|name| Scene::named(name).ok()) {
+            if let Some(measured) = Measured::of(plan, &scene, watch)? {
+                dots.push([scene.prims.len() as f64, measured.count(of)]);
+            }
+        }
+        Ok(dots)
     }
 }
 

@@ -1,11 +1,10 @@
 //! What stands on a board, and in which order it comes to be seen.
 
-use crate::Plan;
 use crate::keys::Keys;
-use crate::limits;
 use crate::reading::Reading;
+use crate::{Plan, Spot, limits};
 
-use super::{Chart, Column, Drawn, Map, Maps, Picture, Pictures, Row, Table, chart, maps, picture, table};
+use super::{Chart, Column, Drawn, Map, Maps, Picture, Pictures, Row, Stroke, Table, chart, maps, picture, table};
 
 /// Tables, charts, heat maps and pictures.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -63,17 +62,25 @@ impl Board {
             Entry::Row(row) => row.plan.as_ref(),
             Entry::Map(map, _) => Some(&map.plan),
             Entry::Picture(picture) => Some(&picture.plan),
+            Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, .. }, .. }) => Some(plan),
             Entry::Drawn(_) => None,
         })
     }
 
-    /// The pictures that have a scene of their own, and its name.
-    pub(crate) fn scenes(&self) -> impl Iterator<Item = (&Picture, &str)> {
-        let pictures = self.panels.iter().filter_map(|panel| match panel {
-            Panel::Pictures(pictures) => Some(&pictures.pictures),
-            _ => None,
-        });
-        pictures.flatten().filter_map(|picture| Some((picture, picture.scene.as_deref()?)))
+    /// The scenes that are named on it beside its own, and where.
+    pub(crate) fn scenes(&self) -> Vec<(Spot, &str)> {
+        let mut scenes: Vec<(Spot, &str)> = Vec::new();
+        for entry in self.order().into_iter().filter_map(|at| self.entry(at)) {
+            match entry {
+                Entry::Row(row) => scenes.extend(row.scene.as_deref().map(|scene| (row.spot, scene))),
+                Entry::Picture(picture) => scenes.extend(picture.scene.as_deref().map(|scene| (picture.spot, scene))),
+                Entry::Drawn(Drawn { stroke: Stroke::Growth { scenes: named, .. }, spot, .. }) => {
+                    scenes.extend(named.iter().map(|scene| (*spot, scene.as_str())));
+                }
+                Entry::Drawn(_) | Entry::Map(..) => {}
+            }
+        }
+        scenes
     }
 
     /// What stands at a place of a panel.

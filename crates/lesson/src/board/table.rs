@@ -3,7 +3,7 @@
 use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
-use crate::{Plan, head, limits};
+use crate::{Plan, Spot, head, limits};
 
 use super::Formula;
 
@@ -78,8 +78,12 @@ pub struct Row {
     pub cells: Vec<(Column, Cell)>,
     /// What is built and measured for it.
     pub plan: Option<Plan>,
+    /// The name of the scene that it is measured over; the board's own if it has none.
+    pub scene: Option<String>,
     /// When it comes to be seen, among everything on the board.
     pub(crate) step: Option<f32>,
+    /// Where it stands.
+    pub(crate) spot: Spot,
 }
 
 /// What stands in a cell.
@@ -139,6 +143,8 @@ fn column(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<(Column, Stri
 fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let (name, note) = (keys.need::<String>("name", reading), keys.get::<String>("note", reading));
     let step = keys.get::<f32>("step", reading);
+    let scene = keys.get::<String>("scene", reading).map(|(_, scene)| scene);
+    let spot = reading.spot(keys.at());
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
     let mut cells = Vec::new();
     for column in [Column::Printed, Column::Total] {
@@ -156,5 +162,13 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
         cells.push((Column::Computed, Cell::Value(formula, unit)));
     }
     keys.finish(reading);
-    Some(Row { name: name?.1, note: note.unwrap_or_default().1, cells, plan, step: step.map(|(_, step)| step) })
+    Some(Row {
+        name: name?.1,
+        note: note.unwrap_or_default().1,
+        cells,
+        plan,
+        scene,
+        spot,
+        step: step.map(|(_, step)| step),
+    })
 }

@@ -6,7 +6,7 @@ use raystep_accel::{Cancelled, Grow, Observer, Reveal};
 use raystep_scene::Scene;
 
 use super::panel::Entry;
-use super::{Board, Column, Counted, Measured, Rendered, Stroke};
+use super::{Board, Column, Counted, Drawn, Measured, Rendered, Stroke};
 
 /// A board, and what comes to be seen on it, in order.
 #[derive(Clone, Debug)]
@@ -21,6 +21,8 @@ pub struct BoardTape {
     pub measured: Vec<Option<Measured>>,
     /// What was counted for it, pixel by pixel.
     pub counted: Vec<Option<Counted>>,
+    /// The points that were measured for it.
+    pub grown: Vec<Vec<[f64; 2]>>,
     /// The pictures that were made for it.
     pub rendered: Vec<Option<Rendered>>,
 }
@@ -32,13 +34,17 @@ impl BoardTape {
     /// `watch` asked to give up.
     pub fn fill(board: &Arc<Board>, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<BoardTape, Cancelled> {
         let (events, places, measured) = (Vec::new(), Vec::new(), Vec::new());
-        let (counted, rendered) = (Vec::new(), Vec::new());
-        let mut tape = BoardTape { board: board.clone(), events, places, measured, counted, rendered };
+        let (counted, grown, rendered) = (Vec::new(), Vec::new(), Vec::new());
+        let mut tape = BoardTape { board: board.clone(), events, places, measured, counted, grown, rendered };
         for (index, place) in board.order().into_iter().enumerate() {
             let Some(entry) = board.entry(place) else { continue };
             let measured = match entry {
                 Entry::Row(row) => match &row.plan {
-                    Some(plan) => Measured::of(plan, scene, watch)?,
+                    Some(plan) => match row.scene.as_deref().map(Scene::named) {
+                        Some(Ok(own)) => Measured::of(plan, &own, watch)?,
+                        Some(Err(_)) => None,
+                        None => Measured::of(plan, scene, watch)?,
+                    },
                     None => None,
                 },
                 Entry::Drawn(_) | Entry::Map(..) | Entry::Picture(_) => None,
@@ -47,14 +53,28 @@ impl BoardTape {
                 Entry::Map(map, of) => Counted::of(&map.plan, of, scene, watch)?,
                 Entry::Row(_) | Entry::Drawn(_) | Entry::Picture(_) => None,
             };
+            let grown = match entry {
+                Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, of, scenes }, .. }) => {
+                    Measured::growth(plan, *of, scenes, watch)?
+                }
+                _ => Vec::new(),
+            };
             let rendered = match entry {
                 Entry::Picture(picture) => Rendered::of(picture, scene, watch)?,
                 Entry::Row(_) | Entry::Drawn(_) | Entry::Map(..) => None,
             };
-            tape.events.push(reveal(index as u32, entry, measured.as_ref(), counted.as_ref(), rendered.as_ref()));
+            tape.events.push(reveal(
+                index as u32,
+                entry,
+                measured.as_ref(),
+                counted.as_ref(),
+                &grown,
+                rendered.as_ref(),
+            ));
             tape.places.push(place);
             tape.measured.push(measured);
             tape.counted.push(counted);
+            tape.grown.push(grown);
             tape.rendered.push(rendered);
         }
         Ok(tape)
@@ -66,6 +86,7 @@ fn reveal(
     what: Entry<'_>,
     measured: Option<&Measured>,
     counted: Option<&Counted>,
+    grown: &[[f64; 2]],
     rendered: Option<&Rendered>,
 ) -> Reveal {
     match what {
@@ -102,6 +123,11 @@ fn reveal(
         }
         Entry::Drawn(drawn) => match &drawn.stroke {
             Stroke::Point(x, y) => Reveal::Point { entry, x: x.at(0.0) as f32, y: y.at(0.0) as f32 },
+            Stroke::Growth { .. } => {
+                let dot = |dot: Option<&[f64; 2]>| dot.map_or([f32::NAN; 2], |dot| dot.map(|number| number as f32));
+                let ([from, first], [to, last]) = (dot(grown.first()), dot(grown.last()));
+                Reveal::Line { entry, from, to, first, last }
+            }
             Stroke::Law { law, from, to, .. } => Reveal::Line {
                 entry,
                 from: *from as f32,

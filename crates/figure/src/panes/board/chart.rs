@@ -95,6 +95,12 @@ impl Scale {
     }
 }
 
+/// Parts of a line between two points, when it is asked where the line runs.
+const PARTS: usize = 24;
+
+/// Lines of fewer points than these were measured.
+const LAW: usize = 40;
+
 /// The page of a chart.
 struct Plot<'a> {
     chart: &'a Chart,
@@ -179,8 +185,14 @@ impl Plot<'_> {
                 };
                 let points: Vec<Vec2> =
                     dots.iter().filter(|dot| self.chart.y.shows(dot[1])).map(|dot| self.at(*dot)).collect();
+                // What was measured has few points, a law has many: each of the few is marked.
+                let marks = if points.len() < LAW { points.clone() } else { Vec::new() };
                 if points.len() > 1 {
                     figure.add(role, place, Ink::Line { points });
+                }
+                for center in marks {
+                    figure.add(Role::Page, place, Ink::Circle { center, radius: u * 0.25 });
+                    figure.add(Role::Seen, place, Ink::Circle { center, radius: u * 0.25 });
                 }
             }
         }
@@ -195,7 +207,8 @@ impl Plot<'_> {
                 let inside = dots.iter().filter(|dot| self.chart.y.shows(dot[1]));
                 // In the middle of a law there is most room.
                 let inside: Vec<&Dot> = inside.collect();
-                match inside.get(inside.len() / 2) {
+                let named = if inside.len() < LAW { inside.len().saturating_sub(1) } else { inside.len() / 2 };
+                match inside.get(named) {
                     Some(dot) => self.at(**dot),
                     None => return,
                 }
@@ -239,10 +252,10 @@ impl Plot<'_> {
     /// Whether a line or a point of the chart runs through a box on the page.
     fn crossed(&self, min: Vec2, max: Vec2) -> bool {
         let within = |at: Vec2| at.x > min.x && at.x < max.x && at.y > min.y && at.y < max.y;
-        let mut dots = self.chart.drawn.iter().flat_map(|drawn| match &drawn.curve {
-            Curve::Point(dot) => std::slice::from_ref(dot),
-            Curve::Line { dots, .. } => dots.as_slice(),
-        });
-        dots.any(|dot| within(self.at(*dot)))
+        let crosses = |from: Vec2, to: Vec2| (0..=PARTS).any(|part| within(from.lerp(to, part as f32 / PARTS as f32)));
+        self.chart.drawn.iter().any(|drawn| match &drawn.curve {
+            Curve::Point(dot) => within(self.at(*dot)),
+            Curve::Line { dots, .. } => dots.windows(2).any(|pair| crosses(self.at(pair[0]), self.at(pair[1]))),
+        })
     }
 }
