@@ -368,15 +368,25 @@ impl Checker<'_> {
         let conditions = beat.paragraphs.iter().filter_map(|p| Some((p.only_if.as_ref()?, p.spot)));
         let words = conditions.clone().flat_map(|(all, spot)| all.words().map(move |(fact, text)| (fact, text, spot)));
         for (fact, text, spot) in waits.chain(words) {
-            let Some(value) = example(beat, fact, play) else { continue };
-            let allowed = spellings(&value);
-            if !allowed.is_empty() && !allowed.contains(&text) {
+            // Of a k-DOP's slabs some stand across axes and others between them: one example does not say all.
+            let mut allowed: Vec<&str> = Vec::new();
+            let can_be = |value: Value| {
+                let words = spellings(&value);
+                let free = words.is_empty() || words.contains(&text);
+                for word in words {
+                    if !allowed.contains(&word) {
+                        allowed.push(word);
+                    }
+                }
+                free
+            };
+            if !examples(beat, fact, play).any(can_be) && !allowed.is_empty() {
                 let message = format!("`{fact}` is never `{text}`: it can be {}", listed(&allowed));
                 self.say(slide, spot, message);
             }
         }
         for (fact, spot) in conditions.flat_map(|(all, spot)| all.numbers().map(move |fact| (fact, spot))) {
-            if example(beat, fact, play).is_some_and(|value| condition::number_of(&value).is_none()) {
+            if examples(beat, fact, play).next().is_some_and(|value| condition::number_of(&value).is_none()) {
                 self.say(slide, spot, format!("`{fact}` is no number: it can only be asked whether it `=` a word"));
             }
         }
@@ -391,16 +401,17 @@ fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 
-/// Some value of a fact of a beat, wherever in the play it is one.
-fn example(beat: &Beat, fact: &str, play: &Play) -> Option<Value> {
-    let (event, field) = match fact.rsplit_once('.') {
-        Some(("count" | "beside.count", _)) => return Some(Value::Count(0)),
+/// The values of a fact of a beat, wherever in the play it is one.
+fn examples<'a>(beat: &'a Beat, fact: &'a str, play: &'a Play) -> impl Iterator<Item = Value> + 'a {
+    let (event, field, count) = match fact.rsplit_once('.') {
+        Some(("count" | "beside.count", _)) => (None, "", Some(Value::Count(0))),
         // `count.slab.divide`: what is counted has a name of two words.
-        Some((event, _)) if event.starts_with("count.") || event.starts_with("beside.") => return None,
-        Some((event, field)) => (event, field),
-        None => (beat.at.event.as_str(), fact),
+        Some((event, _)) if event.starts_with("count.") || event.starts_with("beside.") => (None, "", None),
+        Some((event, field)) => (Some(event), field, None),
+        None => (Some(beat.at.event.as_str()), fact, None),
     };
-    play.tape.events().find(|other| names(event, other.name()))?.field(field)
+    let named = event.into_iter().flat_map(|event| play.tape.events().filter(move |other| names(event, other.name())));
+    count.into_iter().chain(named.filter_map(|event| event.field(field)))
 }
 
 /// How a field's values are spelt, where there are but a few.
