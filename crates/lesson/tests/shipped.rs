@@ -19,9 +19,10 @@ fn there_are_slides_on_every_topic_and_their_names_are_their_own() {
     unique.dedup();
     assert_eq!(ids.len(), unique.len(), "{ids:?}");
     assert!(ids.len() >= 18, "{ids:?}");
-    // Grids, kd-trees and hierarchies of boxes offer both stages.
+    // All structures are shown on both stages; only instances are solid alone, since they place meshes.
     for slide in library.slides.iter().filter(|slide| slide.section != "02-slabs") {
-        assert_eq!(slide.stages.len(), 2, "{}", slide.file);
+        let placed = slide.stages.iter().any(|stage| stage.scene.starts_with("forest"));
+        assert_eq!(slide.stages.len(), if placed { 1 } else { 2 }, "{}", slide.file);
     }
 }
 
