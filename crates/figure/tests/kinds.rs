@@ -41,8 +41,13 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
     let disc = |x: f32, y: f32| Shape::Sphere(Sphere { center: Vec3::new(x, y, 0.0), radius: 0.4 });
     let prims = Prims::Few(vec![disc(1.0, 3.0), disc(2.0, 1.0), disc(4.0, 3.5), disc(5.0, 1.0), disc(7.0, 2.6)]);
     let ray = Ray::new(Vec3::new(-1.0, 1.8, 0.0), Vec3::new(1.0, 0.1, 0.0)).unwrap();
-    for kind in Rule::KINDS {
-        let rule = Rule::default_for(kind).unwrap().flat();
+    // A hierarchy that is put together from sets grows otherwise than one that is divided.
+    let joined = ["bottom-up", "ploc", "insertion"].map(|builder| ("bvh", Some(builder)));
+    for (kind, builder) in Rule::KINDS.map(|kind| (kind, None)).into_iter().chain(joined) {
+        let mut rule = Rule::default_for(kind).unwrap().flat();
+        if let Some(builder) = builder {
+            rule.set("builder", builder).unwrap();
+        }
         let (mut walked, mut grown) = (Vec::new(), Vec::new());
         let structure = Structure::build(&prims, &rule, &mut grown).unwrap();
         structure.intersect(&prims, &ray, &mut walked);

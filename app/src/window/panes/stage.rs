@@ -105,6 +105,7 @@ pub(super) fn stage(
     let look = Look::WINDOW;
     // A kind that draws the middle of the page itself needs no stage.
     let Some(space) = pictures.space.clone().filter(|_| !pictures.has(Pane::Picture)) else {
+        let look = Look { text: look.text * scale, ..look };
         return figure::figure(ui, page, kept, Pane::Picture, rect, &look, asked);
     };
     let space = &*space;

@@ -95,6 +95,8 @@ pub struct Tally {
     pub weighed: u64,
     /// Splits taken.
     pub taken: u64,
+    /// Times that two sets became one.
+    pub joined: u64,
     /// Leaves made.
     pub leaves: u64,
 }
