@@ -86,7 +86,10 @@ impl Drawing<'_> {
         } else if let (Place::Node(node), Structure::Bvh(tree)) = (slab.place, self.walk.structure)
             && let Some((normal, center)) = slanted(tree, node, cut.axis)
         {
-            self.line_of(role, slab.place, normal, at + normal.dot(center));
+            let end = self.line_of(role, slab.place, normal, at + normal.dot(center));
+            if let Some(end) = end {
+                self.note(role, place, end, text);
+            }
         }
     }
 
@@ -138,23 +141,25 @@ impl Drawing<'_> {
         }
     }
 
-    /// In a flat scene, the line of a plane that leans, all through the picture.
-    fn line_of(&mut self, role: Role, place: Place, normal: Vec3, at: f32) {
+    /// In a flat scene, the line of a plane that leans, all through the picture. Returns a point near its end.
+    fn line_of(&mut self, role: Role, place: Place, normal: Vec3, at: f32) -> Option<Vec3> {
         let (across, length) = (normal.with_z(0.0), normal.truncate().length());
         if !self.walk.flat || length < LEVEL * normal.length() {
-            return;
+            return None;
         }
         let room = self.bounds;
         // The point of the line nearest to the middle, and as far to both sides as the picture is wide.
         let middle = room.center().with_z(0.0);
         let foot = middle + across * ((at - across.dot(middle)) / (length * length));
         let along = Vec3::Z.cross(across) / length;
-        let Ok(line) = Ray::new(foot, along) else { return };
+        let line = Ray::new(foot, along).ok()?;
         let everywhere = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
         let part = raystep_accel::slab(&room, &line, everywhere, Place::World, &mut ());
-        if !part.is_empty() {
-            self.add(role, Some(place), Form::Segment(line.at(part.near), line.at(part.far)));
+        if part.is_empty() {
+            return None;
         }
+        self.add(role, Some(place), Form::Segment(line.at(part.near), line.at(part.far)));
+        Some(line.at(part.near + (part.far - part.near) * 0.94))
     }
 
     /// A plane has no end: in a flat scene it runs through the picture, in a solid one beyond the box.
