@@ -1,6 +1,7 @@
 //! What can be shown step by step: each kind in a file that says which panes it draws. A new kind is such a file.
 
 mod build;
+mod detail;
 mod film;
 mod instant;
 mod kind;

@@ -82,7 +82,7 @@ struct Obstacles {
 
 /// Sets the labels of a space, the most important first; one that fits nowhere is left out.
 pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) {
-    let size = (figure.size.y / 42.0).clamp(11.0, 22.0);
+    let size = size(figure.size);
     let mut obstacles = obstacles(figure);
     let mut wanted: Vec<_> = space
         .marks
@@ -124,6 +124,11 @@ pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) {
     for (role, place, ink) in set {
         figure.add(role, place, ink);
     }
+}
+
+/// Size of the letters in a picture of this size.
+pub(super) fn size(page: Vec2) -> f32 {
+    (page.y / 42.0).clamp(11.0, 22.0)
 }
 
 /// A label that costs as much covers another one or lies outside the picture.
@@ -168,6 +173,12 @@ fn obstacles(figure: &Figure) -> Obstacles {
             Ink::Area { points } if matches!(mark.place, Some(Place::Node(_))) && mark.role != Role::Plane => {
                 let next = points.iter().cycle().skip(1);
                 found.lines.extend(points.iter().zip(next).map(|(&from, &to)| (from, to, weight * 0.4)));
+            }
+            // What is written there already ends on its right.
+            Ink::Text { at, text, size, face, .. } => {
+                let width = text_width(text, *face, *size);
+                let spot = Spot { min: *at - Vec2::new(width, size * 0.6), max: *at + Vec2::new(0.0, size * 0.6) };
+                found.spots.push((spot, HOPELESS));
             }
             Ink::Circle { center, radius } => {
                 let ring = ring_role(mark.role) && *radius < 10.0;
