@@ -18,10 +18,10 @@ const BOXES: usize = 2000;
 /// Of the way to the current node, so many levels.
 const LEVELS: usize = 3;
 
-/// Of what waits, so many nodes; in space more would be a tangle, and so many have labels there.
+/// Of what waits, so many nodes; in space more would be a tangle, and only the next one has a label there.
 const NEXT: usize = 8;
 const NEXT_SOLID: usize = 4;
-const LABELLED: usize = 2;
+const LABELLED: usize = 1;
 
 impl Drawing<'_> {
     /// Every node that matters now, and the boundaries of the rest where they are few.
@@ -131,7 +131,17 @@ impl Drawing<'_> {
             if tested.verdict == Verdict::Hit && Some(tested.place) != self.moment.here && !waits {
                 self.outline(Role::Seen, tested.place);
                 let (near, far) = (number(tested.interval.near), number(tested.interval.far));
-                self.titled(Role::Seen, tested.place, format!("{node} met: {near} – {far}"));
+                // In space, where there is less room, not twice: the ends of the interval have labels of their own.
+                let now = matches!(self.moment.event, Some(Visit::Volume { place, .. }) if place == tested.place);
+                let says = if now && !self.walk.flat {
+                    format!("{node} met")
+                } else {
+                    format!("{node} met: {near} – {far}")
+                };
+                let others = matches!(self.moment.event, Some(Visit::Volume { .. })) && !now;
+                if self.walk.flat || !others {
+                    self.titled(Role::Seen, tested.place, says);
+                }
             }
         }
         let Some(place) = self.moment.under_test() else { return };
@@ -144,7 +154,12 @@ impl Drawing<'_> {
     /// Which node on the stack is next, and which are later.
     fn stack_titles(&mut self) {
         let stack = &self.moment.stack;
-        let most = if self.walk.flat { NEXT } else { LABELLED };
+        // In space a test that is under way needs the room.
+        let most = match self.moment.under_test() {
+            _ if self.walk.flat => NEXT,
+            Some(_) => 0,
+            None => LABELLED,
+        };
         for (index, waiting) in stack.iter().rev().take(most).enumerate() {
             let word = match index {
                 _ if stack.len() == 1 => "waits",
