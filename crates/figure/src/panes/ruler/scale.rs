@@ -1,5 +1,7 @@
 //! Which part of the ray a ruler shows, and how it is stretched and shifted.
 
+use std::cmp::Ordering;
+
 use raystep_accel::Interval;
 
 /// A ruler is never stretched further than so many times: single precision has no more to show.
@@ -44,7 +46,7 @@ impl RulerScale {
     /// A part of this length, moved so that it does not reach out of all there is.
     fn within(&self, near: f32, length: f32) -> Option<Interval> {
         let all = self.whole.far - self.whole.near;
-        if !(length < all * 0.999) {
+        if length.partial_cmp(&(all * 0.999)) != Some(Ordering::Less) {
             return None;
         }
         let near = near.max(self.whole.near).min(self.whole.far - length);
