@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::Vec2;
 use raystep_accel::Rule;
-use raystep_figure::{Camera, Shaded, Space, Theme, shaded};
+use raystep_figure::{Camera, Depth, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
 use super::names::{of_slide, slug};
@@ -30,6 +30,8 @@ pub(crate) struct Ground<'a> {
     pub(super) about: String,
     look: Option<Look>,
     seen: Option<Seen>,
+    /// How many boxes of a tree are drawn in space.
+    pub(super) depth: Depth,
     /// The solid scene as cameras see it in pictures of these sizes: the same at every step.
     scenery: Mutex<Vec<Scenery>>,
     /// Whether somebody still waits for the pictures.
@@ -47,6 +49,8 @@ pub(crate) struct Changes {
     pub(crate) settings: Vec<(String, String)>,
     /// The camera, once it was moved.
     pub(crate) seen: Option<Seen>,
+    /// How many boxes of a tree are drawn in space.
+    pub(crate) depth: Option<Depth>,
     /// Whether the slide's beats are told.
     pub(crate) told: bool,
 }
@@ -58,7 +62,7 @@ impl<'a> Ground<'a> {
         let built = stage.build(slide.plays).map_err(|error| wrong(&error))?;
         let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
         let nodes = Arc::new(AllNodes::of(&built.structure, built.told.as_ref()));
-        let own = Changes { scene: None, settings: Vec::new(), seen: None, told: true };
+        let own = Changes { scene: None, settings: Vec::new(), seen: None, depth: None, told: true };
         Ok(Ground::new(library, slide, stage, built, rule, nodes, own, &|| true))
     }
 
@@ -73,7 +77,8 @@ impl<'a> Ground<'a> {
         changes: Changes,
         go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Ground<'a> {
-        let Changes { scene: other, settings, seen, told } = changes;
+        let Changes { scene: other, settings, seen, depth, told } = changes;
+        let depth = depth.unwrap_or(stage.levels.map_or(Depth::Path, Depth::Down));
         let look = stage.camera.filter(|_| other.is_none());
         let (mut stem, mut about) = match other {
             Some(name) => (format!("{}-{}", slug(&name), rule.kind()), name),
@@ -104,6 +109,7 @@ impl<'a> Ground<'a> {
             about,
             look,
             seen,
+            depth,
             scenery: Mutex::default(),
             go_on,
         }

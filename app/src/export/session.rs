@@ -3,7 +3,8 @@
 use glam::Vec2;
 use raystep_accel::{Event, Ray};
 use raystep_figure::{
-    Ask, Figure, Look, Pane, Reel, Scenery, Still, Theme, VolumeName, sentence, short, stage as picture_of, told,
+    Ask, Camera, Figure, Look, Pane, Reel, Scenery, Still, Theme, VolumeName, close_up, inset_size, sentence,
+    set_inset, short, stage as picture_of, told,
 };
 use raystep_lesson::{Medium, NamedRay, Play, Tape};
 use raystep_print::{Plate, Record, Told, json, plate};
@@ -11,6 +12,7 @@ use raystep_print::{Plate, Record, Told, json, plate};
 use super::ground::Ground;
 use super::names::{of_own_ray, of_ray};
 use crate::fault::Fault;
+use crate::shown::eye;
 use crate::shown::reel::{beginning, lines, pane, reel, said};
 
 /// A walk or a build and what it is drawn on.
@@ -110,7 +112,7 @@ impl<'a> Session<'a> {
         let size = pixels / scale;
         let reel = reel(&self.play, &self.ground.nodes);
         let instant = reel.at(step);
-        let still = reel.still(&instant);
+        let still = reel.still(&instant).to_depth(self.ground.depth);
         let figure = match view {
             View::Space => self.picture(&reel, &still, size, scale, theme),
             View::Tree => still.draw(Pane::Tree, &Ask::new(size, Look { titles: false, ..Look::WINDOW })),
@@ -160,10 +162,19 @@ impl<'a> Session<'a> {
         if self.play.scene.flat {
             return picture_of(&shown, prims, &camera, size, Scenery::Drawn);
         }
-        match self.ground.scenery(&camera, size * scale, theme) {
-            Some(scenery) => picture_of(&shown, prims, &camera, size, Scenery::Shaded(&scenery)),
-            None => picture_of(&shown, prims, &camera, size, Scenery::Left),
+        let scenery = |camera: &Camera, size: Vec2| self.ground.scenery(camera, size * scale, theme);
+        let shaded = scenery(&camera, size);
+        let mut figure =
+            picture_of(&shown, prims, &camera, size, shaded.as_deref().map_or(Scenery::Left, Scenery::Shaded));
+        // What is but a dot there is seen from near in a corner.
+        if let (Some((title, bounds)), Some(size)) = (still.detail(), inset_size(size)) {
+            let camera = eye::framed(&camera, &bounds, size);
+            let shaded = scenery(&camera, size);
+            let small =
+                close_up(&shown, prims, &camera, size, shaded.as_deref().map_or(Scenery::Left, Scenery::Shaded));
+            set_inset(&mut figure, small, &title);
         }
+        figure
     }
 
     fn plate(

@@ -61,6 +61,12 @@ pub enum Command {
     Frame,
     /// The slide's own camera.
     ResetCamera,
+    /// The boxes of one level of a tree more.
+    Deeper,
+    /// The boxes of one level less.
+    Shallower,
+    /// All of the ray on the ruler.
+    WholeRay,
     /// Write pictures to files.
     Export,
     /// Copy the picture of space.
@@ -145,6 +151,9 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::FullScreen, "Full screen", &["F11"]),
     entry(Command::Frame, "Frame the current place", &["F"]),
     entry(Command::ResetCamera, "Reset the camera", &["R"]),
+    entry(Command::Deeper, "Boxes of one level more", &["+", "="]),
+    entry(Command::Shallower, "Boxes of one level less", &["−"]),
+    entry(Command::WholeRay, "All of the ray on the ruler", &["T"]),
     entry(Command::Export, "Export", &["Ctrl+E"]),
     entry(Command::Copy, "Copy the picture", &["Ctrl+C"]),
     entry(Command::Open, "Open a mesh", &["Ctrl+O"]),

@@ -4,9 +4,12 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Event, Grain, Grow, Mistake, Primitives};
+use raystep_accel::{Cost, Event, Grain, Grow, Interval, Mistake, Place, Primitives};
 pub(crate) use raystep_figure::Pane;
-use raystep_figure::{Ask, Camera, Figure, Guess, Instant, Look, Scenery, Space, Symbol, TreeView, nothing, stage};
+use raystep_figure::{
+    Ask, Camera, Depth, Figure, Guess, Instant, Look, RulerScale, Scenery, Space, SpaceMark, Symbol, TreeView, nothing,
+    stage,
+};
 use raystep_lesson::{About, Choice, Listing, Show};
 
 use super::beside::Beside;
@@ -29,6 +32,8 @@ pub(crate) struct Pictures {
     pub(crate) space: Option<Arc<Space>>,
     /// Its state at the step before.
     before: Instant,
+    /// The part of the ray that the ruler shows, if not all of it.
+    part: Option<Interval>,
     figures: HashMap<PaneKey, Figure>,
 }
 
@@ -42,6 +47,8 @@ struct Key {
     asks: Option<(bool, &'static str)>,
     /// The mistake that is made in the walk beside.
     mistake: Option<Mistake>,
+    /// How many boxes of a tree are drawn in space.
+    depth: Depth,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -50,6 +57,7 @@ struct PaneKey {
     size: [u32; 2],
     text: u32,
     extra: u64,
+    part: [u32; 2],
 }
 
 impl Pictures {
@@ -65,12 +73,12 @@ impl Pictures {
             Beside::Mistake(index) => playback.mistakes.get(index).copied(),
             _ => None,
         };
-        let key =
-            Key { playback: Arc::as_ptr(&playback) as usize, step: state.view.step, grain: state.grain, asks, mistake };
+        let (step, grain, depth, part) = (state.view.step, state.grain, state.depth(), state.view.part);
+        let key = Key { playback: Arc::as_ptr(&playback) as usize, step, grain, asks, mistake, depth };
         if let Some(kept) = kept
             && kept.key == key
         {
-            return Some(kept);
+            return Some(Pictures { part, ..kept });
         }
         let mut instant = playback.instant(state.view.step);
         if let Some(posed) = state.question() {
@@ -78,8 +86,8 @@ impl Pictures {
             playback.reel().guess(&mut instant, &guesses);
         }
         let before = playback.instant(playback.steps().previous(state.view.step, state.grain));
-        let space = playback.reel().still(&instant).since(&before).space().map(Arc::new);
-        Some(Pictures { key, playback, instant, space, before, figures: HashMap::new() })
+        let space = playback.reel().still(&instant).since(&before).to_depth(depth).space().map(Arc::new);
+        Some(Pictures { key, playback, instant, space, before, part, figures: HashMap::new() })
     }
 
     /// The figure of a pane.
@@ -96,8 +104,11 @@ impl Pictures {
             beside.map_or(0, |(_, tests)| tests + 1) ^ (view.focus.map_or(0, |node| u64::from(node.0) + 1) << 20);
         let sized = [size.x as u32, size.y as u32];
         let Key { asks, mistake, .. } = self.key;
-        let key = PaneKey { pane, size: sized, text: (look.text * 8.0) as u32 * 2 + u32::from(look.titles), extra };
-        let Pictures { playback, instant, space, before, figures, .. } = self;
+        let text = (look.text * 8.0) as u32 * 2 + u32::from(look.titles);
+        let Pictures { playback, instant, space, before, part, figures, .. } = self;
+        let part = part.filter(|_| matches!(pane, Pane::Ruler | Pane::RulerLine));
+        let bits = part.map_or([0; 2], |part| [part.near.to_bits(), part.far.to_bits()]);
+        let key = PaneKey { pane, size: sized, text, extra, part: bits };
         figures.entry(key).or_insert_with(|| {
             let reel = playback.reel();
             let still = reel.still(instant).since(before);
@@ -108,14 +119,30 @@ impl Pictures {
             let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || coming == "plane");
             let lines = lines(code, &playback.play, still.step(), mistake);
             let space = space.as_deref();
-            let ask = Ask { hide, view: Some(view), lines: &lines, beside, space, ..Ask::new(size, *look) };
+            let ask = Ask { hide, view: Some(view), lines: &lines, beside, part, space, ..Ask::new(size, *look) };
             still.draw(pane, &ask)
         })
+    }
+
+    /// The scale of the ruler in a pane of this size, if it can be stretched.
+    pub(crate) fn scale(&self, pane: Pane, size: Vec2, look: &Look) -> Option<RulerScale> {
+        let ask = Ask { part: self.part, ..Ask::new(size, *look) };
+        self.playback.reel().still(&self.instant).scale(pane, &ask)
+    }
+
+    /// What lights up in space where the pointer is on a place.
+    pub(crate) fn lit(&self, place: Option<Place>) -> Vec<SpaceMark> {
+        place.map_or_else(Vec::new, |place| self.playback.reel().still(&self.instant).lit(place))
     }
 
     /// Whether there is anything to show in a pane.
     pub(crate) fn has(&self, pane: Pane) -> bool {
         self.playback.reel().has(pane)
+    }
+
+    /// How high a pane should be, where that follows from what it shows.
+    pub(crate) fn height(&self, pane: Pane, look: &Look) -> Option<f32> {
+        self.playback.reel().still(&self.instant).height(pane, look)
     }
 
     /// How high the presenter's ruler is.
@@ -166,6 +193,7 @@ const WAITS: &str = "shown once the question is answered";
 pub(crate) struct Drawn {
     walk: Arc<Playback>,
     step: usize,
+    depth: Depth,
     /// What space shows.
     pub(crate) space: Space,
     /// What it has cost so far.
@@ -174,16 +202,22 @@ pub(crate) struct Drawn {
 
 impl Drawn {
     /// The walk at this step: as it is kept, if that still is right.
-    pub(crate) fn of(kept: Option<Drawn>, beside: &Arc<Playback>, step: usize) -> Drawn {
+    pub(crate) fn of(kept: Option<Drawn>, beside: &Arc<Playback>, step: usize, depth: Depth) -> Drawn {
         if let Some(kept) = kept
             && Arc::ptr_eq(&kept.walk, beside)
-            && kept.step == step
+            && (kept.step, kept.depth) == (step, depth)
         {
             return kept;
         }
         let instant = beside.instant(step);
-        let space = beside.reel().still(&instant).space().unwrap_or_default();
-        Drawn { walk: beside.clone(), step, space, cost: beside.cost_at(&instant) }
+        let space = beside.reel().still(&instant).to_depth(depth).space().unwrap_or_default();
+        Drawn { walk: beside.clone(), step, depth, space, cost: beside.cost_at(&instant) }
+    }
+
+    /// What lights up in space where the pointer is on a place.
+    pub(crate) fn lit(&self, place: Option<Place>) -> Vec<SpaceMark> {
+        let instant = self.walk.reel().start();
+        place.map_or_else(Vec::new, |place| self.walk.reel().still(&instant).lit(place))
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Mistake, Ray};
-use raystep_figure::Camera;
+use raystep_accel::{Interval, Mistake, Ray};
+use raystep_figure::{Camera, Depth};
 use raystep_lesson::StageKind;
 use raystep_scene::Scene;
 
@@ -20,6 +20,10 @@ pub struct View {
     pub settings: Vec<(String, String)>,
     /// Where it is seen from, if not from the slide's own place.
     pub camera: Option<Camera>,
+    /// How many boxes of a tree are drawn in space, if not as many as the slide says.
+    pub depth: Option<Depth>,
+    /// The part of the ray that the ruler shows, if not all of it.
+    pub part: Option<Interval>,
     /// A mesh opened instead of the slide's scene.
     pub mesh: Option<Arc<Scene>>,
     /// The mistake whose own scene and ray are shown instead of the slide's.
@@ -41,12 +45,28 @@ impl View {
     /// The beginning of a slide.
     pub fn of_slide(slide: usize, stage: StageKind) -> View {
         let (ray, settings) = (RayChoice::Named(0), Vec::new());
-        View { slide, stage, ray, settings, camera: None, mesh: None, example: None, step: 0 }
+        let (camera, depth, part) = (None, None, None);
+        View { slide, stage, ray, settings, camera, depth, part, mesh: None, example: None, step: 0 }
     }
 
     /// Whether both show the very same page.
     pub fn same_page(&self, other: &View) -> bool {
-        self.step == other.step && self.camera == other.camera && self.same_walk(other)
+        self.step == other.step && self.looks_as(other) && self.same_walk(other)
+    }
+
+    /// Whether both are looked at in the same way.
+    fn looks_as(&self, other: &View) -> bool {
+        self.camera == other.camera && self.depth == other.depth && self.part == other.part
+    }
+
+    /// Whether it is looked at as the slide says.
+    pub fn looks_its_own(&self) -> bool {
+        self.looks_as(&View::of_slide(self.slide, self.stage))
+    }
+
+    /// The same, looked at as another one is.
+    pub fn looking_as(self, other: &View) -> View {
+        View { camera: other.camera, depth: other.depth, part: other.part, ..self }
     }
 
     /// Whether both show the same walk of the same ray, wherever they stand in it.

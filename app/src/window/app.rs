@@ -297,6 +297,8 @@ impl App {
                     self.kept.sight.aspect = seen.aspect;
                     self.state.turn(seen.camera);
                 }
+                panes::Asked::Depth(depth) => self.state.show_depth(depth),
+                panes::Asked::Part(part) => self.state.show_part(part),
                 panes::Asked::Ray(ray) => self.state.show_ray(RayChoice::Own(ray), true),
                 panes::Asked::Set(key, value) => self.state.set(key, &value),
                 panes::Asked::Say(sentence) => self.kept.notices.say(ui, sentence),

@@ -9,8 +9,8 @@ use raystep_accel::{
     Transform, Visit,
 };
 use raystep_figure::{
-    Camera, Figure, Film, Form, Ink, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, ghost, labels, shaded,
-    space, stage,
+    Camera, Depth, Figure, Film, Form, Ink, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, ghost, labels,
+    shaded, space, space_to, stage,
 };
 
 /// Discs in the four quarters of a square, two in each.
@@ -119,7 +119,7 @@ fn edges_of_a_body_are_drawn_once() {
     rule.set("volume", "obb").expect("a volume");
     let stand = Stand::new(&rule);
     let walk = Walk { flat: false, ..stand.walk() };
-    let space = space(&walk, &Moment::start(&walk));
+    let space = space_to(&walk, &Moment::start(&walk), Depth::Down(9));
     let edges: Vec<usize> = space
         .marks
         .iter()

@@ -11,6 +11,9 @@ use crate::problem::{misspelt, short};
 use crate::reading::Reading;
 use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, wait, walks};
 
+/// No tree is deeper.
+const LEVELS: f32 = 64.0;
+
 /// The format that this program reads.
 const FORMAT: f32 = 1.0;
 
@@ -215,9 +218,10 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     if let Some(table) = camera {
         table.finish(reading);
     }
+    let levels = levels(kind, keys, reading);
     let (scene_at, scene) = scene?;
     let [scene_spot, camera_spot] = [scene_at, camera_at].map(|at| reading.spot(at));
-    Some(Stage { kind, scene, plan: own?, beside, rays, abreast, board, camera: look, scene_spot, camera_spot })
+    Some(Stage { kind, scene, plan: own?, beside, rays, abreast, board, camera: look, levels, scene_spot, camera_spot })
 }
 
 /// `structures = [{ kind = "kd" }, { kind = "bsp" }]`: from two to nine over a flat scene.
@@ -233,6 +237,19 @@ fn abreast(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<Plan> {
         );
     }
     plans
+}
+
+/// Down to which level of the tree a solid stage shows boxes; a flat one shows them all.
+fn levels(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<u32> {
+    let (at, levels) = keys.get::<f32>("levels", reading)?;
+    match kind {
+        StageKind::Flat => reading.problem(at, "`levels` belongs to a solid stage: a flat one shows all boxes"),
+        StageKind::Solid if (1.0..=LEVELS).contains(&levels) && levels.fract() == 0.0 => return Some(levels as u32),
+        StageKind::Solid => {
+            reading.problem(at, format!("`levels` is {levels}: it is a whole number from 1 to {LEVELS}"));
+        }
+    }
+    None
 }
 
 /// `{ kind = "kd", max_depth = 6 }`

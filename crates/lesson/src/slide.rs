@@ -194,6 +194,8 @@ pub struct Stage {
     pub board: Option<Arc<Board>>,
     /// Where it is seen from, if not as its scene says.
     pub camera: Option<Look>,
+    /// Down to which level the boxes of a tree are drawn in space; without it, those of the path alone.
+    pub levels: Option<u32>,
     /// Where its scene is named.
     pub(crate) scene_spot: Spot,
     /// Where its camera stands.

@@ -72,7 +72,7 @@ fn texts(figure: &Figure) -> BTreeSet<String> {
 }
 
 /// Words of the page itself: how large a node is, which step was compared with, what a sign means.
-const SETTING: [&str; 4] = [" bytes", "64 bit: ", "since step ", "dots: primitives of a leaf"];
+const SETTING: [&str; 6] = [" bytes", "64 bit: ", "since step ", "so many ", " nodes drawn", "level "];
 
 /// The words that would give an answer away.
 fn words(value: &Value, label: &str) -> Vec<String> {

@@ -8,8 +8,8 @@ mod wanting;
 
 use std::sync::Arc;
 
-use raystep_accel::{Grain, Mistake, Place, Rule};
-use raystep_figure::Camera;
+use raystep_accel::{Grain, Interval, Mistake, Place, Rule};
+use raystep_figure::{Camera, Depth};
 use raystep_lesson::{Act, Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
 
@@ -89,7 +89,7 @@ pub struct Answered {
 pub(crate) struct Stamp {
     walk: Option<*const Playback>,
     step: usize,
-    camera: Option<Camera>,
+    look: (Option<Camera>, Option<Depth>, Option<Interval>),
     waits: bool,
     beside: (Beside, Pace),
     modes: [bool; 5],
@@ -160,7 +160,7 @@ impl State {
         Stamp {
             walk: self.playback.as_ref().map(Arc::as_ptr),
             step: self.view.step,
-            camera: self.view.camera,
+            look: (self.view.camera, self.view.depth, self.view.part),
             waits: self.wanted.is_some(),
             beside: (self.beside, self.pace),
             modes: [self.playing, self.predict, self.locked, self.present, self.asking],
@@ -209,6 +209,12 @@ impl State {
             Command::ByHand => self.by_hand = !self.by_hand,
             Command::Present => self.present = !self.present,
             Command::ResetCamera => self.look(None),
+            Command::Deeper => self.step_depth(true),
+            Command::Shallower => self.step_depth(false),
+            Command::WholeRay if self.view.part.is_some() => {
+                self.keep();
+                self.show_part(None);
+            }
             _ => {}
         }
     }
@@ -244,7 +250,7 @@ impl State {
             self.keep();
         }
         let landing = if matches!(ray, RayChoice::Named(_)) { Landing::Opening } else { Landing::Keep };
-        self.want(View { ray, ..self.target().clone() }, landing);
+        self.want(View { ray, part: None, ..self.target().clone() }, landing);
     }
 
     /// The ray of that name, on whichever stage it walks.
@@ -306,7 +312,8 @@ impl State {
     pub fn show_mesh(&mut self, mesh: Arc<Scene>, ray: raystep_accel::Ray) {
         self.keep();
         let (stage, ray) = (StageKind::Solid, RayChoice::Own(ray));
-        let view = View { stage, ray, mesh: Some(mesh), example: None, camera: None, ..self.target().clone() };
+        let (mesh, camera, part) = (Some(mesh), None, None);
+        let view = View { stage, ray, mesh, example: None, camera, part, ..self.target().clone() };
         self.want(view, Landing::Opening);
     }
 
@@ -338,11 +345,46 @@ impl State {
     }
 
     fn see(&mut self, camera: Option<Camera>) {
-        self.view.camera = camera;
+        self.change_look(|view| view.camera = camera);
+    }
+
+    /// How many boxes of a tree are drawn in space.
+    pub fn depth(&self) -> Depth {
+        let own = self.stage().and_then(|stage| stage.levels).map_or(Depth::Path, Depth::Down);
+        self.view.depth.unwrap_or(own)
+    }
+
+    /// So many boxes of a tree in space, as part of a change that is under way.
+    pub fn show_depth(&mut self, depth: Depth) {
+        self.change_look(|view| view.depth = Some(depth));
+    }
+
+    /// The boxes of one level more, or of one less; above the first there is the path alone.
+    fn step_depth(&mut self, deeper: bool) {
+        let Some(deepest) = self.playback.as_ref().and_then(|playback| playback.reel().deepest()) else { return };
+        let now = match self.depth() {
+            Depth::Path => 0,
+            Depth::Down(level) => level.min(deepest),
+        };
+        let level = if deeper { (now + 1).min(deepest) } else { now.saturating_sub(1) };
+        if level != now {
+            self.keep();
+            self.show_depth(if level == 0 { Depth::Path } else { Depth::Down(level) });
+        }
+    }
+
+    /// A part of the ray on the ruler, or all of it; as part of a change that is under way.
+    pub fn show_part(&mut self, part: Option<Interval>) {
+        self.change_look(|view| view.part = part);
+    }
+
+    /// Changes how what is shown, and what shall be shown of the same scene, is looked at.
+    fn change_look(&mut self, change: impl Fn(&mut View)) {
+        change(&mut self.view);
         if let Some(wanted) = &mut self.wanted
             && wanted.same_scene(&self.view)
         {
-            wanted.camera = camera;
+            change(wanted);
         }
     }
 
@@ -363,8 +405,9 @@ impl State {
         if !own.same_walk(self.target()) {
             self.keep();
             self.want(own, Landing::Opening);
-        } else if self.view.camera.is_some() {
-            self.look(None);
+        } else if !self.view.looks_its_own() {
+            self.keep();
+            self.change_look(|view| *view = view.clone().looking_as(&own));
         }
         self.beside = Beside::Nothing;
     }

@@ -51,9 +51,8 @@ impl State {
         if !exactly && !playback.view.same_but_own_ray(wanted) {
             return false;
         }
-        let (camera, named) = (wanted.camera, wanted.step);
-        let step = self.landed(&playback, named, self.landing);
-        self.view = View { step, camera, ..playback.view.clone() };
+        let step = self.landed(&playback, wanted.step, self.landing);
+        self.view = View { step, ..playback.view.clone() }.looking_as(wanted);
         self.playback = Some(playback);
         self.before = None;
         self.answered = None;

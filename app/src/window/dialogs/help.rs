@@ -31,7 +31,19 @@ const COLUMNS: [&[Group]; 2] = [
         ("Slides", &[Command::NextSlide, Command::PreviousSlide, Command::Restore, Command::Undo, Command::Redo]),
     ],
     &[
-        ("The picture", &[Command::Compare, Command::Frame, Command::ResetCamera, Command::Export, Command::Copy]),
+        (
+            "The picture",
+            &[
+                Command::Compare,
+                Command::Frame,
+                Command::ResetCamera,
+                Command::Deeper,
+                Command::Shallower,
+                Command::WholeRay,
+                Command::Export,
+                Command::Copy,
+            ],
+        ),
         (
             "The window",
             &[
@@ -60,7 +72,7 @@ const MOUSE: &[(&str, &str)] = &[
     ("Shift drag", "shoots a ray of your own"),
     ("Drag", "turns the view, or shifts a flat one"),
     ("Right drag", "shifts the view, as does the middle"),
-    ("Wheel", "comes nearer"),
+    ("Wheel", "comes nearer; stretches the ruler of t"),
 ];
 
 /// Shows the page; says whether it shall close.

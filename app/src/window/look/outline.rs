@@ -157,6 +157,24 @@ pub(crate) fn text_box(at: Vec2, text: &str, size: f32, face: Face, anchor: Anch
     (Vec2::new(left - pad_x, at.y - half), Vec2::new(left + width + pad_x, at.y + half))
 }
 
+/// How far the pointer is from the outline of the ink, if that is near; nothing on a label.
+pub(crate) fn away(ink: &Ink, pointer: Pos2) -> Option<f32> {
+    let at = Vec2::new(pointer.x, pointer.y);
+    let away = match ink {
+        Ink::Line { points } => {
+            points.windows(2).map(|ends| to_segment(at, ends[0], ends[1])).fold(f32::INFINITY, f32::min)
+        }
+        Ink::Area { points } => {
+            let next = points.iter().cycle().skip(1);
+            points.iter().zip(next).map(|(&from, &to)| to_segment(at, from, to)).fold(f32::INFINITY, f32::min)
+        }
+        Ink::Circle { center, radius } => (at.distance(*center) - radius).max(0.0),
+        Ink::Text { .. } => return reach(ink, pointer).map(|_| 0.0),
+        Ink::Rect { .. } | Ink::Arrowhead { .. } | Ink::Formula { .. } | Ink::Image { .. } => return None,
+    };
+    (away <= NEAR).then_some(away)
+}
+
 /// The size of the ink if the pointer is on it: smaller ink is meant first. Nothing if it is not.
 pub(crate) fn reach(ink: &Ink, pointer: Pos2) -> Option<f32> {
     let at = Vec2::new(pointer.x, pointer.y);

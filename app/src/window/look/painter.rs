@@ -66,6 +66,18 @@ pub(crate) fn place_at(figure: &Figure, origin: Pos2, pointer: Pos2) -> Option<P
     under.reduce(|best, other| if other.1 < best.1 { other } else { best }).map(|(place, _)| place)
 }
 
+/// The place of the line, ring or label under the pointer: labels first, then the nearest line.
+pub(crate) fn line_at(figure: &Figure, origin: Pos2, pointer: Pos2) -> Option<Place> {
+    let local = pointer - origin.to_vec2();
+    let near = figure.marks.iter().rev().filter_map(|mark| {
+        let away = outline::away(&mark.ink, local)?;
+        // Candidates and the ray are no places of their own.
+        let is_place = !matches!(mark.role, Role::Candidate | Role::Live | Role::Ray);
+        Some((mark.place.filter(|_| is_place)?, away))
+    });
+    near.reduce(|best, other| if other.1 < best.1 { other } else { best }).map(|(place, _)| place)
+}
+
 fn paint_mark(painter: &Painter, origin: Pos2, mark: &Mark, role: Role, theme: &Theme) {
     let style = theme.style(role);
     match &mark.ink {

@@ -144,8 +144,10 @@ pub(super) fn center(
     let mut under = None;
     let heights = sizes.heights;
     if let Some(main) = main(page.state).filter(|_| !narrow(ui) || height >= LOW) {
-        let usual = height * 0.2;
-        let panel = Panel::bottom(salt("tree", heights.tree, height))
+        // A small tree gets the room to stand there whole.
+        let whole = kept.pictures.as_ref().and_then(|pictures| pictures.height(main, &Look::WINDOW)).unwrap_or(0.0);
+        let usual = (height * 0.2).max(whole.min(height * 0.32));
+        let panel = Panel::bottom(salt("tree", heights.tree, usual))
             .frame(frame)
             .resizable(true)
             .default_size(heights.tree.unwrap_or(usual))

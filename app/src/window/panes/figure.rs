@@ -1,8 +1,8 @@
 //! A pane that is a figure: drawn, hovered and clicked.
 
-use egui::{Rect, Sense, Ui};
+use egui::{Rect, Response, Sense, Ui};
 use raystep_accel::Place;
-use raystep_figure::Look;
+use raystep_figure::{Look, RulerScale};
 
 use super::page::{Asked, Kept, Page};
 use super::space::{BORDER, glam_size};
@@ -23,7 +23,9 @@ pub(super) fn figure(
     let Page { state, theme, lit, .. } = page;
     // The borders of the pane are for dragging them.
     let response = ui.allocate_rect(rect, Sense::hover());
-    let response = ui.interact(rect.shrink(BORDER), response.id.with("pane"), Sense::click());
+    let ruler = matches!(pane, Pane::Ruler | Pane::RulerLine);
+    let sense = if ruler { Sense::click_and_drag() } else { Sense::click() };
+    let response = ui.interact(rect.shrink(BORDER), response.id.with("pane"), sense);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, pane.name()));
     let Kept { pictures, tree, .. } = kept;
     let code = state.slide().and_then(|slide| state.library.listing(&slide.listing));
@@ -44,6 +46,9 @@ pub(super) fn figure(
                 .on_hover_text_at_pointer("Click: the next time of this line · Shift+click: the time before");
         }
     }
+    if let Some(scale) = pictures.scale(pane, glam_size(rect), look) {
+        stretch(ui, &response, rect, &scale, state.view.part.is_some(), asked);
+    }
     let drawn = pictures.pane(pane, glam_size(rect), look, code, tree, tests);
     paint_figure(&ui.painter_at(rect), rect.min, drawn, theme, lit);
     let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);
@@ -56,4 +61,30 @@ pub(super) fn figure(
         tree.focus = (tree.focus != Some(node) && node.0 != 0).then_some(node);
     }
     under
+}
+
+/// The wheel stretches a ruler, a drag shifts what is stretched, and a double click shows all of it again.
+fn stretch(ui: &Ui, response: &Response, rect: Rect, scale: &RulerScale, stretched: bool, asked: &mut Vec<Asked>) {
+    if stretched && response.double_clicked() {
+        asked.extend([Asked::Keep, Asked::Part(None)]);
+        return;
+    }
+    if stretched && response.drag_started() {
+        asked.push(Asked::Keep);
+    }
+    if stretched && response.dragged() && response.drag_delta().x != 0.0 {
+        asked.push(Asked::Part(scale.shifted(response.drag_delta().x)));
+    }
+    let Some(pointer) = response.hover_pos() else { return };
+    let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+    let factor = (scroll * 0.0025).exp() * pinch;
+    if factor == 1.0 {
+        return;
+    }
+    let part = scale.stretched(factor, pointer.x - rect.left());
+    // The wheel has no beginning: its first turn can be undone.
+    if !stretched && part.is_some() {
+        asked.push(Asked::Keep);
+    }
+    asked.push(Asked::Part(part));
 }

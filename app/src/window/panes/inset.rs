@@ -1,33 +1,28 @@
 //! A small picture in a corner of a solid stage: the leaf, the cell or the hit that is a dot in the large one.
 
 use egui::{Align2, Rect, StrokeKind, Ui, pos2, vec2};
-use raystep_figure::{Camera, Face, Role};
+use raystep_figure::{Camera, Face, Role, Scenery, close_up, inset_size};
 
 use super::page::Page;
 use super::sight::Sight;
 use super::space::glam_size;
 use crate::shown::eye;
-use crate::shown::pictures::{Pictures, drawn};
+use crate::shown::pictures::Pictures;
 use crate::window::look::painter::{caption, paint_labels};
 use crate::window::look::visuals::line;
 
-/// A picture of the stage that is smaller than this has no room for another one.
-const LEAST: egui::Vec2 = vec2(420.0, 330.0);
-
 /// Draws the inset over a stage, if there is anything small to see.
 pub(super) fn show(ui: &Ui, page: Page<'_>, sight: &mut Sight, pictures: &Pictures, rect: Rect, camera: &Camera) {
-    if !sight.solid_inset.is_there() || rect.width() < LEAST.x || rect.height() < LEAST.y {
-        return;
-    }
+    let Some(size) = inset_size(glam_size(rect)).filter(|_| sight.solid_inset.is_there()) else { return };
     let reel = pictures.playback.reel();
     let still = reel.still(&pictures.instant);
     let (Some(space), Some((title, bounds))) = (&pictures.space, still.detail()) else { return };
-    let size = vec2((rect.width() * 0.3).clamp(170.0, 300.0), (rect.height() * 0.34).clamp(130.0, 240.0));
+    let size = vec2(size.x, size.y);
     let inset = Rect::from_min_size(rect.right_top() + vec2(-size.x - 12.0, 12.0), size);
     let near = eye::framed(camera, &bounds, glam_size(inset));
     let (prims, theme) = (&pictures.playback.play.scene.prims, page.theme);
-    sight.solid_inset.show(ui, inset, space, prims, page.mesh, &near, theme, Role::Page, page.lit);
-    let figure = drawn(space, &pictures.playback, &near, glam_size(inset), true);
+    sight.solid_inset.show(ui, inset, space, prims, page.mesh, &near, theme, Role::Page, &pictures.lit(page.lit));
+    let figure = close_up(space, prims, &near, glam_size(inset), Scenery::Left);
     paint_labels(&ui.painter_at(inset), inset.min, &figure, theme, page.lit);
     ui.painter().rect_stroke(inset, 4.0, line(theme, Role::Edge), StrokeKind::Inside);
     let at = pos2(inset.left() + 8.0, inset.bottom() - 11.0);

@@ -5,6 +5,7 @@ mod columns;
 mod figure;
 mod inset;
 mod lesson;
+mod levels;
 mod notices;
 mod page;
 pub(super) mod present;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use egui::Ui;
-use raystep_accel::{Place, Ray};
-use raystep_figure::{Theme, TreeView};
+use raystep_accel::{Interval, Place, Ray};
+use raystep_figure::{Depth, Theme, TreeView};
 use raystep_paint::Mesh;
 
 use super::notices::Notices;
@@ -45,6 +45,10 @@ pub(crate) enum Asked {
     Keep,
     /// Another place to look from, as part of that change.
     Turn(Seen),
+    /// So many boxes of a tree in space, as part of that change.
+    Depth(Depth),
+    /// A part of the ray on the ruler, or all of it; as part of that change.
+    Part(Option<Interval>),
     /// A ray of the user's own, as part of that change.
     Ray(Ray),
     /// A parameter of the structure, as part of that change.

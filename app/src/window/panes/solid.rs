@@ -1,10 +1,11 @@
 //! The solid stage: drawn on the GPU into a texture that lies under the labels.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use egui::{Color32, Rect, TextureId, Ui, pos2};
 use egui_wgpu::RenderState;
-use raystep_accel::{Place, Prims};
+use raystep_accel::Prims;
 use raystep_figure::{Camera, Role, Space, SpaceMark, Theme};
 use raystep_paint::{Frame, Mesh, Renderer};
 
@@ -38,7 +39,7 @@ impl Solid {
         self.gpu.is_some()
     }
 
-    /// Draws space in a rectangle of the window, the hovered place lit up.
+    /// Draws space in a rectangle of the window, with what lights up.
     pub(crate) fn show(
         &mut self,
         ui: &Ui,
@@ -49,12 +50,15 @@ impl Solid {
         camera: &Camera,
         theme: &Theme,
         ground: Role,
-        lit: Option<Place>,
+        lit: &[SpaceMark],
     ) {
         let Some(gpu) = &mut self.gpu else { return };
         let pixels_per_point = ui.ctx().pixels_per_point();
         let size = [rect.width(), rect.height()].map(|side| (side * pixels_per_point).round().max(1.0) as u32);
-        let space = with_lit(space, lit);
+        let mut space = Cow::Borrowed(space);
+        if !lit.is_empty() {
+            space.to_mut().marks.extend_from_slice(lit);
+        }
         let frame = Frame { prims, mesh, space: &space, camera, theme, ground, size, pixels_per_point };
         let renewed = gpu.renderer.draw(&frame);
         let mut registry = gpu.state.renderer.write();
@@ -70,14 +74,4 @@ impl Solid {
             ui.painter().image(texture, rect, whole, Color32::WHITE);
         }
     }
-}
-
-/// The marks of the hovered place once more, as what the pointer is on.
-fn with_lit(space: &Space, lit: Option<Place>) -> Space {
-    let mut space = space.clone();
-    let Some(lit) = lit.filter(|lit| *lit != Place::World) else { return space };
-    let again = |mark: &&SpaceMark| mark.place == Some(lit) && mark.role != Role::Candidate;
-    let again: Vec<SpaceMark> = space.marks.iter().filter(again).cloned().collect();
-    space.marks.extend(again.into_iter().map(|mark| SpaceMark { role: Role::Hover, ..mark }));
-    space
 }

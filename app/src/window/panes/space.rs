@@ -6,7 +6,7 @@ use raystep_accel::{Place, Ray};
 use raystep_figure::{Camera, Figure, Form, Role, Space, Theme, pointed_at};
 
 use crate::shown::eye;
-use crate::window::look::painter::{paint_figure, paint_labels, place_at};
+use crate::window::look::painter::{line_at, paint_figure, paint_labels, place_at};
 
 /// How near to its border a pane leaves the pointer to the border.
 pub(super) const BORDER: f32 = 5.0;
@@ -57,6 +57,8 @@ pub(crate) struct Picture<'a> {
     pub(crate) live: bool,
     /// Whether all but the labels is painted already.
     pub(crate) painted: bool,
+    /// The place whose surface a ray from the eye meets.
+    pub(crate) surface: &'a dyn Fn(&Ray) -> Option<Place>,
 }
 
 impl Picture<'_> {
@@ -80,7 +82,7 @@ impl Picture<'_> {
                 _ => CursorIcon::Default,
             };
             ui.ctx().set_cursor_icon(over);
-            happened.hovered = pointer.and_then(|pointer| place_at(self.figure, rect.min, pointer));
+            happened.hovered = pointer.and_then(|pointer| self.place(rect, pointer));
             if let (Some(pointer), Some(place)) = (pointer, happened.hovered.filter(|place| *place != Place::World)) {
                 let at = pointer - rect.min;
                 let name = pointed_at(place, glam::Vec2::new(at.x, at.y), glam_size(rect));
@@ -89,11 +91,24 @@ impl Picture<'_> {
         }
         if response.clicked() {
             let at = response.interact_pointer_pos();
-            happened.clicked = Some(at.and_then(|at| place_at(self.figure, rect.min, at)));
+            happened.clicked = Some(at.and_then(|at| self.place(rect, at)));
         }
         self.drag(ui, &response, rect, hold, &mut happened);
         self.wheel(ui, &response, rect, &mut happened);
         happened
+    }
+
+    /// The place under the pointer: in a flat scene that of the smallest mark there, in a solid one that of the nearest
+    /// line, ring or label, else the primitive whose surface is seen there. Planes and boxes are seen through.
+    fn place(&self, rect: Rect, pointer: Pos2) -> Option<Place> {
+        if self.space.flat {
+            return place_at(self.figure, rect.min, pointer);
+        }
+        line_at(self.figure, rect.min, pointer).or_else(|| {
+            let at = pointer - rect.min;
+            let ray = self.camera.ray(glam::Vec2::new(at.x, at.y), glam_size(rect)).ok()?;
+            (self.surface)(&ray)
+        })
     }
 
     /// Taking hold, dragging and letting go.

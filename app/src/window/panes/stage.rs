@@ -3,11 +3,12 @@
 use std::sync::Arc;
 
 use egui::{Align2, Rect, Ui, pos2, vec2};
-use raystep_accel::{Aabb, Cost, Event, Place, Structure, Verdict, Visit};
+use raystep_accel::{Aabb, Accel, Cost, Event, Place, Ray, Structure, Verdict, Visit};
 use raystep_figure::{Camera, Face, Look, Role, Still, axes};
 
 use super::figure;
 use super::inset;
+use super::levels;
 use super::page::{Asked, Kept, Page};
 use super::rival;
 use super::sight::Sight;
@@ -71,6 +72,9 @@ fn ground(state: &State) -> Role {
     if state.present { Role::Page } else { Role::Panel }
 }
 
+/// Most primitives that are tried one by one to find the one under the pointer.
+const TRIED: usize = 20_000;
+
 /// The height of the names over two pictures.
 const STRIP: f32 = 38.0;
 
@@ -118,8 +122,8 @@ pub(super) fn stage(
     let figure = scaled(pictures.stage(space, &camera, glam_size(picture) / scale, solid), scale);
     if solid {
         let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
-        let (theme, lit) = (page.theme, page.lit);
-        sight.solid.show(ui, picture, space, prims, page.mesh, &camera, theme, ground, lit);
+        let (theme, lit) = (page.theme, pictures.lit(page.lit));
+        sight.solid.show(ui, picture, space, prims, page.mesh, &camera, theme, ground, &lit);
     }
     let happened = Picture {
         space,
@@ -130,8 +134,12 @@ pub(super) fn stage(
         hovered: page.lit,
         live: true,
         painted: solid,
+        surface: &|ray| surface(&pictures.playback, ray),
     }
     .show(ui, picture, "Space", &mut sight.hold);
+    if signs && !page.state.present {
+        levels::show(ui, page, &pictures.playback, picture, asked);
+    }
     if solid {
         paint_figure(&ui.painter_at(picture), picture.min, &axes(&camera, glam_size(picture)), page.theme, None);
         inset::show(ui, page, sight, pictures, picture, &camera);
@@ -149,7 +157,7 @@ pub(super) fn stage(
 /// Another walk of the same ray, at the same step.
 fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
     let sight = &mut kept.sight;
-    let shown = Drawn::of(sight.beside.take(), beside, page.state.beside_step(beside));
+    let shown = Drawn::of(sight.beside.take(), beside, page.state.beside_step(beside), page.state.depth());
     let space = &shown.space;
     let camera = sight.camera(page.state, space, glam_size(rect));
     let solid = !space.flat && sight.solid_beside.is_there();
@@ -162,7 +170,8 @@ fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc
     }
     if solid {
         let (prims, ground) = (&beside.play.scene.prims, ground(page.state));
-        sight.solid_beside.show(ui, rect, space, prims, page.mesh, &camera, page.theme, ground, page.lit);
+        let lit = shown.lit(page.lit);
+        sight.solid_beside.show(ui, rect, space, prims, page.mesh, &camera, page.theme, ground, &lit);
     }
     let picture = Picture {
         space,
@@ -173,6 +182,7 @@ fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc
         hovered: page.lit,
         live: false,
         painted: solid,
+        surface: &|ray| surface(beside, ray),
     };
     let mut none = None;
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
@@ -243,6 +253,16 @@ fn box_verdict(playback: &Playback) -> Option<bool> {
         Some(Event::Walk(Visit::Volume { verdict, .. })) => Some(verdict == Verdict::Hit),
         _ => None,
     })
+}
+
+/// The primitive that a ray from the eye meets first. Brute force over very many would take too long for a frame.
+fn surface(playback: &Playback, ray: &Ray) -> Option<Place> {
+    let (structure, prims) = (&*playback.play.structure, &playback.play.scene.prims);
+    let slow = matches!(structure, Structure::List(_) | Structure::Slab(_));
+    if slow && raystep_accel::Primitives::len(prims) > TRIED {
+        return None;
+    }
+    structure.intersect(prims, ray, &mut ()).map(|hit| Place::Prim(hit.prim))
 }
 
 /// Turns what happened in the picture into what is asked for.

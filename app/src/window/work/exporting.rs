@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use raystep_figure::Theme;
+use raystep_figure::{Depth, Theme};
 use raystep_lesson::Library;
 
 use super::errands::{Errands, News};
@@ -33,6 +33,7 @@ pub(crate) struct Window {
     library: Arc<Library>,
     playback: Arc<Playback>,
     seen: Option<Seen>,
+    depth: Option<Depth>,
 }
 
 impl Window {
@@ -40,7 +41,7 @@ impl Window {
     pub(crate) fn of(state: &State, aspect: f32) -> Result<Window, Fault> {
         let playback = state.playback().cloned().ok_or_else(|| Fault::new("There is no walk yet."))?;
         let seen = state.view.camera.map(|camera| Seen { camera, aspect });
-        Ok(Window { library: state.library.clone(), playback, seen })
+        Ok(Window { library: state.library.clone(), playback, seen, depth: state.view.depth })
     }
 
     /// The ground that its ray walks on.
@@ -56,6 +57,7 @@ impl Window {
             scene: view.is_elsewhere().then_some(title),
             settings: view.settings.clone(),
             seen: self.seen,
+            depth: self.depth,
             told: view.example.is_none(),
         };
         Ok(Ground::new(&self.library, slide, stage, built, rule, nodes, changes, go_on))

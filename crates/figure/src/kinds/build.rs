@@ -3,16 +3,18 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Grow, Place, Primitives, Prims, Structure};
 
+use super::detail::small;
 use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, TreeView, cells_of_build, changed_of_build, costs, ghost_of_build, legend, listing, space_of_build,
-    stack_of_build, symbol_of_build_at, timeline_of_build, tree_of_build, weighed, weighing, work_of_build,
+    Ask, Pane, TreeView, cells_of_build, changed_of_build, costs, ghost_of_build, legend, listing, space_of_build_to,
+    stack_of_build, symbol_of_build_at, timeline_of_build, tree_height, tree_of_build, weighed, weighing,
+    work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, counted};
-use crate::world::Space;
+use crate::world::{Depth, Form, Space};
 
 impl Build<'_> {
     /// Whether anything is weighed: an octree has no choice, and sets that are joined are compared otherwise.
@@ -85,8 +87,23 @@ impl Kind for Build<'_> {
         Some(event)
     }
 
-    fn space(&self, at: &Instant) -> Option<Space> {
-        Some(space_of_build(self, at.state()))
+    fn space(&self, at: &Instant, depth: Depth) -> Option<Space> {
+        Some(space_of_build_to(self, at.state(), depth))
+    }
+
+    fn deepest(&self) -> Option<u32> {
+        let deepest = self.nodes.levels().deepest() as u32;
+        (!self.flat && deepest > 0).then_some(deepest)
+    }
+
+    fn outline(&self, at: &Instant, place: Place) -> Vec<Form> {
+        let bounds = Kind::bounds(self, at, place);
+        match place {
+            Place::Prim(prim) if prim.index() < self.prims.len() => vec![Form::Prim(prim)],
+            Place::Node(node) => self.nodes.look(self.structure, node, bounds, self.flat),
+            Place::Cell(_) if !bounds.is_empty() => vec![Form::Box(bounds)],
+            _ => Vec::new(),
+        }
     }
 
     fn ghost(&self, before: &Instant, at: &Instant, space: &mut Space) {
@@ -114,7 +131,7 @@ impl Kind for Build<'_> {
     }
 
     fn signs(&self) -> &'static [(Role, &'static str)] {
-        legend::OF_BUILD
+        if self.structure.grid().is_some() { legend::OF_GRID } else { legend::OF_BUILD }
     }
 
     fn best(&self) -> Option<Pane> {
@@ -125,6 +142,7 @@ impl Kind for Build<'_> {
         match pane {
             Pane::Ruler => Some(look.text * 13.0),
             Pane::RulerLine => Some(look.text * 9.0),
+            Pane::Tree => tree_height(self.nodes, look),
             _ => None,
         }
     }
@@ -145,6 +163,17 @@ impl Kind for Build<'_> {
             Place::Cell(cell) => self.structure.grid().map_or(Aabb::EMPTY, |grid| grid.cell_bounds(cell)),
             Place::Prim(prim) => self.prims.bounds(prim),
         }
+    }
+
+    /// The primitive that is put somewhere, or the leaf just made.
+    fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
+        let moment: &GrowMoment = at.state();
+        let (place, bounds) = match (moment.prim, moment.node.and_then(|node| moment.nodes.get_key_value(&node))) {
+            (Some(prim), None) => (Place::Prim(prim), self.prims.bounds(prim)),
+            (_, Some((id, node))) if node.leaf.is_some() => (Place::Node(*id), node.bounds),
+            _ => return None,
+        };
+        small(bounds, self.structure.bounds(), 0.6).map(|bounds| (format!("{place}, from near"), bounds))
     }
 
     fn tally(&self, at: &Instant) -> String {

@@ -5,10 +5,10 @@ use raystep_accel::{Aabb, Cost, Direction, Place, Prims};
 
 use super::Instant;
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, Pane, symbol_on_track};
+use crate::panes::{Ask, Pane, RulerScale, symbol_on_track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName};
-use crate::world::Space;
+use crate::world::{Depth, Form, Space};
 
 /// Something that is shown step by step. A kind says how many steps it has, keeps the state that pictures of a
 /// step need, and draws the panes that it names; of everything else there is nothing to draw. Window, presenter's
@@ -40,10 +40,22 @@ pub trait Kind {
         None
     }
 
-    /// What space shows. Where there is none, [`Pane::Picture`] stands in its place.
-    fn space(&self, at: &Instant) -> Option<Space> {
-        let _ = at;
+    /// What space shows, in a solid scene with so many boxes of a tree. Where there is no space, [`Pane::Picture`]
+    /// stands in its place.
+    fn space(&self, at: &Instant, depth: Depth) -> Option<Space> {
+        let _ = (at, depth);
         None
+    }
+
+    /// The deepest level of the tree whose boxes a solid picture shows; nothing where there is no such choice.
+    fn deepest(&self) -> Option<u32> {
+        None
+    }
+
+    /// What bounds a place, as forms in space; nothing if that is not known.
+    fn outline(&self, at: &Instant, place: Place) -> Vec<Form> {
+        let _ = (at, place);
+        Vec::new()
     }
 
     /// Puts the outline of the place where an earlier instant stood below the marks of space.
@@ -54,6 +66,12 @@ pub trait Kind {
     /// The values that have changed since an earlier instant; nothing if none are followed.
     fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
         let _ = (before, at, ask);
+        None
+    }
+
+    /// The scale of a ruler that can be stretched.
+    fn scale(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<RulerScale> {
+        let _ = (at, pane, ask);
         None
     }
 

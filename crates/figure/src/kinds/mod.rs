@@ -2,6 +2,7 @@
 
 mod board;
 mod build;
+mod detail;
 mod film;
 mod instant;
 mod kind;

@@ -70,6 +70,11 @@ impl<'a> Reel<'a> {
         self.0.flat()
     }
 
+    /// The deepest level of the tree whose boxes a solid picture shows; nothing where there is no such choice.
+    pub fn deepest(&self) -> Option<u32> {
+        self.0.deepest()
+    }
+
     /// What is tested before anything in it, in a word.
     pub fn volume(&self) -> VolumeName {
         self.0.volume()

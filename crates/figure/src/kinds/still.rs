@@ -7,9 +7,10 @@ use raystep_accel::{Aabb, Cost, Place};
 
 use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, Pane, legend, line_at, track};
+use crate::panes::{Ask, Pane, RulerScale, legend, line_at, track};
+use crate::theme::Role;
 use crate::words::{Fact, Symbol};
-use crate::world::Space;
+use crate::world::{Depth, Form, Space, SpaceMark, edges};
 
 /// One step, with what it belongs to. Window and page draw this and need not know which kind it is.
 #[derive(Clone, Copy)]
@@ -18,7 +19,12 @@ pub struct Still<'a> {
     at: &'a Instant,
     /// The instant with which it is compared.
     before: Option<&'a Instant>,
+    /// How many boxes of a tree a solid picture shows.
+    depth: Depth,
 }
+
+/// A primitive is large from this part of the scene on.
+const LARGE: f32 = 0.25;
 
 /// Whether a kind has anything to show in a pane. Whatever has steps has a timeline, and whatever names signs a
 /// legend.
@@ -32,12 +38,17 @@ pub(super) fn has(kind: &dyn Kind, pane: Pane) -> bool {
 
 impl<'a> Still<'a> {
     pub(super) fn new(kind: &'a dyn Kind, at: &'a Instant) -> Still<'a> {
-        Still { kind, at, before: None }
+        Still { kind, at, before: None, depth: Depth::default() }
     }
 
     /// The same, compared with an earlier instant: space shows where that one stood, and a pane what has changed.
     pub fn since(self, before: &'a Instant) -> Still<'a> {
         Still { before: Some(before), ..self }
+    }
+
+    /// The same, with so many boxes of a tree in a solid picture.
+    pub fn to_depth(self, depth: Depth) -> Still<'a> {
+        Still { depth, ..self }
     }
 
     /// How many steps have happened.
@@ -57,7 +68,7 @@ impl<'a> Still<'a> {
 
     /// What space shows, if there is space.
     pub fn space(&self) -> Option<Space> {
-        let mut space = self.kind.space(self.at)?;
+        let mut space = self.kind.space(self.at, self.depth)?;
         if let Some(before) = self.before {
             self.kind.ghost(before, self.at, &mut space);
         }
@@ -110,6 +121,11 @@ impl<'a> Still<'a> {
         line_at(ask.lines, self.fact(), self.flat(), ask.size, &ask.look, y)
     }
 
+    /// The scale of the ruler that is asked for, if it can be stretched.
+    pub fn scale(&self, pane: Pane, ask: &Ask<'_>) -> Option<RulerScale> {
+        self.kind.scale(self.at, pane, ask)
+    }
+
     /// The symbol whose name stands at this point of the timeline that is asked for.
     pub fn symbol_at(&self, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
         self.kind.symbol_at(self.at, ask, point)
@@ -128,6 +144,29 @@ impl<'a> Still<'a> {
     /// The box of a place as far as it is known.
     pub fn bounds(&self, place: Place) -> Aabb {
         self.kind.bounds(self.at, place)
+    }
+
+    /// What bounds a place, as forms in space; nothing if that is not known.
+    pub fn outline(&self, place: Place) -> Vec<Form> {
+        self.kind.outline(self.at, place)
+    }
+
+    /// What lights up in space where the pointer is on a place: its outline, and nothing else of it. A primitive that is
+    /// large in the scene has no light on its surface either.
+    pub fn lit(&self, place: Place) -> Vec<SpaceMark> {
+        if place == Place::World {
+            return Vec::new();
+        }
+        let all = self.kind.bounds(self.at, Place::World).extent().length();
+        let outlined = |form: Form| match form {
+            Form::Box(bounds) if !self.kind.flat() => Form::Body(edges(&bounds)),
+            Form::Prim(_) if self.kind.bounds(self.at, place).extent().length() > LARGE * all => {
+                Form::Body(edges(&self.kind.bounds(self.at, place)))
+            }
+            form => form,
+        };
+        let forms = self.kind.outline(self.at, place).into_iter().map(outlined);
+        forms.map(|form| SpaceMark { form, role: Role::Hover, place: Some(place) }).collect()
     }
 
     /// What is but a dot in the whole picture of space and worth seeing from near: its name and its box.

@@ -1,21 +1,19 @@
 //! A ray's walk.
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Cost, Place, Prims, Visit};
+use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Visit};
 
+use super::detail::small;
 use super::{Guess, Instant, Kind};
 use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, TreeView, bytes, cells, changed, ghost, legend, listing, ruler, ruler_height, ruler_line,
-    ruler_line_height, slabs, space, stack, symbol_at, tested, timeline, tree, work,
+    Ask, Pane, RulerScale, TreeView, bytes, cells, changed, ghost, legend, listing, ruler_height, ruler_line_height,
+    ruler_line_of, ruler_of, ruler_scale, slabs, space_to, stack, symbol_at, tested, timeline, tree, tree_height, work,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName};
-use crate::world::Space;
-
-/// What is larger than this part of the scene is seen well enough in the picture of all of it.
-const SMALL: f32 = 0.3;
+use crate::world::{Depth, Form, Space};
 
 impl Kind for Walk<'_> {
     fn len(&self) -> usize {
@@ -54,8 +52,8 @@ impl Kind for Walk<'_> {
         let moment: &Moment = at.state();
         let Ask { size, ref look, hide, .. } = *ask;
         Some(match pane {
-            Pane::Ruler => ruler(self, moment, hide, size, look),
-            Pane::RulerLine => ruler_line(self, moment, hide, size, look),
+            Pane::Ruler => ruler_of(self, moment, ask.part, hide, size, look),
+            Pane::RulerLine => ruler_line_of(self, moment, ask.part, hide, size, look),
             Pane::Tree => tree(self, moment, ask.view.unwrap_or(&TreeView::default()), size, look),
             Pane::Cells => cells(self, moment, hide, size, look),
             Pane::Slabs => slabs(self, moment, hide, size, look),
@@ -75,8 +73,23 @@ impl Kind for Walk<'_> {
         Some(event)
     }
 
-    fn space(&self, at: &Instant) -> Option<Space> {
-        Some(space(self, at.state()))
+    fn space(&self, at: &Instant, depth: Depth) -> Option<Space> {
+        Some(space_to(self, at.state(), depth))
+    }
+
+    fn deepest(&self) -> Option<u32> {
+        let deepest = self.nodes.levels().deepest() as u32;
+        (!self.flat && deepest > 0).then_some(deepest)
+    }
+
+    fn outline(&self, at: &Instant, place: Place) -> Vec<Form> {
+        let bounds = Kind::bounds(self, at, place);
+        match place {
+            Place::Prim(prim) if prim.index() < self.prims.len() => vec![Form::Prim(prim)],
+            Place::Node(node) => self.nodes.look(self.structure, node, bounds, self.flat),
+            Place::Cell(_) if !bounds.is_empty() => vec![Form::Box(bounds)],
+            _ => Vec::new(),
+        }
     }
 
     fn ghost(&self, before: &Instant, at: &Instant, space: &mut Space) {
@@ -85,6 +98,12 @@ impl Kind for Walk<'_> {
 
     fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
         Some(changed(self, before.state(), at.state(), ask.size, &ask.look))
+    }
+
+    fn scale(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<RulerScale> {
+        let on_line = pane == Pane::RulerLine;
+        let is_ruler = on_line || pane == Pane::Ruler;
+        is_ruler.then(|| ruler_scale(self, at.state(), ask.part, on_line, ask.size, &ask.look))
     }
 
     fn symbol_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
@@ -115,6 +134,7 @@ impl Kind for Walk<'_> {
         match pane {
             Pane::Ruler => Some(ruler_height(self, look)),
             Pane::RulerLine => Some(ruler_line_height(self, look)),
+            Pane::Tree => tree_height(self.nodes, look),
             _ => None,
         }
     }
@@ -142,17 +162,13 @@ impl Kind for Walk<'_> {
         let (title, place) = match (over, moment.best, moment.here) {
             (true, Some(hit), _) => ("the hit, from near".to_owned(), Place::Prim(hit.prim)),
             (false, _, Some(Place::Node(node))) if !self.structure.leaf_prims(node).is_empty() => {
-                (format!("{node}, from near"), Place::Node(node))
+                (format!("{}, from near", Place::Node(node)), Place::Node(node))
             }
-            (false, _, Some(Place::Cell(cell))) => (format!("{cell}, from near"), Place::Cell(cell)),
+            (false, _, Some(Place::Cell(cell))) => (format!("{}, from near", Place::Cell(cell)), Place::Cell(cell)),
             _ => return None,
         };
-        let bounds = Walk::bounds(self, place);
-        let diagonal = bounds.extent().length();
         // Some of what lies around it shows where it is.
-        let air = if over { 0.4 } else { 0.1 };
-        let small = diagonal > 0.0 && diagonal < SMALL * self.world().extent().length();
-        small.then(|| (title, bounds.padded(diagonal * air)))
+        small(Walk::bounds(self, place), self.world(), if over { 0.4 } else { 0.1 }).map(|bounds| (title, bounds))
     }
 
     fn cost(&self, at: &Instant) -> Option<Cost> {

@@ -46,6 +46,19 @@ pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Dropped, "not reached"),
 ];
 
+/// What they mean where a grid is built.
+pub(crate) const OF_GRID: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Ray, "its box"),
+    (Role::Here, "under consideration"),
+    (Role::Ghost, "where it was before"),
+    (Role::Best, "sets a side of the box"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "still to be decided"),
+    (Role::Seen, "cell with a reference"),
+    (Role::Dropped, "not reached"),
+];
+
 /// A sample and a few words for each kind of mark in `space`, in as many rows as needed. Where those do not fit into
 /// the figure, the letters are smaller; then what explains itself is left out.
 pub(crate) fn legend(space: &Space, words: &[(Role, &'static str)], size: Vec2, look: &Look) -> Figure {

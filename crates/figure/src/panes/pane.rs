@@ -1,7 +1,7 @@
 //! Which panes there are, and what one is told that is to be drawn.
 
 use glam::Vec2;
-use raystep_accel::Structure;
+use raystep_accel::{Interval, Structure};
 
 use super::{ListingLine, TreeView};
 use crate::page::Look;
@@ -103,6 +103,8 @@ pub struct Ask<'a> {
     pub lines: &'a [ListingLine<'a>],
     /// The name of a walk beside this one, and how many primitives it has tested.
     pub beside: Option<(&'a str, u64)>,
+    /// The part of the ruler that is shown, where that is not all of it.
+    pub part: Option<Interval>,
     /// What space shows at this step, where it is drawn already.
     pub space: Option<&'a Space>,
 }
@@ -110,6 +112,6 @@ pub struct Ask<'a> {
 impl Ask<'_> {
     /// A pane of this size, and nothing else.
     pub fn new(size: Vec2, look: Look) -> Ask<'static> {
-        Ask { size, look, hide: false, view: None, lines: &[], beside: None, space: None }
+        Ask { size, look, hide: false, view: None, lines: &[], beside: None, part: None, space: None }
     }
 }

@@ -162,7 +162,7 @@ fn shared(walkers: &[Walker<'_>], t: f32, size: Vec2, look: &Look) -> Figure {
     let names = walkers.iter().map(|walker| text_width(walker.name, Face::Medium, u)).fold(u * 4.0, f32::max);
     let (low, high) = walkers
         .iter()
-        .map(|walker| extent(walker.walk))
+        .map(|walker| extent(walker.walk, walker.moment))
         .fold((f32::INFINITY, f32::NEG_INFINITY), |(low, high), (from, to)| (low.min(from), high.max(to)));
     let axis = Ticks { low, high, left: look.margin() + names + u * 1.5, right: size.x - look.margin() - u };
     for (index, walker) in walkers.iter().enumerate() {

@@ -214,6 +214,12 @@ fn obstacles(space: &Space, lens: &Lens, figure: &Figure) -> Obstacles {
                 let next = points.iter().cycle().skip(1);
                 found.lines.extend(points.iter().zip(next).map(|(&from, &to)| (from, to, weight * 0.4)));
             }
+            // What is written there already ends on its right.
+            Ink::Text { at, text, size, face, .. } => {
+                let width = text_width(text, *face, *size);
+                let spot = Spot { min: *at - Vec2::new(width, size * 0.6), max: *at + Vec2::new(0.0, size * 0.6) };
+                found.spots.push((spot, HOPELESS));
+            }
             Ink::Circle { center, radius } => {
                 if ring_role(mark.role) && *radius < 10.0 {
                     found.spots.push((Spot::around(*center, Vec2::splat(*radius)), 4000.0));

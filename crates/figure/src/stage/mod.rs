@@ -4,6 +4,7 @@ mod axes;
 mod camera;
 mod controls;
 mod crop;
+mod inset;
 mod labels;
 mod lens;
 mod numbers;
@@ -17,13 +18,14 @@ use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
 
 use lens::Lens;
 
-use crate::page::{Figure, Ink, Mark};
-use crate::theme::Role;
+use crate::page::{Anchor, Figure, Ink, Mark};
+use crate::theme::{Face, Role};
 use crate::world::{Form, Space, SpaceMark, corners};
 
 pub use axes::axes;
 pub use camera::Camera;
 pub(crate) use crop::crop;
+pub use inset::{inset_size, set_inset};
 pub use labels::pointed_at;
 pub use shaded::{Shaded, shaded};
 
@@ -41,6 +43,19 @@ pub enum Scenery<'a> {
 /// The space as `camera` sees it in a picture of this size in points, with labels; and the axes of a solid scene,
 /// unless its primitives are painted elsewhere.
 pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>) -> Figure {
+    let mut figure = drawn(space, prims, camera, size, scenery, &space.notes);
+    if !matches!(scenery, Scenery::Left) {
+        figure.marks.extend(axes(camera, size).marks);
+    }
+    figure
+}
+
+/// The same without axes and notes, for a small picture.
+pub fn close_up(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>) -> Figure {
+    drawn(space, prims, camera, size, scenery, &[])
+}
+
+fn drawn(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>, notes: &[String]) -> Figure {
     let depth = match scenery {
         Scenery::Shaded(shaded) => Some(shaded),
         _ => None,
@@ -64,12 +79,10 @@ pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery:
         stage.form(&mark.form, role, mark.place, prims);
     }
     crop::crop_far(&mut stage.figure);
+    stage.notes(notes);
     let mut obstacles = labels::place(space, &stage.lens, &mut stage.figure);
     numbers::set(space, prims, &stage.lens, &mut stage.figure, &mut obstacles);
     rulers::draw(space, &stage.lens, &mut stage.figure);
-    if !matches!(scenery, Scenery::Left) {
-        stage.figure.marks.extend(axes(camera, size).marks);
-    }
     stage.figure
 }
 
@@ -109,6 +122,18 @@ impl Stage<'_> {
             .collect();
         for prim in (0..prims.len() as u32).map(PrimId).filter(|prim| !marked.contains(prim)) {
             self.prim(prims, prim, Role::Scene);
+        }
+    }
+
+    /// What of much is drawn, in the lower right corner.
+    fn notes(&mut self, notes: &[String]) {
+        let page = self.figure.size;
+        let size = (labels::letters(&self.figure) * 0.92).min(13.0);
+        for (row, note) in notes.iter().rev().enumerate() {
+            let at = page - Vec2::new(14.0, 16.0 + row as f32 * size * 1.5);
+            let ink =
+                Ink::Text { at, text: note.clone(), size, face: Face::Regular, anchor: Anchor::End, boxed: false };
+            self.figure.add(Role::Quiet, None, ink);
         }
     }
 

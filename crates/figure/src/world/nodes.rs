@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use raystep_accel::{Aabb, AnyBvh, NodeId, Structure};
 
-use crate::world::{Form, outlines};
+use crate::world::{Form, Levels, outlines};
 
 /// The boxes of a structure's nodes, and what they look like: a hull or a cell cut by planes takes longer to work
 /// out than a picture may, so each is worked out when a picture first shows it.
@@ -13,6 +13,7 @@ pub struct Nodes {
     bounds: Vec<Aabb>,
     reach: Aabb,
     looks: Vec<OnceLock<Vec<Form>>>,
+    levels: Levels,
 }
 
 impl Nodes {
@@ -26,12 +27,21 @@ impl Nodes {
             bounds: structure.node_bounds(),
             reach: outlines::reach(structure),
             looks: (0..looks).map(|_| OnceLock::new()).collect(),
+            levels: match structure.node_count() {
+                0 => Levels::default(),
+                _ => Levels::of(NodeId::ROOT, |node| structure.children(node)),
+            },
         }
     }
 
     /// The box of a node; empty if there is no such node.
     pub fn bounds(&self, node: NodeId) -> Aabb {
         self.bounds.get(node.index()).copied().unwrap_or(Aabb::EMPTY)
+    }
+
+    /// How they lie: on which level each, and how many below it.
+    pub(crate) fn levels(&self) -> &Levels {
+        &self.levels
     }
 
     /// The box around all that is drawn of the structure: some volumes reach out of the box of the primitives.

@@ -15,12 +15,24 @@ pub struct Space {
     pub bounds: Aabb,
     /// Whether the scene is flat: seen from straight above, boxes are rectangles.
     pub flat: bool,
+    /// What of much is drawn, in a few words each.
+    pub notes: Vec<String>,
+}
+
+/// How many boxes of a large tree a solid picture shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Depth {
+    /// The end of the way to where things happen, and what hangs off it.
+    #[default]
+    Path,
+    /// Besides, those of this level, the root's being 0, and of the leaves above it.
+    Down(u32),
 }
 
 impl Default for Space {
     /// Nothing at all.
     fn default() -> Space {
-        Space { marks: Vec::new(), bounds: Aabb::EMPTY, flat: true }
+        Space { marks: Vec::new(), bounds: Aabb::EMPTY, flat: true, notes: Vec::new() }
     }
 }
 
@@ -75,6 +87,14 @@ pub enum Form {
         /// The text.
         text: String,
     },
+}
+
+/// The edges of a box, without those that have no length.
+pub(crate) fn edges(bounds: &Aabb) -> Vec<[Vec3; 2]> {
+    let corners = corners(bounds);
+    let from = (0..8).flat_map(|index: usize| [1, 2, 4].map(|bit| (index, index | bit)));
+    let edges = from.filter(|(from, to)| from != to).map(|(from, to)| [corners[from], corners[to]]);
+    edges.filter(|[from, to]| from != to).collect()
 }
 
 /// The corners of a box: bit 0 of the index is x, bit 1 y, bit 2 z.

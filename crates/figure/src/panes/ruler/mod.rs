@@ -1,10 +1,12 @@
 //! The ray as a ruler: every known interval of t, the current t and the hits.
 
+mod scale;
 mod spans;
 
 use glam::Vec2;
-use raystep_accel::{Structure, Visit};
+use raystep_accel::{Interval, Structure, Visit};
 
+pub use scale::RulerScale;
 use spans::{Span, current_t};
 pub(crate) use spans::{extent, spans};
 
@@ -15,13 +17,40 @@ use crate::words::number;
 
 /// A row for each known interval over one axis.
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
+    ruler_of(walk, moment, None, hide, size, look)
+}
+
+/// The same, of a part of the axis.
+pub(crate) fn ruler_of(
+    walk: &Walk<'_>,
+    moment: &Moment,
+    part: Option<Interval>,
+    hide: bool,
+    size: Vec2,
+    look: &Look,
+) -> Figure {
     let mut figure = Figure::new(size);
     // Without a heading, room for the number of the current t, if there is one.
     let labelled = moment.event.as_ref().and_then(current_t).is_some();
     let label = if look.titles || !labelled { 0.0 } else { look.text };
-    let top = look.heading(&mut figure, "t along the ray", "") + label;
+    let top = look.heading(&mut figure, TITLE, "") + label;
+    if let (Some(part), true) = (part, look.titles) {
+        let (low, high) = extent(walk, moment);
+        let says = format!(
+            "{} – {} of {} – {}, double click: all of it",
+            number(part.near),
+            number(part.far),
+            number(low),
+            number(high)
+        );
+        let at = Vec2::new(size.x - look.margin(), look.margin() + look.text * 0.6);
+        write(&mut figure, Role::Quiet, None, at, &says, look.small(), Face::Regular, Anchor::End);
+    }
     let u = look.text;
     let mut spans = spans(walk, moment);
+    // The ends of slabs have their numbers beside them.
+    let aside = if matches!(walk.structure, Structure::Slab(_)) { u * 3.0 } else { 0.0 };
+    let axis = axis(walk, moment, part, beside_names(&spans, look) + aside, size.x - look.margin() - u - aside);
 
     // Rows stand closer before any is left out; what is left out lies furthest down the stack.
     let bottom = size.y - look.margin() - u * 1.1;
@@ -37,10 +66,6 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
     let rows = spans.len() + usize::from(more > 0);
     let row = (height / rows.max(1) as f32).min(look.line());
     let letters = u.min(row * 0.9);
-    let names = spans.iter().map(|span| text_width(&span.name, Face::Medium, u)).fold(u * 4.5, f32::max);
-    // The ends of slabs have their numbers beside them.
-    let aside = if matches!(walk.structure, Structure::Slab(_)) { u * 3.0 } else { 0.0 };
-    let axis = axis(walk, moment, look.margin() + names + u + aside, size.x - look.margin() - u - aside);
 
     for (index, span) in spans.iter().enumerate() {
         let y = top + row * (index as f32 + 0.5);
@@ -48,7 +73,7 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
         write(&mut figure, span.role, span.place, name, &span.name, letters, Face::Medium, Anchor::Start);
         draw_span(&mut figure, &axis, span, hide, y, letters);
         if moment.slab.is_some() {
-            let room = [look.margin() + names + u * 0.3, size.x - u * 0.3];
+            let room = [beside_names(&spans, look) - u * 0.7, size.x - u * 0.3];
             draw_ends(&mut figure, &axis, span, room, y, letters);
         }
     }
@@ -84,22 +109,24 @@ pub fn ruler_line_height(walk: &Walk<'_>, look: &Look) -> f32 {
 
 /// Everything on one line, names above: for the far end of a lecture hall.
 pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
-    // Of a node about to be left, the part before what waits next.
-    let mut spans = spans(walk, moment);
-    if let (Some(first), Some(next)) = (spans.first().map(|span| span.interval), moment.stack.last())
-        && first.near < next.near
-        && next.near < first.far
-    {
-        spans[0].interval.far = next.near;
-    }
-    // What lies over each other, as slabs and boxes do, needs a row each.
-    let apart = spans.windows(2).all(|pair| pair[0].interval.far <= pair[1].interval.near);
-    if moment.slab.is_some() || !apart {
-        return ruler(walk, moment, hide, size, &Look { titles: false, ..*look });
-    }
+    ruler_line_of(walk, moment, None, hide, size, look)
+}
+
+/// The same, of a part of the axis.
+pub(crate) fn ruler_line_of(
+    walk: &Walk<'_>,
+    moment: &Moment,
+    part: Option<Interval>,
+    hide: bool,
+    size: Vec2,
+    look: &Look,
+) -> Figure {
+    let Some(spans) = on_one_line(walk, moment) else {
+        return ruler_of(walk, moment, part, hide, size, &Look { titles: false, ..*look });
+    };
     let mut figure = Figure::new(size);
     let u = look.text;
-    let axis = axis(walk, moment, look.margin() + u * 0.6, size.x - look.margin() - u * 0.6);
+    let axis = line_axis(walk, moment, part, size, look);
     let bottom = size.y - u * 1.5;
     let y = bottom - u * 0.9;
 
@@ -107,6 +134,9 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look
     let mut taken = f32::NEG_INFINITY;
     for span in &spans {
         draw_span(&mut figure, &axis, span, hide, y, u);
+        if span.interval.far < axis.low || span.interval.near > axis.high {
+            continue;
+        }
         let mut middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
         let half = text_width(&span.name, Face::Bold, u) / 2.0;
         // Beside the line of the current t, not on it.
@@ -125,8 +155,59 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look
     figure
 }
 
-fn axis(walk: &Walk<'_>, moment: &Moment, left: f32, right: f32) -> Ticks {
-    let (low, high) = extent(walk, moment);
+/// The intervals that find room on one line; nothing where they lie over each other, as slabs and boxes do.
+fn on_one_line(walk: &Walk<'_>, moment: &Moment) -> Option<Vec<Span>> {
+    // Of a node about to be left, the part before what waits next.
+    let mut spans = spans(walk, moment);
+    if let (Some(first), Some(next)) = (spans.first().map(|span| span.interval), moment.stack.last())
+        && first.near < next.near
+        && next.near < first.far
+    {
+        spans[0].interval.far = next.near;
+    }
+    let apart = spans.windows(2).all(|pair| pair[0].interval.far <= pair[1].interval.near);
+    (apart && moment.slab.is_none()).then_some(spans)
+}
+
+/// The scale of a ruler of this size, or of one on one line.
+pub(crate) fn ruler_scale(
+    walk: &Walk<'_>,
+    moment: &Moment,
+    part: Option<Interval>,
+    on_line: bool,
+    size: Vec2,
+    look: &Look,
+) -> RulerScale {
+    let Ticks { low, high, left, right } = match on_line && on_one_line(walk, moment).is_some() {
+        true => line_axis(walk, moment, part, size, look),
+        false => {
+            let aside = if matches!(walk.structure, Structure::Slab(_)) { look.text * 3.0 } else { 0.0 };
+            let left = beside_names(&spans(walk, moment), look) + aside;
+            axis(walk, moment, part, left, size.x - look.margin() - look.text - aside)
+        }
+    };
+    let (first, last) = extent(walk, moment);
+    RulerScale { whole: Interval::new(first, last), shown: Interval::new(low, high), left, right }
+}
+
+/// Where the axis begins: right of the names.
+fn beside_names(spans: &[Span], look: &Look) -> f32 {
+    let name = |span: &Span| text_width(&span.name, Face::Medium, look.text);
+    look.margin() + spans.iter().map(name).fold(look.text * 4.5, f32::max) + look.text
+}
+
+/// The axis of a ruler on one line.
+fn line_axis(walk: &Walk<'_>, moment: &Moment, part: Option<Interval>, size: Vec2, look: &Look) -> Ticks {
+    let aside = look.margin() + look.text * 0.6;
+    axis(walk, moment, part, aside, size.x - aside)
+}
+
+/// What stands over a ruler.
+const TITLE: &str = "t along the ray";
+
+/// The axis of the whole walk, or of a part of it.
+fn axis(walk: &Walk<'_>, moment: &Moment, part: Option<Interval>, left: f32, right: f32) -> Ticks {
+    let (low, high) = part.map_or_else(|| extent(walk, moment), |part| (part.near, part.far));
     Ticks { low, high, left, right: right.max(left + 1.0) }
 }
 
@@ -150,6 +231,12 @@ fn draw_span(figure: &mut Figure, axis: &Ticks, span: &Span, hide: bool, y: f32,
     }
     let (from, to) = (Vec2::new(axis.x(near), y), Vec2::new(axis.x(far), y));
     let (before, beyond) = (near < axis.low, far > axis.high);
+    // What lies beside the axis is an arrow at its end.
+    if far < axis.low || near > axis.high {
+        let (at, along) = if far < axis.low { (from, Vec2::NEG_X) } else { (to, Vec2::X) };
+        figure.add(span.role, span.place, Ink::Arrowhead { tip: at + along * u * 0.5, along, length: u * 0.8 });
+        return;
+    }
     figure.add(span.role, span.place, line(from, to));
     let tall = Vec2::new(0.0, u * 0.5);
     let ends = [(from, before, Vec2::NEG_X), (to, beyond, Vec2::X)];

@@ -7,24 +7,31 @@ use raystep_accel::{NodeId, Place, Structure, Verdict, Visit};
 use super::Drawing;
 use crate::theme::Role;
 use crate::words::number;
-use crate::world::{Form, convex};
+use crate::world::{Depth, Form, convex, drawn, frontier};
 
-/// A tree with more nodes than this shows only the way to the current node and what waits.
-const FEW_FLAT: usize = 256;
-const FEW_SOLID: usize = 24;
+/// A flat tree with more nodes than this shows only the way to the current node and what waits, as a solid one does.
+const FEW: usize = 256;
+
+/// Most boxes of a level in one picture.
+const BOXES: usize = 2000;
 
 /// Of the way to the current node, so many levels.
 const LEVELS: usize = 3;
 
-/// Of what waits, so many nodes.
+/// Of what waits, so many nodes; in space more would be a tangle, and only the next one has a label there.
 const NEXT: usize = 8;
+const NEXT_SOLID: usize = 4;
+const LABELLED: usize = 1;
 
 impl Drawing<'_> {
     /// Every node that matters now, and the boundaries of the rest where they are few.
     pub(super) fn nodes(&mut self) {
-        let few = self.walk.structure.node_count() <= if self.walk.flat { FEW_FLAT } else { FEW_SOLID };
+        let few = self.walk.flat && self.walk.structure.node_count() <= FEW;
         if few {
             self.edges();
+        }
+        if !self.walk.flat {
+            self.levels();
         }
         let way = self.way();
         let on_the_way = |place: &Place| few || way.contains(place);
@@ -39,7 +46,12 @@ impl Drawing<'_> {
                 self.outline(Role::Seen, place);
             }
         }
-        let waiting = moment.stack.iter().rev().take(if few { usize::MAX } else { NEXT });
+        let most = match few {
+            true => usize::MAX,
+            false if self.walk.flat => NEXT,
+            false => NEXT_SOLID,
+        };
+        let waiting = moment.stack.iter().rev().take(most);
         for waiting in waiting.rev() {
             self.outline(Role::Waiting, Place::Node(waiting.node));
         }
@@ -64,6 +76,32 @@ impl Drawing<'_> {
         }
     }
 
+    /// Of a tree in space the box around everything, and those of the level that is asked for.
+    fn levels(&mut self) {
+        let levels = self.walk.nodes.levels();
+        if levels.deepest() == 0 {
+            return;
+        }
+        self.outline(Role::Edge, Place::Node(NodeId::ROOT));
+        if let Depth::Down(level) = self.depth {
+            let children = |node: NodeId| self.walk.structure.children(node);
+            for node in frontier(level as usize, BOXES, children) {
+                self.outline(Role::Edge, Place::Node(node));
+            }
+        }
+        self.notes.push(drawn(self.depth, levels.deepest()));
+    }
+
+    /// The node that the picture is about: where the walk stands, in the end the leaf that refers to the hit.
+    fn stands(&self) -> Option<Place> {
+        let leaf = |place: &&Place| match (place, self.moment.best) {
+            (Place::Node(node), Some(hit)) => self.walk.structure.leaf_prims(*node).contains(&hit.prim),
+            (Place::Node(_), None) => true,
+            _ => false,
+        };
+        self.moment.here.or_else(|| self.moment.seen.iter().rev().find(leaf).copied())
+    }
+
     /// The current node, the last few it was reached through, and all their children.
     fn way(&self) -> BTreeSet<Place> {
         let mut parents = BTreeMap::new();
@@ -75,7 +113,7 @@ impl Drawing<'_> {
             }
         }
         let mut way = BTreeSet::new();
-        let mut at = self.moment.here;
+        let mut at = self.stands();
         for _ in 0..LEVELS {
             let Some(place) = at else { break };
             way.insert(place);
@@ -95,7 +133,17 @@ impl Drawing<'_> {
             if tested.verdict == Verdict::Hit && Some(tested.place) != self.moment.here && !waits {
                 self.outline(Role::Seen, tested.place);
                 let (near, far) = (number(tested.interval.near), number(tested.interval.far));
-                self.titled(Role::Seen, tested.place, format!("{node} met: {near} – {far}"));
+                // In space, where there is less room, not twice: the ends of the interval have labels of their own.
+                let now = matches!(self.moment.event, Some(Visit::Volume { place, .. }) if place == tested.place);
+                let says = if now && !self.walk.flat {
+                    format!("{node} met")
+                } else {
+                    format!("{node} met: {near} – {far}")
+                };
+                let others = matches!(self.moment.event, Some(Visit::Volume { .. })) && !now;
+                if self.walk.flat || !others {
+                    self.titled(Role::Seen, tested.place, says);
+                }
             }
         }
         let Some(place) = self.moment.under_test() else { return };
@@ -108,7 +156,13 @@ impl Drawing<'_> {
     /// Which node on the stack is next, and which are later.
     fn stack_titles(&mut self) {
         let stack = &self.moment.stack;
-        for (index, waiting) in stack.iter().rev().take(NEXT).enumerate() {
+        // In space a test that is under way needs the room.
+        let most = match self.moment.under_test() {
+            _ if self.walk.flat => NEXT,
+            Some(_) => 0,
+            None => LABELLED,
+        };
+        for (index, waiting) in stack.iter().rev().take(most).enumerate() {
             let word = match index {
                 _ if stack.len() == 1 => "waits",
                 0 => "waits next",

@@ -1,30 +1,49 @@
 //! What a builder has done so far, in space.
 
+use std::collections::BTreeSet;
+
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
+use super::layer::Layer;
 use super::numbers::numbers_of;
 use crate::moments::{Build, Fate, GrowMoment, GrowNode};
 use crate::panes::tree::node_role;
 use crate::theme::Role;
 use crate::words::{VolumeName, counted, number};
-use crate::world::{Form, Space, SpaceMark, convex};
+use crate::world::{Depth, Form, Space, SpaceMark, convex, drawn, frontier};
 
 /// Most boxes of nodes in one picture.
 const BOXES: usize = 300;
 
+/// Of the way to the current node in space, so many levels, and of what waits so many nodes.
+const LEVELS: usize = 3;
+const NEXT: usize = 3;
+
+/// Of a finished tree in space, so many levels.
+const UPPER: u32 = 3;
+
 /// Most cells of a grid in one picture.
 const CELLS: usize = 1024;
+
+/// Of the cells that the box of a primitive meets, most that are drawn in space.
+const MET: usize = 48;
 
 /// Most weighed splits in one picture.
 const TICKS: usize = 120;
 
-/// Space at a moment of a build.
+/// Space at a moment of a build; of a tree in a solid scene, the end of the way down.
 pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
+    space_of_build_to(build, moment, Depth::Path)
+}
+
+/// The same, with as many boxes of a tree in a solid scene as asked for.
+pub fn space_of_build_to(build: &Build<'_>, moment: &GrowMoment, depth: Depth) -> Space {
     let bounds = build.nodes.reach();
-    let mut drawing = Drawing { build, moment, marks: Vec::new() };
+    let mut drawing = Drawing { build, moment, depth, marks: Vec::new(), notes: Vec::new() };
     drawing.the_box();
     drawing.cells();
+    drawing.halves();
     drawing.nodes();
     drawing.waiting();
     drawing.shared();
@@ -38,13 +57,15 @@ pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
         drawing.marks.extend(numbers);
     }
     let margin = 0.03 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
-    Space { marks: drawing.marks, bounds: bounds.padded(margin), flat: build.flat }
+    Space { marks: drawing.marks, bounds: bounds.padded(margin), flat: build.flat, notes: drawing.notes }
 }
 
 struct Drawing<'a> {
     build: &'a Build<'a>,
     moment: &'a GrowMoment,
+    depth: Depth,
     marks: Vec<SpaceMark>,
+    notes: Vec<String>,
 }
 
 impl Drawing<'_> {
@@ -135,14 +156,28 @@ impl Drawing<'_> {
             let role = |cell| if filled(cell) { Role::Filled } else { Role::Edge };
             self.marks.extend((0..count).map(CellId).map(|cell| outline(role(cell), cell)));
         }
+        if !self.build.flat {
+            let layer = Layer::middle(grid.lattice());
+            self.notes.push(layer.to_string());
+            self.marks.extend(layer.marks(self.moment.cells.keys().copied()));
+        }
         if let Some(Grow::Refine { cell, .. }) = self.moment.event {
             self.marks.push(outline(Role::Here, cell));
         }
-        if !(self.build.flat && count as usize <= CELLS) {
+        // Of a large flat grid only the cells that are filled are drawn.
+        if self.build.flat && count as usize > CELLS {
             let filled = self.moment.cells.keys().rev().take(CELLS);
             self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));
         }
-        for &(cell, fate) in &self.moment.rasterised {
+        // Of very many in space, those around the next one to be decided.
+        let met = &self.moment.rasterised;
+        let most = if self.build.flat { usize::MAX } else { MET };
+        let next = met.iter().position(|(_, fate)| *fate == Fate::Open).unwrap_or(met.len());
+        let from = next.saturating_sub(most / 2).min(met.len().saturating_sub(most));
+        if met.len() > most {
+            self.notes.push(format!("its box meets {} cells, not all drawn", met.len()));
+        }
+        for &(cell, fate) in met.iter().skip(from).take(most) {
             let role = match fate {
                 Fate::Open => Role::Waiting,
                 Fate::Stored => Role::Here,
@@ -171,12 +206,21 @@ impl Drawing<'_> {
             full
         });
         let high = |node: &GrowNode| deepest.is_none_or(|deepest| (node.depth as usize) < deepest);
-        let shown = self.moment.nodes.iter().filter(|(_, node)| high(node));
+        let lowest = if self.build.flat { BTreeSet::new() } else { self.lowest() };
+        let way = if self.build.flat { None } else { Some(self.way(&lowest)) };
+        let is_shown = |id: &NodeId, node: &GrowNode| match &way {
+            Some(way) => way.contains(id),
+            None => high(node),
+        };
+        let shown = self.moment.nodes.iter().filter(|(id, node)| is_shown(id, node));
         let rest = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id));
         for (&id, node) in shown.chain(rest) {
             let role = node_role(self.moment, id);
-            // Boxes of split nodes only repeat what their children show; the current one stands out.
-            let role = if role == Role::Seen && !node.children.is_empty() { Role::Edge } else { role };
+            // Boxes of split nodes only repeat what their children show, unless those are not shown; the current one
+            // stands out.
+            let repeats = role == Role::Seen && node.children.iter().all(|child| self.moment.nodes.contains_key(child));
+            let repeats = repeats && !node.children.is_empty() && !lowest.contains(&id);
+            let role = if repeats { Role::Edge } else { role };
             // What a leaf refers to tints it; the volumes of a hierarchy are never empty.
             let filled = node.leaf.is_some() && node.prims > 0 && !matches!(self.build.structure, Structure::Bvh(_));
             if self.build.flat && filled {
@@ -189,17 +233,20 @@ impl Drawing<'_> {
         }
     }
 
-    /// The nodes that a split has named and that are still to be built: in a flat scene all, in space the next one.
+    /// The nodes that a split has named and that are still to be built: in a flat scene.
     fn waiting(&mut self) {
         let (build, moment) = (self.build, self.moment);
+        if !build.flat {
+            return;
+        }
         let fresh = moment.waiting.iter().rev().filter(|id| !moment.nodes.contains_key(id));
-        for &id in fresh.take(if build.flat { BOXES } else { 1 }) {
+        for &id in fresh.take(BOXES) {
             let named = moment.nodes.iter().find(|(_, node)| node.children.contains(&id));
             // Some builders number their nodes anew in the end: then nobody knows yet where it will lie.
             let known = named.filter(|(parent, node)| build.structure.children(**parent) == node.children);
             let bounds = build.nodes.bounds(id);
             // Over their parent they would only double what its plane says; a hierarchy has none.
-            let plain = !(build.flat && matches!(build.structure, Structure::Bvh(_)));
+            let plain = !matches!(build.structure, Structure::Bvh(_));
             let over = plain && known.is_some_and(|(parent, _)| moment.node == Some(*parent));
             if known.is_none() || over || bounds.is_empty() {
                 continue;
@@ -209,6 +256,71 @@ impl Drawing<'_> {
             }
             if build.flat {
                 self.add(Role::Waiting, Some(Place::Node(id)), Form::Number { within: bounds, text: id.to_string() });
+            }
+        }
+    }
+
+    /// Of a tree in space: the current node, the last few it came from with what they were split into, the next few
+    /// that wait, the box around everything, and the level that is asked for.
+    fn way(&mut self, lowest: &BTreeSet<NodeId>) -> BTreeSet<NodeId> {
+        let moment = self.moment;
+        let children = |id: NodeId| moment.nodes.get(&id).map(|node| node.children.clone()).unwrap_or_default();
+        let path = moment.path();
+        let mut way: BTreeSet<NodeId> = path.iter().rev().take(LEVELS).copied().collect();
+        for &id in path.iter().rev().skip(1).take(LEVELS) {
+            way.extend(children(id));
+        }
+        way.extend(path.last().into_iter().flat_map(|&id| children(id)));
+        way.extend(path.first());
+        way.extend(moment.waiting.iter().rev().take(NEXT));
+        way.extend(lowest);
+        let deepest = self.build.nodes.levels().deepest();
+        if deepest > 0 && !moment.nodes.is_empty() {
+            self.notes.push(drawn(self.depth(), deepest));
+        }
+        way
+    }
+
+    /// The boxes of the level that is asked for, and of the leaves above it.
+    fn lowest(&self) -> BTreeSet<NodeId> {
+        let nodes = &self.moment.nodes;
+        let children = |id: NodeId| nodes.get(&id).map(|node| node.children.clone()).unwrap_or_default();
+        match self.depth() {
+            Depth::Down(level) if nodes.contains_key(&NodeId::ROOT) => {
+                frontier(level as usize, BOXES, children).into_iter().collect()
+            }
+            _ => BTreeSet::new(),
+        }
+    }
+
+    /// How many boxes are drawn: once nothing is under consideration any more, those of the upper levels instead of
+    /// the path.
+    fn depth(&self) -> Depth {
+        let finished = matches!(self.moment.event, Some(Grow::End { .. }));
+        match self.depth {
+            Depth::Path if finished => Depth::Down(UPPER.min(self.build.nodes.levels().deepest() as u32)),
+            depth => depth,
+        }
+    }
+
+    /// In space, the halves of split nodes whose turn has not come: what the plane leaves of them. In a hierarchy nobody knows
+    /// yet.
+    fn halves(&mut self) {
+        let Structure::Kd(_) = self.build.structure else { return };
+        if self.build.flat {
+            return;
+        }
+        let moment = self.moment;
+        let path = moment.path();
+        for node in path.iter().rev().take(LEVELS).filter_map(|id| moment.nodes.get(id)) {
+            let Some((taken, axis)) = node.split.and_then(|taken| Some((taken, taken.axis.axis()?))) else { continue };
+            let (mut below, mut above) = (node.bounds, node.bounds);
+            below.max[axis] = taken.plane;
+            above.min[axis] = taken.plane;
+            for (id, half) in [(taken.below, below), (taken.above, above)] {
+                if moment.waiting.contains(&id) && !moment.nodes.contains_key(&id) {
+                    self.add(Role::Waiting, Some(Place::Node(id)), Form::Box(half));
+                }
             }
         }
     }

@@ -5,6 +5,7 @@ mod build;
 mod cells;
 mod ghost;
 mod instances;
+mod layer;
 mod numbers;
 mod prims;
 mod rays;
@@ -13,21 +14,27 @@ mod slabs;
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, Structure};
 
-pub use build::space_of_build;
+pub use build::{space_of_build, space_of_build_to};
 pub use ghost::{ghost, ghost_of_build};
 
 use crate::moments::{Moment, Walk};
 use crate::theme::Role;
-use crate::world::{Form, Space, SpaceMark};
+use crate::world::{Depth, Form, Space, SpaceMark};
 
-/// What space shows at a moment of a walk.
+/// What space shows at a moment of a walk; of a tree in a solid scene, the end of the way down.
 pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
+    space_to(walk, moment, Depth::Path)
+}
+
+/// The same, with as many boxes of a tree in a solid scene as asked for.
+pub fn space_to(walk: &Walk<'_>, moment: &Moment, depth: Depth) -> Space {
     let bounds = visible(walk);
     let single = walk.flat && matches!(walk.structure, Structure::Slab(_));
     // What happens in an instance is drawn there; out in the world the walk rests.
     let outside = moment.inside.as_ref().map(|_| Moment { event: None, ..moment.clone() });
-    let mut drawing =
-        Drawing { walk, moment: outside.as_ref().unwrap_or(moment), bounds, marks: Vec::new(), back: f32::INFINITY };
+    let moment_outside = outside.as_ref().unwrap_or(moment);
+    let (marks, notes) = (Vec::new(), Vec::new());
+    let mut drawing = Drawing { walk, moment: moment_outside, bounds, depth, marks, notes, back: f32::INFINITY };
     match walk.structure.grid() {
         Some(grid) => drawing.cells(grid),
         None => drawing.nodes(),
@@ -50,7 +57,7 @@ pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
         drawing.add(Role::Edge, None, Form::Axes(bounds));
     }
     let bounds = if single { with_axes(bounds) } else { bounds };
-    Space { marks: drawing.marks, bounds, flat: walk.flat }
+    Space { marks: drawing.marks, bounds, flat: walk.flat, notes: drawing.notes }
 }
 
 /// A space being drawn.
@@ -58,9 +65,11 @@ struct Drawing<'a> {
     walk: &'a Walk<'a>,
     moment: &'a Moment,
     bounds: Aabb,
+    depth: Depth,
     marks: Vec<SpaceMark>,
     /// The smallest t of a ring.
     back: f32,
+    notes: Vec<String>,
 }
 
 impl Drawing<'_> {

@@ -12,6 +12,9 @@ use crate::world::Form;
 /// Of a long walk, so many of the primitives last tested are marked.
 const TRAIL: usize = 256;
 
+/// Of a solid scene, marks of so many missed primitives are seen as what they are; more would be speckles.
+const SPECKLES: usize = 64;
+
 /// A primitive is large from this part of the scene's diagonal on.
 const LARGE: f32 = 0.25;
 
@@ -28,12 +31,18 @@ impl Drawing<'_> {
             roles.extend(held.iter().take(TRAIL).map(|&prim| (prim, Role::Seen)));
         }
         let first = moment.tested.len().saturating_sub(TRAIL);
+        let speckled = self.speckled();
         for (index, test) in moment.tested.iter().enumerate() {
+            let marked = if speckled { self.is_news(test.prim) } else { index >= first && !self.shouts(test.prim) };
             match test.t {
                 Some(_) => roles.insert(test.prim, Role::Hit),
-                None if index >= first && !self.shouts(test.prim) => roles.insert(test.prim, Role::Missed),
+                None if marked => roles.insert(test.prim, Role::Missed),
                 None => None,
             };
+        }
+        let missed = moment.tested.iter().filter(|test| test.t.is_none()).count();
+        if speckled && missed > 1 {
+            self.notes.push(format!("{missed} tested and missed, not all marked"));
         }
         if let Some(hit) = moment.best {
             roles.insert(hit.prim, Role::Best);
@@ -43,12 +52,28 @@ impl Drawing<'_> {
         }
     }
 
+    /// Whether this walk through a solid scene misses so many primitives that their marks would cover it.
+    fn speckled(&self) -> bool {
+        let missed = self.walk.events.iter().filter(|event| matches!(event, Visit::Test { hit: false, .. }));
+        !self.walk.flat && missed.take(SPECKLES + 1).count() > SPECKLES
+    }
+
+    /// Whether a primitive was just tested, or belongs to where the walk stands.
+    fn is_news(&self, prim: PrimId) -> bool {
+        self.is_tested_now(prim) || self.held().contains(&prim) && !self.shouts(prim)
+    }
+
+    fn is_tested_now(&self, prim: PrimId) -> bool {
+        matches!(self.moment.event, Some(Visit::Test { prim: tested, .. }) if tested == prim)
+    }
+
     /// Whether a primitive of a solid scene would drown the others if it stayed marked after its test: a floor that
     /// was missed is no news.
     fn shouts(&self, prim: PrimId) -> bool {
-        let now = matches!(self.moment.event, Some(Visit::Test { prim: tested, .. }) if tested == prim);
         let extent = |bounds: Aabb| bounds.extent().length();
-        !self.walk.flat && !now && extent(self.walk.prims.bounds(prim)) > LARGE * extent(self.walk.world())
+        !self.walk.flat
+            && !self.is_tested_now(prim)
+            && extent(self.walk.prims.bounds(prim)) > LARGE * extent(self.walk.world())
     }
 
     /// The references of the current leaf or cell.

@@ -1,12 +1,14 @@
-//! Which nodes of a tree are drawn. Of a large one: the path to where the walk stands with what hangs
-//! off it, then as much more, from the top down, as there is room for.
+//! Which nodes of a tree are drawn: all of a small one. Of a large one the path to where the walk stands with what
+//! hangs off it, then as much more, from the top down, as there is room for.
 
+use std::borrow::Cow;
 use std::collections::{BTreeSet, VecDeque};
 
 use raystep_accel::{Direction, NodeId, PrimId};
 
 use super::tidy::{Tidy, Twig, tidy};
 use crate::theme::Role;
+use crate::world::Levels;
 
 /// What the user has zoomed to, opened and closed in a tree.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -33,16 +35,22 @@ pub(crate) trait Tree {
     fn prim_role(&self, prim: PrimId) -> Role;
     /// From the root to where things happen.
     fn path(&self) -> Vec<NodeId>;
+    /// How the nodes lie below the root of that path.
+    fn levels(&self) -> Cow<'_, Levels>;
 }
 
-/// How much fits: points of width, levels of height, and how large a node is drawn.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Room<F> {
+/// How much fits, and how much room a node takes.
+pub(crate) struct Room<'a> {
+    /// Points from the left to the right.
     pub(crate) width: f32,
+    /// Rows of nodes.
     pub(crate) levels: usize,
+    /// Points between two nodes.
     pub(crate) gap: f32,
-    /// Half the width of a node's mark.
-    pub(crate) half_width: F,
+    /// How far a node with what belongs to it reaches to the left and to the right of its middle.
+    pub(crate) sides: &'a dyn Fn(&Branch) -> [f32; 2],
+    /// Half the width of what stands for the nodes below a closed one.
+    pub(crate) rest: &'a dyn Fn(NodeId) -> f32,
 }
 
 /// A node that is drawn.
@@ -53,12 +61,21 @@ pub(crate) struct Branch {
     pub(crate) children: Vec<usize>,
     /// Whether it has children that are not drawn.
     pub(crate) closed: bool,
+    /// Whether it stands to the left of its parent.
+    pub(crate) left: bool,
+}
+
+impl Branch {
+    /// Whether nothing hangs below it.
+    pub(crate) fn is_leaf(&self) -> bool {
+        self.children.is_empty() && !self.closed
+    }
 }
 
 /// The drawn part of a tree, the topmost node first.
 #[derive(Clone, Debug)]
 pub(crate) struct Branches {
-    /// The ancestors of the topmost node that did not fit, the root first.
+    /// The ancestors of the topmost node, the root first.
     pub(crate) above: Vec<NodeId>,
     pub(crate) shown: Vec<Branch>,
     pub(crate) tidy: Tidy,
@@ -66,32 +83,55 @@ pub(crate) struct Branches {
 
 impl Branches {
     /// Whether nothing was left out.
-    pub(crate) fn whole(&self) -> bool {
+    pub(crate) fn is_whole(&self) -> bool {
         self.above.is_empty() && self.shown.iter().all(|branch| !branch.closed)
     }
 }
 
-/// Most nodes that are drawn: an eye reads no more.
-pub(crate) const MOST: usize = 36;
+/// Of a tree that is drawn in parts, most nodes that are: an eye reads no more.
+const MOST: usize = 36;
 
-/// Chooses what is drawn and lays it out.
-pub(crate) fn branches<F: Fn(NodeId) -> f32>(tree: &impl Tree, view: &TreeView, room: &Room<F>) -> Branches {
+/// The path from the root, or from the node that is to be on top, and what lies above that.
+fn trunk(tree: &dyn Tree, view: &TreeView) -> (Vec<NodeId>, Vec<NodeId>) {
     let mut path = tree.path();
-    if let Some(focus) = view.focus {
-        match path.iter().position(|node| *node == focus) {
-            Some(index) => drop(path.drain(..index)),
-            None => path = vec![focus],
+    match view.focus.map(|focus| (focus, path.iter().position(|node| *node == focus))) {
+        None => (Vec::new(), path),
+        Some((_, Some(index))) => {
+            let rest = path.split_off(index);
+            (path, rest)
         }
+        // Beside the path: of what lies above it, the root.
+        Some((focus, None)) => (path.into_iter().take(1).collect(), vec![focus]),
     }
+}
+
+/// All of a tree with at most so many nodes below the topmost one, if it fits.
+pub(crate) fn whole(tree: &dyn Tree, view: &TreeView, most: usize, room: &Room<'_>) -> Option<Branches> {
+    let (above, path) = trunk(tree, view);
+    let top = *path.first()?;
+    let is_open = |node: NodeId| !view.closed.contains(&node);
+    let (shown, tidy) = grow(tree, top, &is_open, most, room)?;
+    let fits = tidy.width <= room.width && shown.iter().all(|branch| !branch.closed || !is_open(branch.node));
+    fits.then_some(Branches { above, shown, tidy })
+}
+
+/// Chooses what is drawn of a tree that does not fit, and lays it out.
+pub(crate) fn part(tree: &dyn Tree, view: &TreeView, room: &Room<'_>) -> Branches {
+    let (mut above, mut path) = trunk(tree, view);
     // The lower end of a long path, with a level for the children of its end.
     let end = path.last().is_some_and(|end| !tree.children(*end).is_empty());
     let keep = room.levels.saturating_sub(usize::from(end)).max(1);
-    let mut above: Vec<NodeId> = path.drain(..path.len().saturating_sub(keep)).collect();
+    above.extend(path.drain(..path.len().saturating_sub(keep)));
+    let drawn = |top: NodeId, open: &BTreeSet<NodeId>| {
+        let is_open = |node: NodeId| open.contains(&node);
+        // More than the most are never open at a time.
+        grow(tree, top, &is_open, usize::MAX, room).unwrap_or_default()
+    };
     let mut open: BTreeSet<NodeId>;
     let mut best;
     loop {
         open = path.iter().copied().filter(|node| !view.closed.contains(node)).collect();
-        best = grow(tree, path.first().copied().unwrap_or(NodeId::ROOT), &open, room);
+        best = drawn(path.first().copied().unwrap_or(NodeId::ROOT), &open);
         if best.1.width <= room.width || path.len() < 2 {
             break;
         }
@@ -106,7 +146,7 @@ pub(crate) fn branches<F: Fn(NodeId) -> f32>(tree: &impl Tree, view: &TreeView, 
         let Some(branch) = best.0.iter().find(|branch| branch.node == node) else { continue };
         if branch.closed && branch.level + 1 < room.levels && !view.closed.contains(&node) {
             open.insert(node);
-            let more = grow(tree, top, &open, room);
+            let more = drawn(top, &open);
             if fits(&more) {
                 best = more;
             } else {
@@ -119,53 +159,43 @@ pub(crate) fn branches<F: Fn(NodeId) -> f32>(tree: &impl Tree, view: &TreeView, 
     Branches { above, shown: best.0, tidy: best.1 }
 }
 
-/// The nodes below `top` that are reached through open ones, level by level.
-fn grow<F: Fn(NodeId) -> f32>(
-    tree: &impl Tree,
+/// The nodes below `top` that are reached through open ones, level by level; nothing if they are more than `most`.
+fn grow(
+    tree: &dyn Tree,
     top: NodeId,
-    open: &BTreeSet<NodeId>,
-    room: &Room<F>,
-) -> (Vec<Branch>, Tidy) {
-    let mut shown = vec![Branch { node: top, level: 0, children: Vec::new(), closed: false }];
+    is_open: &dyn Fn(NodeId) -> bool,
+    most: usize,
+    room: &Room<'_>,
+) -> Option<(Vec<Branch>, Tidy)> {
+    let branch = |node, level, left| Branch { node, level, children: Vec::new(), closed: false, left };
+    let mut shown = vec![branch(top, 0, false)];
     let mut index = 0;
-    while index < shown.len() && shown.len() <= 2 * MOST {
+    while index < shown.len() {
         let Branch { node, level, .. } = shown[index];
         let children = tree.children(node);
-        if open.contains(&node) && level + 1 < room.levels {
-            for child in children {
+        if is_open(node) && level + 1 < room.levels {
+            let half = children.len() / 2;
+            for (place, child) in children.into_iter().enumerate() {
                 let at = shown.len();
                 shown[index].children.push(at);
-                shown.push(Branch { node: child, level: level + 1, children: Vec::new(), closed: false });
+                shown.push(branch(child, level + 1, place < half));
             }
         } else {
             shown[index].closed = !children.is_empty();
         }
+        if shown.len() > most {
+            return None;
+        }
         index += 1;
     }
-    let mut twigs: Vec<Twig> = shown
-        .iter()
-        .map(|branch| Twig { half_width: (room.half_width)(branch.node), children: branch.children.clone() })
-        .collect();
-    // What hangs below a closed node, and the dots of a leaf, take up room on the next level.
-    for index in (0..shown.len()).filter(|index| shown[*index].children.is_empty()) {
+    let mut twigs: Vec<Twig> =
+        shown.iter().map(|branch| Twig { sides: (room.sides)(branch), children: branch.children.clone() }).collect();
+    // What stands for the nodes below a closed one takes up room on the next level.
+    for index in (0..shown.len()).filter(|index| shown[*index].closed) {
         let below = twigs.len();
-        let half_width = if shown[index].closed { twigs[index].half_width } else { room.gap * 0.3 };
         twigs[index].children.push(below);
-        twigs.push(Twig { half_width, children: Vec::new() });
+        twigs.push(Twig { sides: [(room.rest)(shown[index].node); 2], children: Vec::new() });
     }
     let tidy = tidy(&twigs, room.gap);
-    (shown, tidy)
-}
-
-/// How many nodes hang below one, itself included; counts no further than `most`.
-pub(crate) fn count_below(tree: &impl Tree, node: NodeId, most: usize) -> usize {
-    let (mut count, mut left) = (0, vec![node]);
-    while let Some(node) = left.pop() {
-        count += 1;
-        if count > most {
-            break;
-        }
-        left.extend(tree.children(node));
-    }
-    count
+    Some((shown, tidy))
 }

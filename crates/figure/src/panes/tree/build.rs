@@ -1,12 +1,16 @@
 //! The tree that a builder has made so far.
 
+use std::borrow::Cow;
+
 use glam::Vec2;
 use raystep_accel::{Direction, NodeId, PrimId};
 
-use super::{Tree, TreeView, draw_tree};
+use super::branches::{Tree, TreeView};
+use super::draw::draw_tree;
 use crate::moments::GrowMoment;
 use crate::page::{Figure, Look};
 use crate::theme::Role;
+use crate::world::Levels;
 
 /// The tree at a moment of a build.
 pub fn tree_of_build(moment: &GrowMoment, view: &TreeView, size: Vec2, look: &Look) -> Figure {
@@ -58,5 +62,10 @@ impl Tree for Growing<'_> {
 
     fn path(&self) -> Vec<NodeId> {
         if self.path.is_empty() { vec![NodeId::ROOT] } else { self.path.clone() }
+    }
+
+    fn levels(&self) -> Cow<'_, Levels> {
+        let root = self.path.first().copied().unwrap_or(NodeId::ROOT);
+        Cow::Owned(Levels::of(root, |node| self.children(node)))
     }
 }

@@ -5,13 +5,13 @@
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Twig {
     /// The room it needs to the left and to the right of its middle.
-    pub(crate) half_width: f32,
+    pub(crate) sides: [f32; 2],
     /// Indices into the same array, each larger than this node's own.
     pub(crate) children: Vec<usize>,
 }
 
 /// Where the nodes lie: the middle of each in x, from 0 to `width`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Tidy {
     pub(crate) x: Vec<f32>,
     pub(crate) width: f32,
@@ -45,7 +45,7 @@ pub(crate) fn tidy(twigs: &[Twig], gap: f32) -> Tidy {
         for (&child, place) in twig.children.iter().zip(&places) {
             offset[child] = place - middle;
         }
-        outlines[index] = std::iter::once((-twig.half_width, twig.half_width))
+        outlines[index] = std::iter::once((-twig.sides[0], twig.sides[1]))
             .chain(together.iter().map(|(left, right)| (left - middle, right - middle)))
             .collect();
     }
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     fn tree(children: &[&[usize]]) -> Vec<Twig> {
-        children.iter().map(|&children| Twig { half_width: 1.0, children: children.to_vec() }).collect()
+        children.iter().map(|&children| Twig { sides: [1.0; 2], children: children.to_vec() }).collect()
     }
 
     #[test]

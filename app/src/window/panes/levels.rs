@@ -1,0 +1,55 @@
+//! How many boxes of a tree a solid stage shows: the path alone, or those down to a level.
+
+use egui::{Rect, Slider, Ui, UiBuilder, pos2, vec2};
+use raystep_figure::{Depth, Theme};
+
+use super::page::{Asked, Page};
+use crate::shown::command::Command;
+use crate::shown::playback::Playback;
+use crate::window::look::controls::{Change, change};
+use crate::window::look::visuals::fill;
+
+/// Width and height of the control.
+const SIZE: egui::Vec2 = vec2(236.0, 26.0);
+
+/// Room between the control and the corner, where the picture says what it shows.
+const CORNER: egui::Vec2 = vec2(12.0, 30.0);
+
+/// Shows the control in the lower right corner of a stage, if there is a tree in it.
+pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, picture: Rect, asked: &mut Vec<Asked>) {
+    let Some(deepest) = playback.reel().deepest().filter(|_| picture.width() > 2.0 * SIZE.x) else { return };
+    let corner = picture.right_bottom() - CORNER;
+    let rect = Rect::from_min_max(corner - SIZE, pos2(corner.x, corner.y));
+    let now = match page.state.depth() {
+        Depth::Path => 0,
+        Depth::Down(level) => level.min(deepest),
+    };
+    ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
+        ground(ui, rect, page.theme);
+        ui.horizontal_centered(|ui| {
+            ui.spacing_mut().item_spacing.x = 6.0;
+            ui.add_space(6.0);
+            let path = ui.selectable_label(now == 0, "path only").on_hover_text(Command::Shallower.tip());
+            if path.clicked() && now > 0 {
+                asked.extend([Asked::Keep, Asked::Depth(Depth::Path)]);
+            }
+            let mut level = now;
+            ui.spacing_mut().slider_width = 74.0;
+            let slider = ui.add(Slider::new(&mut level, 0..=deepest).show_value(false));
+            slider.widget_info(|| egui::WidgetInfo::slider(true, f64::from(now), "Boxes down to level"));
+            if let Some(change) = change(&slider) {
+                if change == Change::Begins {
+                    asked.push(Asked::Keep);
+                }
+                asked.push(Asked::Depth(if level == 0 { Depth::Path } else { Depth::Down(level) }));
+            }
+            slider.on_hover_text(Command::Deeper.tip());
+            let says = if now == 0 { format!("of {deepest}") } else { format!("level {now} of {deepest}") };
+            ui.label(egui::RichText::new(says).small());
+        });
+    });
+}
+
+fn ground(ui: &Ui, rect: Rect, theme: &Theme) {
+    ui.painter().rect_filled(rect, 5.0, fill(theme, raystep_figure::Role::Panel).gamma_multiply(0.9));
+}

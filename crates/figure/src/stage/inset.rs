@@ -1,0 +1,57 @@
+//! A small picture in a corner of a large one.
+
+use glam::Vec2;
+
+use super::crop;
+use crate::page::{Anchor, Figure, Ink};
+use crate::theme::{Face, Role, text_width};
+
+/// Distance from the corner, in points.
+const CORNER: f32 = 12.0;
+
+/// How large a small picture is in one of this size; nothing where there is no room for it.
+pub fn inset_size(page: Vec2) -> Option<Vec2> {
+    let fits = page.x >= 420.0 && page.y >= 330.0;
+    fits.then(|| Vec2::new((page.x * 0.3).clamp(170.0, 300.0), (page.y * 0.34).clamp(130.0, 240.0)))
+}
+
+/// Sets a small picture into the upper corner of a large one that holds less, with its title at its foot.
+pub fn set_inset(figure: &mut Figure, mut part: Figure, title: &str) {
+    let (size, page) = (part.size, figure.size);
+    let corners = [Vec2::new(page.x - size.x - CORNER, CORNER), Vec2::new(CORNER, CORNER)];
+    let crowded = |at: &Vec2| covered(figure, *at, *at + size);
+    let Some(at) = corners.into_iter().min_by_key(crowded) else { return };
+    crop(&mut part, 0.0);
+    let frame = Ink::Rect { min: at, max: at + size, round: 4.0 };
+    figure.add(Role::Page, None, frame.clone());
+    figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(at)));
+    figure.add(Role::Edge, None, frame);
+    let wide = text_width(title, Face::Medium, 12.0);
+    let (min, max) = (at + Vec2::new(1.0, size.y - 20.0), at + Vec2::new(wide + 14.0, size.y - 1.0));
+    figure.add(Role::Page, None, Ink::Rect { min, max, round: 3.0 });
+    let text = Ink::Text {
+        at: at + Vec2::new(8.0, size.y - 11.0),
+        text: title.to_owned(),
+        size: 12.0,
+        face: Face::Medium,
+        anchor: Anchor::Start,
+        boxed: false,
+    };
+    figure.add(Role::Quiet, None, text);
+}
+
+/// How much would be covered by a rectangle: labels count most.
+fn covered(figure: &Figure, min: Vec2, max: Vec2) -> usize {
+    let inside = |point: Vec2| point.cmpge(min).all() && point.cmple(max).all();
+    let on_line = |from: Vec2, to: Vec2| (0..=16).filter(|i| inside(from.lerp(to, *i as f32 / 16.0))).count();
+    let each = figure.marks.iter().map(|mark| match &mark.ink {
+        Ink::Text { at, size, text, .. } => {
+            let half = Vec2::new(text_width(text, Face::Medium, *size) * 0.5, *size);
+            if (*at + half).cmpge(min).all() && (*at - half).cmple(max).all() { 1000 } else { 0 }
+        }
+        Ink::Circle { center, .. } if inside(*center) => 100,
+        Ink::Line { points } => points.windows(2).map(|ends| on_line(ends[0], ends[1])).sum(),
+        _ => 0,
+    });
+    each.sum()
+}

@@ -1,0 +1,166 @@
+//! The pictures of every slide, at its beats and at steps between them: what a reader can take in at once.
+
+use glam::Vec2;
+use raystep_accel::{Place, Structure};
+use raystep_figure::{Ask, Build, Depth, Figure, Form, Ink, Look, Nodes, Pane, Reel, Role, Space, Walk};
+use raystep_lesson::{Library, Play, Plays, Slide, Stage, Tape};
+
+/// Most boxes that a solid picture shows at once: more is a tangle of wires.
+const WIRED: usize = 12;
+
+/// Most labels on them.
+const LABELS: usize = 6;
+
+/// Of the steps between the beats, so many are tried on each ray.
+const TRIED: usize = 60;
+
+/// Calls `check` with every stage of every slide, each of its rays played, and what it shows.
+fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
+    let library = Library::embedded();
+    for slide in &library.slides {
+        for stage in &slide.stages {
+            let built = stage.build(slide.plays).expect("a shipped stage");
+            let nodes = Nodes::of(&built.structure);
+            let rays: Vec<_> = match slide.plays {
+                Plays::Build => vec![None],
+                Plays::Walk => stage.rays.iter().map(|ray| Some(ray.ray)).collect(),
+            };
+            for ray in rays {
+                let play = built.play(ray, &slide.beats).expect("something is played");
+                let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
+                let reel = match &play.tape {
+                    Tape::Walk(walk) => {
+                        let (ray, events, lost) = (walk.ray, &walk.events[..], walk.lost);
+                        Reel::new(Walk { structure, prims, nodes: &nodes, ray, events, lost, flat })
+                    }
+                    Tape::Build(build) => Reel::new(Build {
+                        structure,
+                        nodes: &nodes,
+                        prims,
+                        events: &build.events,
+                        lost: &build.lost,
+                        flat,
+                    }),
+                };
+                check(slide, stage, &play, &reel, &nodes);
+            }
+        }
+    }
+}
+
+/// The steps of the beats, the first and the last one, and some between.
+fn steps(play: &Play) -> Vec<usize> {
+    let last = play.tape.len();
+    let between = (0..=last).step_by(last.div_ceil(TRIED).max(1));
+    let mut steps: Vec<usize> = play.beats.iter().flatten().copied().chain(between).chain([last]).collect();
+    steps.sort_unstable();
+    steps.dedup();
+    steps
+}
+
+fn is_wired(form: &Form) -> bool {
+    matches!(form, Form::Box(_) | Form::Body(_) | Form::Sphere(_))
+}
+
+/// The places whose boxes are drawn.
+fn wired(space: &Space) -> usize {
+    let boxes = space.marks.iter().filter(|mark| is_wired(&mark.form));
+    boxes.map(|mark| mark.place).collect::<std::collections::BTreeSet<Option<Place>>>().len()
+}
+
+#[test]
+fn solid_pictures_are_no_tangles_and_say_what_they_show() {
+    let mut tried = 0;
+    every_play(&mut |slide, stage, play, reel, _| {
+        if reel.flat() {
+            return;
+        }
+        let grid = play.structure.grid().is_some();
+        for step in steps(play) {
+            let instant = reel.at(step);
+            let space = reel.still(&instant).space().expect("a walk and a build are in space");
+            let what = format!("{} {:?} at step {step}", slide.id(), stage.kind);
+            // Cells along a ray or under a box stand beside each other; boxes of a tree lie within each other.
+            let (boxes, most) = (wired(&space), if grid { 80 } else { WIRED });
+            assert!(boxes <= most, "{what}: {boxes} boxes");
+            let labels = space.marks.iter().filter_map(|mark| match &mark.form {
+                Form::Label { text, .. } => Some(text.as_str()),
+                _ => None,
+            });
+            let labels: Vec<&str> = labels.collect();
+            assert!(labels.len() <= LABELS, "{what}: {labels:?}");
+            let missed =
+                space.marks.iter().filter(|mark| mark.role == Role::Missed && matches!(mark.form, Form::Prim(_)));
+            assert!(missed.count() <= 70, "{what}: speckles");
+            if reel.deepest().is_some() && step == play.tape.len() {
+                assert!(space.notes.iter().any(|note| note.starts_with("boxes:")), "{what}: {:?}", space.notes);
+            }
+            tried += 1;
+        }
+    });
+    assert!(tried > 500, "{tried} pictures");
+}
+
+#[test]
+fn levels_are_added_to_a_solid_picture_one_by_one() {
+    every_play(&mut |slide, stage, play, reel, _| {
+        let Some(deepest) = reel.deepest() else { return };
+        let instant = reel.at(play.tape.len());
+        let boxes = |depth| wired(&reel.still(&instant).to_depth(depth).space().expect("there is space"));
+        let mut before = boxes(Depth::Path);
+        for level in 1..=deepest.min(6) {
+            let now = boxes(Depth::Down(level));
+            let what = format!("{} {:?} level {level}", slide.id(), stage.kind);
+            assert!(now + WIRED >= before && now > level as usize, "{what}: {before}, then {now}");
+            before = now;
+        }
+        assert!(before > WIRED, "{} {:?}: level 6 has {before} boxes", slide.id(), stage.kind);
+    });
+}
+
+/// The nodes that a tree's figure draws, with the size of their digits.
+fn digits(figure: &Figure) -> Vec<(Place, f32)> {
+    let mut digits: Vec<(Place, f32)> = Vec::new();
+    for pair in figure.marks.windows(2) {
+        let shape = matches!(pair[0].ink, Ink::Circle { .. } | Ink::Rect { .. });
+        if let (Some(place @ Place::Node(node)), Ink::Text { text, size, .. }) = (pair[1].place, &pair[1].ink)
+            && shape
+            && pair[0].place == Some(place)
+            && *text == node.0.to_string()
+        {
+            digits.push((place, *size));
+        }
+    }
+    digits
+}
+
+#[test]
+fn small_trees_stand_whole_in_windows_and_on_plates() {
+    let mut small = 0;
+    every_play(&mut |slide, stage, play, reel, nodes| {
+        let count = play.structure.node_count();
+        if !(1..=31).contains(&count) || matches!(*play.structure, Structure::Slab(_)) {
+            return;
+        }
+        // The panes of a window of 1280 × 800, of one of 1600 × 1000, and of a plate.
+        let plate = Look { text: 15.0, titles: true };
+        for (width, page, look) in [(630.0, 672.0, Look::WINDOW), (790.0, 872.0, Look::WINDOW), (780.0, 0.0, plate)] {
+            let whole = raystep_figure::tree_height(nodes, &look).expect("a small tree has a height");
+            let height = if page > 0.0 { whole.min(page * 0.32).max(page * 0.2) } else { whole + 6.0 };
+            for step in steps(play) {
+                let instant = reel.at(step);
+                let figure = reel.still(&instant).draw(Pane::Tree, &Ask::new(Vec2::new(width, height), look));
+                let digits = digits(&figure);
+                let what = format!("{} {:?} at step {step} in {width} × {height}", slide.id(), stage.kind);
+                assert!(digits.iter().all(|(_, size)| *size >= 11.0), "{what}: {digits:?}");
+                let closed = figure.marks.iter().any(|mark| matches!(mark.ink, Ink::Area { .. }));
+                assert!(!closed, "{what}: a node is folded");
+                if slide.plays == Plays::Walk {
+                    assert_eq!(digits.len(), count, "{what}");
+                }
+                small += 1;
+            }
+        }
+    });
+    assert!(small > 100, "{small} trees");
+}
