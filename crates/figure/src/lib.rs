@@ -37,7 +37,7 @@ pub use panes::{
     listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build, stack, stack_height,
     stack_of_build, tested, timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
 };
-pub use stage::{Camera, Scenery, Shaded, axes, labels, shaded, stage};
+pub use stage::{Camera, Scenery, Shaded, axes, is_label, labels, pointed_at, shaded, stage};
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value, veiled};
 pub use world::{Form, Nodes, Space, SpaceMark, circles, contour, faces, lines};

@@ -78,6 +78,8 @@ fn told(space: &Space) -> String {
             Form::Arrow(a, b) => format!("arrow {:.2},{:.2} – {:.2},{:.2}", a.x, a.y, b.x, b.y),
             Form::Point(a) => format!("point {:.2},{:.2}", a.x, a.y),
             Form::Prim(_) => "shape".to_owned(),
+            Form::Axes(b) => format!("axes {:.2},{:.2} – {:.2},{:.2}", b.min.x, b.min.y, b.max.x, b.max.y),
+            Form::Number { text, .. } => format!("number {text}"),
             Form::Label { text, .. } => format!("label “{text}”"),
         };
         let _ = writeln!(out, "{:9} {form:38} {place}", format!("{:?}", mark.role));
@@ -188,8 +190,9 @@ fn labels_stay_in_the_picture_and_off_each_other() {
 fn check_labels(figure: &Figure, page: Vec2, step: usize) {
     let mut boxes: Vec<(Vec2, Vec2, &str)> = Vec::new();
     for mark in &figure.marks {
-        let Ink::Text { at, text, size, face, .. } = &mark.ink else { continue };
-        let half = Vec2::new(raystep_figure::text_width(text, *face, *size) * 0.5 + size * 0.5, size * 0.8);
+        let Ink::Text { at, text, size, face, boxed, .. } = &mark.ink else { continue };
+        let (aside, high) = if *boxed { (0.5, 0.8) } else { (0.0, 0.5) };
+        let half = Vec2::new(raystep_figure::text_width(text, *face, *size) * 0.5 + size * aside, size * high);
         let (min, max) = (*at - half, *at + half);
         assert!(min.cmpge(Vec2::ZERO).all() && max.cmple(page).all(), "step {step}: “{text}” reaches out");
         for (other_min, other_max, other) in &boxes {

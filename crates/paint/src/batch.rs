@@ -68,8 +68,8 @@ impl Batch {
                 Form::Arrow(from, to) => pen.arrow(*from, *to, &style),
                 Form::Point(at) => pen.point(*at, &style),
                 Form::Prim(prim) if prim.index() < frame.prims.len() => pen.prim(&frame.prims.shape(*prim), &style),
-                // Text is the caller's.
-                Form::Prim(_) | Form::Label { .. } => {}
+                // Text and the axes of flat scenes are the caller's.
+                Form::Prim(_) | Form::Label { .. } | Form::Number { .. } | Form::Axes(_) => {}
             }
         }
         // Translucent faces lie over those behind them.

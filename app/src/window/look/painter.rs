@@ -2,7 +2,7 @@
 
 use egui::{Align2, Painter, Pos2, Rect, Shape, pos2, vec2};
 use raystep_accel::Place;
-use raystep_figure::{Anchor, Dash, Face, Figure, Ink, Mark, Role, Style, Theme};
+use raystep_figure::{Anchor, Dash, Face, Figure, Ink, Mark, Role, Style, Theme, is_label};
 
 use super::fonts::font;
 use super::images;
@@ -51,7 +51,7 @@ fn is_lit(mark: &Mark, lit: Option<Place>) -> bool {
 
 /// Draws only the labels of a figure: the rest lies in a picture below.
 pub(crate) fn paint_labels(painter: &Painter, origin: Pos2, figure: &Figure, theme: &Theme, hovered: Option<Place>) {
-    for mark in figure.marks.iter().filter(|mark| matches!(mark.ink, Ink::Text { .. })) {
+    for mark in figure.marks.iter().filter(|mark| is_label(mark)) {
         paint_mark(painter, origin, mark, mark.role, theme);
         if is_lit(mark, hovered) {
             paint_lit(painter, origin, mark, theme);

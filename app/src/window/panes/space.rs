@@ -3,7 +3,7 @@
 use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::Vec3;
 use raystep_accel::{Place, Ray};
-use raystep_figure::{Camera, Figure, Form, Role, Space, Theme};
+use raystep_figure::{Camera, Figure, Form, Role, Space, Theme, pointed_at};
 
 use crate::shown::eye;
 use crate::window::look::painter::{paint_figure, paint_labels, place_at};
@@ -81,6 +81,11 @@ impl Picture<'_> {
             };
             ui.ctx().set_cursor_icon(over);
             happened.hovered = pointer.and_then(|pointer| place_at(self.figure, rect.min, pointer));
+            if let (Some(pointer), Some(place)) = (pointer, happened.hovered.filter(|place| *place != Place::World)) {
+                let at = pointer - rect.min;
+                let name = pointed_at(place, glam::Vec2::new(at.x, at.y), glam_size(rect));
+                paint_figure(&painter, rect.min, &name, self.theme, None);
+            }
         }
         if response.clicked() {
             let at = response.interact_pointer_pos();

@@ -59,7 +59,8 @@ pub fn costs(moment: &GrowMoment, volume: VolumeName, hide: bool, size: Vec2, lo
             low: least * 0.9,
             high: most + (most - least) * 0.05 + f32::MIN_POSITIVE,
             left: bottom,
-            right: plot_top,
+            // No dot reaches up to the words.
+            right: plot_top + u * 0.7,
         };
         let mut plot = Plot { figure: &mut figure, moment, cut, look, across, up, bottom, plot_top };
         plot.frame(*axis, hide);
@@ -171,17 +172,29 @@ impl Plot<'_> {
         let middle = self.moment.node.and_then(|node| self.moment.nodes.get(&node));
         let middle = middle.and_then(|node| Some(node.bounds.center()[axis.axis()?]));
         let even = dots.iter().min_by_key(|dot| dot.weighed.below.abs_diff(dot.weighed.above)).map(|dot| dot.across);
-        let mut taken = f32::NEG_INFINITY;
-        let mut notes = [(middle, "middle"), (even, "most even")];
-        notes.sort_by(|a, b| a.0.unwrap_or(0.0).total_cmp(&b.0.unwrap_or(0.0)));
-        for (plane, word) in notes {
-            let Some(plane) = plane.filter(|plane| self.across.shows(*plane)) else { continue };
-            let x = self.across.x(plane);
-            self.figure.add(Role::Hidden, None, line(Vec2::new(x, self.bottom), Vec2::new(x, self.plot_top)));
-            let half = text_width(word, Face::Regular, self.look.small()) / 2.0;
-            let at = Vec2::new(x.max(taken + half + u * 0.4), self.plot_top - u * 0.5);
-            taken = at.x + half;
-            write(self.figure, Role::Quiet, None, at, word, self.look.small(), Face::Regular, Anchor::Middle);
+        let small = self.look.small();
+        let shown =
+            |plane: Option<f32>| plane.filter(|plane| self.across.shows(*plane)).map(|plane| self.across.x(plane));
+        let mut notes: Vec<(f32, &str)> = [(middle, "middle"), (even, "most even")]
+            .into_iter()
+            .filter_map(|(at, word)| Some((shown(at)?, word)))
+            .collect();
+        notes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Words that would touch stand to both sides of their lines, those of one line in one.
+        let wide = |word: &str| text_width(word, Face::Regular, small);
+        let near = notes.len() == 2 && notes[1].0 - notes[0].0 < (wide(notes[0].1) + wide(notes[1].1)) * 0.5 + u * 1.5;
+        if near && notes[1].0 - notes[0].0 < 1.0 {
+            notes = vec![(notes[0].0, "middle, most even")];
+        }
+        for (index, (x, word)) in notes.iter().enumerate() {
+            self.figure.add(Role::Hidden, None, line(Vec2::new(*x, self.bottom), Vec2::new(*x, self.plot_top)));
+            let (aside, anchor) = match index {
+                _ if !near || notes.len() == 1 => (0.0, Anchor::Middle),
+                0 => (-u * 0.3, Anchor::End),
+                _ => (u * 0.3, Anchor::Start),
+            };
+            let at = Vec2::new(x + aside, self.plot_top - u * 0.5);
+            write(self.figure, Role::Quiet, None, at, word, small, Face::Regular, anchor);
         }
     }
 

@@ -10,8 +10,11 @@ use crate::world::{Form, Space};
 pub(crate) const OF_WALK: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),
     (Role::Ray, "ray"),
+    (Role::Line, "its line, behind its start"),
     (Role::Live, "part under consideration"),
+    (Role::Filled, "holds primitives"),
     (Role::Here, "where the walk is"),
+    (Role::Ground, "the slab"),
     (Role::Ghost, "where it was before"),
     (Role::Guess, "possible answer"),
     (Role::Waiting, "waits on the stack"),
@@ -30,6 +33,7 @@ pub(crate) const OF_WALK: &[(Role, &str)] = &[
 pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),
     (Role::Ray, "its box"),
+    (Role::Filled, "holds primitives"),
     (Role::Here, "under consideration"),
     (Role::Ghost, "where it was before"),
     (Role::Best, "sets a side of the box"),
@@ -113,7 +117,7 @@ fn meanings(space: &Space, words: &[(Role, &'static str)]) -> Vec<(Role, &'stati
 /// A small sample of what the role draws.
 fn shape(role: Role, at: Vec2, width: f32, u: f32) -> Ink {
     match role {
-        Role::Ray | Role::Live | Role::Plane | Role::Candidate => line(at, at + Vec2::new(width, 0.0)),
+        Role::Ray | Role::Line | Role::Live | Role::Plane | Role::Candidate => line(at, at + Vec2::new(width, 0.0)),
         Role::Tick => Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.35 },
         Role::Scene | Role::Missed | Role::Hit | Role::Best => {
             Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.5 }

@@ -5,7 +5,7 @@ mod plots;
 mod sides;
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Axis, Grow, NodeId, Place, Primitives};
+use raystep_accel::{Aabb, Axis, Grow, NodeId, Place};
 
 use self::plots::Plot;
 use self::sides::Sides;
@@ -151,16 +151,6 @@ fn picture(
             space.marks.push(SpaceMark { form: Form::Prim(prim), role, place: Some(Place::Prim(prim)) });
         }
     }
-    let few = build.prims.len() <= ROWS * 4;
-    for prim in (0..build.prims.len() as u32).map(raystep_accel::PrimId).filter(|_| few && weighs) {
-        let at = build.prims.bounds(prim).center();
-        let form = Form::Label { at, within: None, text: prim.to_string() };
-        if area.seen.contains(at) {
-            space.marks.push(SpaceMark { form, role: Role::Text, place: Some(Place::Prim(prim)) });
-        }
-    }
-    let numbers: Vec<SpaceMark> =
-        space.marks.extract_if(.., |mark| mark.role == Role::Text && is_label(mark)).collect();
 
     let margin = 2.0;
     let size = area.max - area.min + 2.0 * margin;
@@ -171,11 +161,6 @@ fn picture(
     // What lies beside a node that is shown alone does not reach into the plots.
     crop(&mut drawn, look.text * 0.8);
     figure.marks.extend(drawn.marks.into_iter().map(|mark| mark.moved(area.min - margin)));
-    for mark in numbers {
-        let Form::Label { at, text, .. } = mark.form else { continue };
-        let at = Vec2::new(area.at(Axis::X, at.x), area.at(Axis::Y, at.y));
-        write(figure, Role::Text, mark.place, at, &text, 12.0, Face::Medium, Anchor::Middle);
-    }
 }
 
 fn is_label(mark: &SpaceMark) -> bool {

@@ -97,7 +97,7 @@ fn segment(from: Vec2, to: Vec2, min: Vec2, max: Vec2) -> Option<[Vec2; 2]> {
 }
 
 /// A polygon cut with the four sides of a rectangle (Sutherland and Hodgman 1974).
-fn polygon(points: &[Vec2], min: Vec2, max: Vec2) -> Vec<Vec2> {
+pub(super) fn polygon(points: &[Vec2], min: Vec2, max: Vec2) -> Vec<Vec2> {
     let mut points = points.to_vec();
     for axis in 0..2 {
         for (bound, sign) in [(min[axis], 1.0), (max[axis], -1.0)] {

@@ -6,21 +6,25 @@ mod controls;
 mod crop;
 mod labels;
 mod lens;
+mod numbers;
+mod rulers;
 mod shaded;
 mod shapes;
+mod spot;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
 
 use lens::Lens;
 
-use crate::page::{Figure, Ink};
+use crate::page::{Figure, Ink, Mark};
 use crate::theme::Role;
-use crate::world::{Form, Space, corners};
+use crate::world::{Form, Space, SpaceMark, corners};
 
 pub use axes::axes;
 pub use camera::Camera;
 pub(crate) use crop::crop;
+pub use labels::pointed_at;
 pub use shaded::{Shaded, shaded};
 
 /// What a picture shows of the primitives to which nothing has happened.
@@ -42,6 +46,11 @@ pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery:
         _ => None,
     };
     let mut stage = Stage { lens: Lens::new(camera, size), flat: space.flat, depth, figure: Figure::new(size) };
+    // Primitives lie on the tint of what refers to them, and its outline runs over them.
+    let ground = |mark: &&SpaceMark| space.flat && mark.role == Role::Filled;
+    for mark in space.marks.iter().filter(ground) {
+        stage.form(&mark.form, Role::Filled, mark.place, prims);
+    }
     match scenery {
         Scenery::Drawn => stage.scenery(space, prims),
         Scenery::Left => {}
@@ -51,10 +60,13 @@ pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery:
         }
     }
     for mark in &space.marks {
-        stage.form(&mark.form, mark.role, mark.place, prims);
+        let role = if ground(&mark) { Role::Edge } else { mark.role };
+        stage.form(&mark.form, role, mark.place, prims);
     }
     crop::crop_far(&mut stage.figure);
-    labels::place(space, &stage.lens, &mut stage.figure);
+    let mut obstacles = labels::place(space, &stage.lens, &mut stage.figure);
+    numbers::set(space, prims, &stage.lens, &mut stage.figure, &mut obstacles);
+    rulers::draw(space, &stage.lens, &mut stage.figure);
     if !matches!(scenery, Scenery::Left) {
         stage.figure.marks.extend(axes(camera, size).marks);
     }
@@ -64,8 +76,13 @@ pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery:
 /// Only the labels of a space, where [`stage`] would put them: for a picture whose marks are painted elsewhere.
 pub fn labels(space: &Space, prims: &Prims, camera: &Camera, size: Vec2) -> Figure {
     let mut figure = stage(space, prims, camera, size, Scenery::Left);
-    figure.marks.retain(|mark| matches!(mark.ink, Ink::Text { .. }));
+    figure.marks.retain(is_label);
     figure
+}
+
+/// Whether a mark of a picture is a text, or the line from one to what it labels.
+pub fn is_label(mark: &Mark) -> bool {
+    matches!((&mark.ink, mark.role), (Ink::Text { .. }, _) | (Ink::Line { .. }, Role::Quiet))
 }
 
 /// A picture being drawn.
@@ -117,7 +134,8 @@ impl Stage<'_> {
                 }
             }
             Form::Prim(prim) if prim.index() < prims.len() => self.prim(prims, *prim, role),
-            Form::Prim(_) | Form::Label { .. } => {}
+            // What is written comes last.
+            Form::Prim(_) | Form::Label { .. } | Form::Number { .. } | Form::Axes(_) => {}
         }
     }
 

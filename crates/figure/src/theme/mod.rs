@@ -221,6 +221,7 @@ impl Theme {
         match role {
             Role::Scene => look(stroke(self.edge, 1.2, Solid), Some(self.scene), self.quiet),
             Role::Ray => look(stroke(self.ray, 1.6, Dashed), Some(self.ray), self.ray),
+            Role::Line => look(stroke(self.ray, 1.0, Solid), None, self.ray),
             Role::Live => look(stroke(self.ray, 4.0, Solid), Some(self.ray), self.ray),
             Role::Tick => look(stroke(self.ray, 2.0, Solid), Some(self.page), self.ray),
             Role::Here => look(stroke(self.here, 3.2, Solid), tint(self.here), self.here),
@@ -237,6 +238,7 @@ impl Theme {
             Role::Guess => look(stroke(self.here, 1.8, Dotted), None, self.here),
             Role::Hover => look(stroke(self.text, 2.6, Solid), Some(self.hover.alpha(96)), self.text),
             Role::Edge => look(stroke(self.edge, 1.0, Solid), None, self.quiet),
+            Role::Filled => look(stroke(self.edge, 1.0, Solid), Some(self.edge.alpha(self.tint + 14)), self.quiet),
             Role::Hidden => look(stroke(self.edge, 0.9, Dotted), None, self.quiet),
             Role::Ghost => look(stroke(self.edge, 2.8, Dotted), None, self.quiet),
             Role::Wrong => hatched(stroke(self.wrong, 3.2, Dashed), tint(self.wrong), self.wrong),

@@ -7,6 +7,8 @@ pub enum Role {
     Scene,
     /// The ray outside the interval under consideration: thin and dashed.
     Ray,
+    /// The line that the ray lies on, where it is no ray: thin.
+    Line,
     /// The part of the ray under consideration: thick.
     Live,
     /// A value of t along the ray: a small ring with a label.
@@ -39,6 +41,8 @@ pub enum Role {
     Hover,
     /// Edges of cells and trees, axes of rulers.
     Edge,
+    /// A cell or a leaf that refers to primitives: tinted.
+    Filled,
     /// A line behind a surface: thin and dotted.
     Hidden,
     /// Where the step before stood: pale and dotted.
@@ -61,9 +65,10 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 27] = [
+    pub const ALL: [Role; 29] = [
         Role::Scene,
         Role::Ray,
+        Role::Line,
         Role::Live,
         Role::Tick,
         Role::Here,
@@ -80,6 +85,7 @@ impl Role {
         Role::Guess,
         Role::Hover,
         Role::Edge,
+        Role::Filled,
         Role::Hidden,
         Role::Ghost,
         Role::Wrong,

@@ -56,11 +56,21 @@ pub enum Form {
     Point(Vec3),
     /// A primitive, to be drawn in the mark's role.
     Prim(PrimId),
+    /// Coordinates of a flat scene, along the lower and the left edge of a box.
+    Axes(Aabb),
+    /// A number set small into what it names, where there is room for it.
+    Number {
+        /// What it names, if that is no primitive: it lies in one of its corners.
+        within: Aabb,
+        /// The number.
+        text: String,
+    },
     /// A label in a rounded box.
     Label {
         /// What it labels, if that is a point.
         at: Vec3,
-        /// What it labels, if that is a box: it lies in one of its corners.
+        /// What it labels, if that is a box: it lies in one of its corners. A box without depth is a plane: the label
+        /// stands at one of its ends.
         within: Option<Aabb>,
         /// The text.
         text: String,

@@ -38,13 +38,19 @@ pub fn ruler(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
     let row = (height / rows.max(1) as f32).min(look.line());
     let letters = u.min(row * 0.9);
     let names = spans.iter().map(|span| text_width(&span.name, Face::Medium, u)).fold(u * 4.5, f32::max);
-    let axis = axis(walk, look.margin() + names + u, size.x - look.margin() - u);
+    // The ends of slabs have their numbers beside them.
+    let aside = if matches!(walk.structure, Structure::Slab(_)) { u * 3.0 } else { 0.0 };
+    let axis = axis(walk, moment, look.margin() + names + u + aside, size.x - look.margin() - u - aside);
 
     for (index, span) in spans.iter().enumerate() {
         let y = top + row * (index as f32 + 0.5);
         let name = Vec2::new(look.margin(), y);
         write(&mut figure, span.role, span.place, name, &span.name, letters, Face::Medium, Anchor::Start);
         draw_span(&mut figure, &axis, span, hide, y, letters);
+        if moment.slab.is_some() {
+            let room = [look.margin() + names + u * 0.3, size.x - u * 0.3];
+            draw_ends(&mut figure, &axis, span, room, y, letters);
+        }
     }
     if more > 0 {
         let at = Vec2::new(look.margin(), top + row * (spans.len() as f32 + 0.5));
@@ -93,7 +99,7 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look
     }
     let mut figure = Figure::new(size);
     let u = look.text;
-    let axis = axis(walk, look.margin() + u * 0.6, size.x - look.margin() - u * 0.6);
+    let axis = axis(walk, moment, look.margin() + u * 0.6, size.x - look.margin() - u * 0.6);
     let bottom = size.y - u * 1.5;
     let y = bottom - u * 0.9;
 
@@ -119,8 +125,8 @@ pub fn ruler_line(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look
     figure
 }
 
-fn axis(walk: &Walk<'_>, left: f32, right: f32) -> Ticks {
-    let (low, high) = extent(walk);
+fn axis(walk: &Walk<'_>, moment: &Moment, left: f32, right: f32) -> Ticks {
+    let (low, high) = extent(walk, moment);
     Ticks { low, high, left, right: right.max(left + 1.0) }
 }
 
@@ -152,6 +158,23 @@ fn draw_span(figure: &mut Figure, axis: &Ticks, span: &Span, hide: bool, y: f32,
             figure.add(span.role, span.place, Ink::Arrowhead { tip: at + along * u * 0.5, along, length: u * 0.8 });
         } else {
             figure.add(cap(span.role), span.place, line(at - tall, at + tall));
+        }
+    }
+}
+
+/// The numbers of a span beside its ends, where there is room between these two edges.
+fn draw_ends(figure: &mut Figure, axis: &Ticks, span: &Span, room: [f32; 2], y: f32, u: f32) {
+    if span.interval.is_empty() {
+        return;
+    }
+    let size = u * 0.85;
+    let ends = [(span.interval.near, -1.0, Anchor::End), (span.interval.far, 1.0, Anchor::Start)];
+    for (t, side, anchor) in ends.into_iter().filter(|(t, ..)| t.is_finite()) {
+        let says = number(t);
+        let x = axis.x(t) + side * u * if axis.shows(t) { 0.4 } else { 1.0 };
+        let end = x + side * text_width(&says, Face::Regular, size);
+        if room[0] <= end && end <= room[1] {
+            write(figure, span.role, span.place, Vec2::new(x, y), &says, size, Face::Regular, anchor);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Which intervals of t are known at a moment, and which part of the t axis shows them.
 
-use raystep_accel::{Axis, Interval, Place, Verdict, Visit};
+use raystep_accel::{Axis, Interval, Place, Structure, Verdict, Visit};
 
 use crate::moments::{Moment, Walk};
 use crate::theme::Role;
@@ -93,8 +93,8 @@ pub(crate) fn current_t(event: &Visit) -> Option<f32> {
     .filter(|t| t.is_finite())
 }
 
-/// The part of the t axis that shows a whole walk: the same at every step.
-pub(crate) fn extent(walk: &Walk<'_>) -> (f32, f32) {
+/// The part of the t axis that is shown: the same at every step of a walk, unless a slab is cut far off.
+pub(crate) fn extent(walk: &Walk<'_>, moment: &Moment) -> (f32, f32) {
     // What the walk stands in and finds must be seen; where slabs and planes cut it may lie anywhere.
     let (mut must, mut may) = (Vec::new(), Vec::new());
     for event in walk.events {
@@ -115,9 +115,16 @@ pub(crate) fn extent(walk: &Walk<'_>) -> (f32, f32) {
     must.retain(finite);
     may.retain(finite);
     let reach = must.iter().map(|t| t.abs()).fold(0.0, f32::max);
-    let reach = if reach > 0.0 { 2.0 * reach } else { 20.0 * median(&may) };
-    let shown = must.iter().copied().chain(may.into_iter().filter(|t| t.abs() <= reach));
-    let origin = if walk.ray.t_min.abs() <= reach { walk.ray.t_min } else { 0.0 };
+    let far = if reach > 0.0 { 2.0 * reach } else { 2.4 * median(&may) };
+    // Behind the ray's beginning there is less to see; what was cut there is shown once it is.
+    let back = if reach > 0.0 { reach } else { far };
+    let known = moment.slab.as_ref().filter(|_| matches!(walk.structure, Structure::Slab(_)));
+    let cut: Vec<f32> = known.iter().flat_map(|slab| &slab.cuts).filter_map(|cut| cut.t).flatten().collect();
+    let shown = must.iter().copied().chain(may.into_iter().filter(|t| {
+        let near = -back <= *t && *t <= far;
+        near || (t.abs() <= 20.0 * reach && cut.contains(t))
+    }));
+    let origin = if walk.ray.t_min.abs() <= far { walk.ray.t_min } else { 0.0 };
     let (low, high) = shown.fold((origin, origin), |(low, high), t| (low.min(t), high.max(t)));
     if high > low { (low, high + (high - low) * 0.03) } else { (low, low + 1.0) }
 }

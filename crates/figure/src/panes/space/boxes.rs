@@ -57,7 +57,9 @@ impl Drawing<'_> {
     fn edges(&mut self) {
         for node in (0..self.walk.structure.node_count() as u32).map(NodeId) {
             if self.walk.structure.split(node).is_none() {
-                self.outline(Role::Edge, Place::Node(node));
+                let place = Place::Node(node);
+                let role = if self.walk.flat { self.ground(place) } else { Role::Edge };
+                self.outline(role, place);
             }
         }
     }

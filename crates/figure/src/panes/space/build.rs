@@ -3,6 +3,7 @@
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
+use super::numbers::numbers_of;
 use crate::moments::{Build, Fate, GrowMoment, GrowNode};
 use crate::panes::tree::node_role;
 use crate::theme::Role;
@@ -25,10 +26,17 @@ pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
     drawing.the_box();
     drawing.cells();
     drawing.nodes();
+    drawing.waiting();
     drawing.shared();
     drawing.splits();
     drawing.current();
     drawing.guesses();
+    if build.flat {
+        let best =
+            |prim: PrimId| drawing.marks.iter().any(|mark| mark.role == Role::Best && mark.form == Form::Prim(prim));
+        let numbers = numbers_of(build.prims, |prim| if best(prim) { Role::Best } else { Role::Text });
+        drawing.marks.extend(numbers);
+    }
     let margin = 0.03 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
     Space { marks: drawing.marks, bounds: bounds.padded(margin), flat: build.flat }
 }
@@ -122,14 +130,18 @@ impl Drawing<'_> {
             role,
             place: Some(Place::Cell(cell)),
         };
+        let filled = |cell: CellId| self.moment.cells.contains_key(&cell);
         if self.build.flat && count as usize <= CELLS {
-            self.marks.extend((0..count).map(|cell| outline(Role::Edge, CellId(cell))));
+            let role = |cell| if filled(cell) { Role::Filled } else { Role::Edge };
+            self.marks.extend((0..count).map(CellId).map(|cell| outline(role(cell), cell)));
         }
         if let Some(Grow::Refine { cell, .. }) = self.moment.event {
             self.marks.push(outline(Role::Here, cell));
         }
-        let filled = self.moment.cells.keys().rev().take(CELLS);
-        self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));
+        if !(self.build.flat && count as usize <= CELLS) {
+            let filled = self.moment.cells.keys().rev().take(CELLS);
+            self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));
+        }
         for &(cell, fate) in &self.moment.rasterised {
             let role = match fate {
                 Fate::Open => Role::Waiting,
@@ -137,6 +149,11 @@ impl Drawing<'_> {
                 Fate::Pruned => Role::Dropped,
             };
             self.marks.push(outline(role, cell));
+            if self.build.flat {
+                let form = Form::Number { within: grid.cell_bounds(cell), text: cell.to_string() };
+                let role = if role == Role::Dropped { Role::Quiet } else { role };
+                self.marks.push(SpaceMark { form, role, place: Some(Place::Cell(cell)) });
+            }
         }
     }
 
@@ -160,9 +177,38 @@ impl Drawing<'_> {
             let role = node_role(self.moment, id);
             // Boxes of split nodes only repeat what their children show; the current one stands out.
             let role = if role == Role::Seen && !node.children.is_empty() { Role::Edge } else { role };
+            // What a leaf refers to tints it; the volumes of a hierarchy are never empty.
+            let filled = node.leaf.is_some() && node.prims > 0 && !matches!(self.build.structure, Structure::Bvh(_));
+            if self.build.flat && filled {
+                self.add(Role::Filled, Some(Place::Node(id)), Form::Box(node.bounds));
+            }
             // Nodes that are not yet in the tree have numbers beyond its own, and only a box.
             for form in self.build.nodes.look(self.build.structure, id, node.bounds, self.build.flat) {
                 self.add(role, Some(Place::Node(id)), form);
+            }
+        }
+    }
+
+    /// The nodes that a split has named and that are still to be built: in a flat scene all, in space the next one.
+    fn waiting(&mut self) {
+        let (build, moment) = (self.build, self.moment);
+        let fresh = moment.waiting.iter().rev().filter(|id| !moment.nodes.contains_key(id));
+        for &id in fresh.take(if build.flat { BOXES } else { 1 }) {
+            let named = moment.nodes.iter().find(|(_, node)| node.children.contains(&id));
+            // Some builders number their nodes anew in the end: then nobody knows yet where it will lie.
+            let known = named.filter(|(parent, node)| build.structure.children(**parent) == node.children);
+            let bounds = build.nodes.bounds(id);
+            // Over their parent they would only double what its plane says; a hierarchy has none.
+            let plain = !(build.flat && matches!(build.structure, Structure::Bvh(_)));
+            let over = plain && known.is_some_and(|(parent, _)| moment.node == Some(*parent));
+            if known.is_none() || over || bounds.is_empty() {
+                continue;
+            }
+            for form in build.nodes.look(build.structure, id, bounds, build.flat) {
+                self.add(Role::Waiting, Some(Place::Node(id)), form);
+            }
+            if build.flat {
+                self.add(Role::Waiting, Some(Place::Node(id)), Form::Number { within: bounds, text: id.to_string() });
             }
         }
     }

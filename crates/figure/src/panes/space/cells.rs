@@ -42,7 +42,8 @@ impl Drawing<'_> {
         if self.walk.flat && lattice.cell_count() <= FEW {
             let first = lattice.first.0;
             for cell in (first..first + lattice.cell_count() as u32).map(CellId) {
-                self.outline(Role::Edge, Place::Cell(cell));
+                let place = Place::Cell(cell);
+                self.outline(self.ground(place), place);
             }
         } else {
             self.add(Role::Edge, Some(holder), Form::Box(lattice.bounds));

@@ -5,6 +5,7 @@ mod build;
 mod cells;
 mod ghost;
 mod instances;
+mod numbers;
 mod prims;
 mod rays;
 mod slabs;
@@ -22,9 +23,11 @@ use crate::world::{Form, Space, SpaceMark};
 /// What space shows at a moment of a walk.
 pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
     let bounds = visible(walk);
+    let single = walk.flat && matches!(walk.structure, Structure::Slab(_));
     // What happens in an instance is drawn there; out in the world the walk rests.
     let outside = moment.inside.as_ref().map(|_| Moment { event: None, ..moment.clone() });
-    let mut drawing = Drawing { walk, moment: outside.as_ref().unwrap_or(moment), bounds, marks: Vec::new() };
+    let mut drawing =
+        Drawing { walk, moment: outside.as_ref().unwrap_or(moment), bounds, marks: Vec::new(), back: f32::INFINITY };
     match walk.structure.grid() {
         Some(grid) => drawing.cells(grid),
         None => drawing.nodes(),
@@ -35,11 +38,18 @@ pub fn space(walk: &Walk<'_>, moment: &Moment) -> Space {
         drawing.inside(inside, moment.event);
     }
     drawing.split();
+    drawing.slabs();
     drawing.ray();
-    drawing.slab();
+    drawing.cuts();
     drawing.next_planes();
     drawing.hits();
     drawing.guesses();
+    drawing.line();
+    drawing.numbers();
+    if single {
+        drawing.add(Role::Edge, None, Form::Axes(bounds));
+    }
+    let bounds = if single { with_axes(bounds) } else { bounds };
     Space { marks: drawing.marks, bounds, flat: walk.flat }
 }
 
@@ -49,6 +59,8 @@ struct Drawing<'a> {
     moment: &'a Moment,
     bounds: Aabb,
     marks: Vec<SpaceMark>,
+    /// The smallest t of a ring.
+    back: f32,
 }
 
 impl Drawing<'_> {
@@ -92,6 +104,7 @@ impl Drawing<'_> {
         if !at.is_finite() || !self.bounds.contains(at) {
             return;
         }
+        self.back = self.back.min(t);
         self.add(role, place, Form::Point(at));
         if let Some(text) = text {
             self.note(role, place, at, text);
@@ -123,6 +136,17 @@ fn visible(walk: &Walk<'_>) -> Aabb {
     }
     let air = if matches!(walk.structure, Structure::Slab(_)) { 0.08 } else { 0.025 };
     all.padded(air * diagonal)
+}
+
+/// The box with room for its axes to the left of it and below.
+fn with_axes(bounds: Aabb) -> Aabb {
+    let room = bounds.extent().truncate().max_element();
+    Aabb { min: bounds.min - Vec3::new(0.1, 0.07, 0.0) * room, ..bounds }
+}
+
+/// The part of the line of the ray in the picture: also what lies behind its origin.
+fn line(walk: &Walk<'_>, bounds: &Aabb) -> Interval {
+    raystep_accel::slab(bounds, &walk.ray, Interval::ALL, Place::World, &mut ())
 }
 
 /// The part of the ray in the picture; empty if there is none.

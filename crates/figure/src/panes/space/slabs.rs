@@ -1,9 +1,9 @@
-//! The two planes of a slab that is being cut.
+//! The planes of the slabs that are cut, and where they meet the line of the ray.
 
 use glam::Vec3;
 use raystep_accel::{Aabb, AnyBvh, Direction, Interval, NodeId, Place, Ray, Structure, Visit};
 
-use super::Drawing;
+use super::{Drawing, line};
 use crate::moments::{SlabCut, SlabTest};
 use crate::theme::Role;
 use crate::words::number;
@@ -13,52 +13,122 @@ use crate::world::Form;
 const LEVEL: f32 = 0.05;
 
 impl Drawing<'_> {
-    pub(super) fn slab(&mut self) {
+    /// Whether the walk is one slab test and nothing else: then all of it stays in the picture.
+    pub(super) fn is_one_test(&self) -> bool {
+        matches!(self.walk.structure, Structure::Slab(_))
+    }
+
+    /// The planes of the slabs that were cut, each with its number, and what lies between the two under
+    /// consideration. At the verdict on a single box the planes stay, and those that decide stand out.
+    pub(super) fn slabs(&mut self) {
+        if let Some(Visit::Clip { place, face, .. }) = self.moment.event {
+            self.face(place, face);
+        }
+        let Some(slab) = self.moment.slab.as_ref() else { return };
+        let over = matches!(self.moment.event, Some(Visit::Volume { .. }));
+        if over && !self.is_one_test() {
+            return;
+        }
+        let deciding = if over { self.deciding(slab) } else { Vec::new() };
+        for cut in slab.cuts.iter().filter(|cut| !self.walk.leaves_out(cut.axis)) {
+            let now = !over && cut.axis == slab.axis;
+            if now {
+                self.between(slab, cut);
+            }
+            let planes = if cut.low == cut.high { vec![cut.low] } else { vec![cut.low, cut.high] };
+            for at in planes {
+                let role = if now || deciding.contains(&(cut.axis, at)) { Role::Plane } else { Role::Edge };
+                // In space, the planes of all slabs together would be a thicket.
+                if self.walk.flat || role == Role::Plane {
+                    self.plane(role, slab, cut, at);
+                }
+            }
+        }
+    }
+
+    /// The planes that set the two ends of what is left: the latest entry and the earliest exit, and those of a slab
+    /// in which the ray never is.
+    fn deciding(&self, slab: &SlabTest) -> Vec<(Direction, f32)> {
+        let ray = self.walk.ray;
+        let cuts: Vec<&SlabCut> = slab.cuts.iter().filter(|cut| !self.walk.leaves_out(cut.axis)).collect();
+        let ends = |end: usize| cuts.iter().filter_map(move |cut| Some((*cut, cut.t?[end])));
+        let entry = ends(0).max_by(|(_, a), (_, b)| a.total_cmp(b)).filter(|(_, t)| *t > ray.t_min);
+        let exit = ends(1).min_by(|(_, a), (_, b)| a.total_cmp(b)).filter(|(_, t)| *t < ray.t_max);
+        let crossed = entry.into_iter().chain(exit).filter_map(|(cut, t)| {
+            let (axis, at) = (cut.axis.axis()?, ray.at(t));
+            let low = (at[axis] - cut.low).abs() <= (at[axis] - cut.high).abs();
+            Some((cut.axis, if low { cut.low } else { cut.high }))
+        });
+        let never = cuts.iter().filter(|cut| !cut.inside).flat_map(|cut| [cut.low, cut.high].map(|at| (cut.axis, at)));
+        crossed.chain(never).collect()
+    }
+
+    /// In a flat scene, the part of the picture that lies in a slab.
+    fn between(&mut self, slab: &SlabTest, cut: &SlabCut) {
+        let (Some(axis), true) = (cut.axis.axis(), self.walk.flat) else { return };
+        let mut between = self.room(slab);
+        between.min[axis] = cut.low;
+        between.max[axis] = cut.high;
+        self.add(Role::Ground, Some(slab.place), Form::Box(between));
+    }
+
+    /// A plane of a slab, with its number.
+    fn plane(&mut self, role: Role, slab: &SlabTest, cut: &SlabCut, at: f32) {
+        let both = if cut.low == cut.high { ", both" } else { "" };
+        let text = format!("{} = {}{both}", cut.axis, number(at));
+        let place = Some(slab.place);
+        if let Some(axis) = cut.axis.axis() {
+            let mut sheet = self.room(slab);
+            sheet.min[axis] = at;
+            sheet.max[axis] = at;
+            self.add(role, place, Form::Sheet(sheet));
+            self.add(role, place, Form::Label { at: sheet.center(), within: Some(sheet), text });
+        } else if let (Place::Node(node), Structure::Bvh(tree)) = (slab.place, self.walk.structure)
+            && let Some((normal, center)) = slanted(tree, node, cut.axis)
+        {
+            let end = self.line_of(role, slab.place, normal, at + normal.dot(center));
+            if let Some(end) = end {
+                self.note(role, place, end, text);
+            }
+        }
+    }
+
+    /// Where the ray, or the line that it lies on, meets what is cut.
+    pub(super) fn cuts(&mut self) {
         match self.moment.event {
             Some(Visit::Roots { place, discriminant, t1, t2, .. }) if discriminant >= 0.0 => {
                 self.ring(Role::Tick, Some(place), t1, Some(format!("t1 = {}", number(t1))));
                 self.ring(Role::Tick, Some(place), t2, Some(format!("t2 = {}", number(t2))));
             }
-            Some(Visit::Clip { place, face, t, .. }) => {
-                self.face(place, face);
+            Some(Visit::Clip { place, t, .. }) => {
                 self.ring(Role::Tick, Some(place), t, Some(format!("t = {}", number(t))));
             }
-            _ => {}
-        }
-        let Some(slab) = self.moment.slab.as_ref() else { return };
-        if matches!(self.moment.event, Some(Visit::Volume { .. })) {
-            return;
-        }
-        for cut in &slab.cuts {
-            let drawn = cut.axis == slab.axis || (self.walk.flat && cut.axis < slab.axis);
-            if drawn && !self.walk.leaves_out(cut.axis) {
-                self.planes(slab, cut);
+            Some(Visit::Volume { place, t_near, t_far, .. }) if t_near <= t_far || self.is_one_test() => {
+                self.crossing(place, "t_near", t_near);
+                self.crossing(place, "t_far", t_far);
+            }
+            Some(Visit::Volume { .. }) => {}
+            _ => {
+                let Some(slab) = self.moment.slab.as_ref() else { return };
+                let now = |cut: &&SlabCut| cut.axis == slab.axis && !self.walk.leaves_out(cut.axis);
+                let Some([t1, t2]) = slab.cuts.iter().find(now).and_then(|cut| cut.t) else { return };
+                self.crossing(slab.place, "t1", t1);
+                self.crossing(slab.place, "t2", t2);
             }
         }
     }
 
-    /// The planes of a slab across an axis; of other slabs only where the ray meets them.
-    fn planes(&mut self, slab: &SlabTest, cut: &SlabCut) {
-        let role = if cut.axis == slab.axis { Role::Plane } else { Role::Edge };
-        if let Some(axis) = cut.axis.axis() {
-            let room = self.room(slab);
-            for at in [cut.low, cut.high] {
-                let mut sheet = room;
-                sheet.min[axis] = at;
-                sheet.max[axis] = at;
-                self.add(role, Some(slab.place), Form::Sheet(sheet));
-            }
-        } else if let (Place::Node(node), Structure::Bvh(tree)) = (slab.place, self.walk.structure)
-            && let Some((normal, center)) = slanted(tree, node, cut.axis)
-        {
-            for at in [cut.low, cut.high] {
-                self.line_of(role, slab.place, normal, at + normal.dot(center));
-            }
+    /// A ring on the line of the ray; out of the picture, a word at its edge where the test is all there is.
+    fn crossing(&mut self, place: Place, name: &str, t: f32) {
+        let (at, text) = (self.walk.ray.at(t), format!("{name} = {}", number(t)));
+        if !self.is_one_test() || self.bounds.contains(at) {
+            self.ring(Role::Tick, Some(place), t, Some(text));
+            return;
         }
-        if let (Some(ts), true) = (cut.t, cut.axis == slab.axis) {
-            for (name, t) in ["t1", "t2"].into_iter().zip(ts) {
-                self.ring(Role::Tick, Some(slab.place), t, Some(format!("{name} = {}", number(t))));
-            }
+        let line = line(self.walk, &self.bounds);
+        if t.is_finite() && !line.is_empty() {
+            let (end, where_to) = if t > line.far { (line.far, "further on") } else { (line.near, "further back") };
+            self.note(Role::Tick, Some(place), self.walk.ray.at(end), format!("{text}, {where_to}"));
         }
     }
 
@@ -71,23 +141,25 @@ impl Drawing<'_> {
         }
     }
 
-    /// In a flat scene, the line of a plane that leans, all through the picture.
-    fn line_of(&mut self, role: Role, place: Place, normal: Vec3, at: f32) {
+    /// In a flat scene, the line of a plane that leans, all through the picture. Returns a point near its end.
+    fn line_of(&mut self, role: Role, place: Place, normal: Vec3, at: f32) -> Option<Vec3> {
         let (across, length) = (normal.with_z(0.0), normal.truncate().length());
         if !self.walk.flat || length < LEVEL * normal.length() {
-            return;
+            return None;
         }
         let room = self.bounds;
         // The point of the line nearest to the middle, and as far to both sides as the picture is wide.
         let middle = room.center().with_z(0.0);
         let foot = middle + across * ((at - across.dot(middle)) / (length * length));
         let along = Vec3::Z.cross(across) / length;
-        let Ok(line) = Ray::new(foot, along) else { return };
+        let line = Ray::new(foot, along).ok()?;
         let everywhere = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
         let part = raystep_accel::slab(&room, &line, everywhere, Place::World, &mut ());
-        if !part.is_empty() {
-            self.add(role, Some(place), Form::Segment(line.at(part.near), line.at(part.far)));
+        if part.is_empty() {
+            return None;
         }
+        self.add(role, Some(place), Form::Segment(line.at(part.near), line.at(part.far)));
+        Some(line.at(part.near + (part.far - part.near) * 0.94))
     }
 
     /// A plane has no end: in a flat scene it runs through the picture, in a solid one beyond the box.

@@ -32,7 +32,8 @@ struct Order {
 impl Plot<'_> {
     pub(super) fn draw(&mut self, now: Option<Candidate>) {
         let u = self.look.text;
-        let listed = self.moment.node.is_some_and(|node| self.order(node, Axis::X).is_some());
+        // Where nothing is weighed no list is cut either.
+        let listed = self.costs > 0.0 && self.moment.node.is_some_and(|node| self.order(node, Axis::X).is_some());
         for axis in [Axis::X, Axis::Y] {
             self.axis(axis, listed);
         }

@@ -1,0 +1,69 @@
+//! Coordinates of a flat scene: an axis below and one to the left, with round numbers.
+
+use glam::{Vec2, Vec3};
+use raystep_accel::Aabb;
+
+use super::labels::letters;
+use super::lens::Lens;
+use super::spot::Spot;
+use crate::page::{Anchor, Figure, Ink, Ticks, line, write};
+use crate::theme::{Face, Role};
+use crate::words::number;
+use crate::world::{Form, Space};
+
+/// Draws the axes that a flat space asks for. Where labels stand on an axis, they take the place of its numbers.
+pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
+    let around = space.marks.iter().filter(|_| space.flat).find_map(|mark| match mark.form {
+        Form::Axes(around) => Some(around),
+        _ => None,
+    });
+    let Some(around) = around else { return };
+    let labels: Vec<Spot> = figure.marks.iter().filter_map(|mark| Spot::of_label(&mark.ink)).collect();
+    let (Some(low), Some(high)) = (corner(lens, &around, around.min), corner(lens, &around, around.max)) else {
+        return;
+    };
+    let u = letters(figure);
+    // However the picture is shifted, they stay in it.
+    let (left, bottom) = (low.x.max(u * 3.0), low.y.min(figure.size.y - u * 2.0));
+    let (right, top) = (high.x.min(figure.size.x), high.y.max(0.0));
+    if right - left < u * 4.0 || bottom - top < u * 4.0 {
+        return;
+    }
+    let origin = Vec2::new(left, bottom);
+    let along = |from: f32, to: f32, low: f32, high: f32, at: f32| low + (high - low) * (at - from) / (to - from);
+    let x = |at| along(low.x, high.x, around.min.x, around.max.x, at);
+    let y = |at| along(low.y, high.y, around.min.y, around.max.y, at);
+    let axes = [
+        ("x", Vec2::X, Ticks { low: x(left), high: x(right), left, right }),
+        ("y", Vec2::NEG_Y, Ticks { low: y(bottom), high: y(top), left: bottom, right: top }),
+    ];
+    for (name, way, ticks) in axes {
+        let out = Vec2::new(-way.y.abs(), way.x.abs());
+        let place =
+            |value: f32| if way.x == 0.0 { Vec2::new(left, ticks.x(value)) } else { Vec2::new(ticks.x(value), bottom) };
+        let end = place(ticks.high) + way * u * 0.6;
+        figure.add(Role::Edge, None, line(origin, end));
+        figure.add(Role::Edge, None, Ink::Arrowhead { tip: end + way * u * 0.4, along: way, length: u * 0.7 });
+        let anchor = if way.x == 0.0 { Anchor::End } else { Anchor::Middle };
+        let beside = |at: Vec2| at + out * if way.x == 0.0 { u * 0.6 } else { u * 1.2 };
+        let measure = Ticks { left: 0.0, right: (ticks.right - ticks.left).abs(), ..ticks };
+        for value in measure.marks(u * 4.0) {
+            let at = place(value);
+            // No number under the tip of an arrow.
+            if (end - at).length() < u {
+                continue;
+            }
+            figure.add(Role::Edge, None, line(at, at + out * u * 0.35));
+            let said = Spot::of_text(beside(at), &number(value), u * 0.92, Face::Regular, anchor);
+            if labels.iter().all(|label| label.shared(said) == 0.0) {
+                write(figure, Role::Quiet, None, beside(at), &number(value), u * 0.92, Face::Regular, anchor);
+            }
+        }
+        write(figure, Role::Quiet, None, beside(end + way * u * 0.2), name, u, Face::Medium, anchor);
+    }
+}
+
+fn corner(lens: &Lens, around: &Aabb, at: Vec3) -> Option<Vec2> {
+    let seen = lens.point(at.with_z(0.0)).map(|(at, _)| at);
+    seen.filter(|_| !around.is_empty())
+}
