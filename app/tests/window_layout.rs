@@ -230,7 +230,7 @@ fn a_notice_covers_no_pane() {
         let mut harness = window(Some("5/33"), size);
         harness.input_mut().dropped_files.push(std::sync::Arc::new(Notes));
         harness.run_steps(4);
-        let notice = harness.get_by_label_contains("Only OBJ files").rect();
+        let notice = harness.get_by_label_contains("a mesh is a file in OBJ").rect();
         for pane in ["Space", "t along the ray", "Walk", "Timeline"] {
             assert!(!notice.intersects(at(&harness, pane)), "{pane} at {size:?}");
         }

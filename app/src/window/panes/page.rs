@@ -77,6 +77,15 @@ impl Kept {
         self.hovered
     }
 
+    /// Draws with egui's own device from now on, or with none. What lay on another one is gone.
+    pub(crate) fn draw_with(&mut self, state: Option<&egui_wgpu::RenderState>) {
+        self.formulas.clear();
+        match state {
+            Some(state) => self.sight.draw_with(state),
+            None => self.sight.draw_with_none(),
+        }
+    }
+
     /// What the pointer is on lights up from the next frame on.
     pub(crate) fn hover(&mut self, ui: &Ui, under: Option<Place>) {
         if under != self.hovered {
