@@ -437,6 +437,7 @@ impl App {
         for asked in asked {
             match asked {
                 panes::Asked::Command(command) => self.run(ui, command),
+                panes::Asked::Slide(slide) => self.state.show_slide(slide),
                 panes::Asked::Pick(place) => self.state.pick(place, shift(ui)),
                 panes::Asked::Line(line) => self.state.run_to_line(line, shift(ui)),
                 panes::Asked::Keep => self.state.keep(),
@@ -483,11 +484,11 @@ fn shift(ui: &Ui) -> bool {
 }
 
 impl eframe::App for App {
-    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
     fn logic(&mut self, context: &egui::Context, _frame: &mut eframe::Frame) {
         self.watch_device(context);
     }
 
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
         let busy = self.overlay.is_open();
         if !busy {
@@ -514,8 +515,8 @@ impl eframe::App for App {
         self.overlay(ui);
         if ui.input(|input| !input.pointer.any_down()) {
             self.remembered.keep(ui.ctx().zoom_factor(), self.state.predict);
-        }
             self.keep_place(ui.ctx());
+        }
         if self.state.stamp() != drawn {
             // What was clicked shows without waiting for the pointer to move again.
             ui.ctx().request_repaint();

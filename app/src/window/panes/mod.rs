@@ -13,6 +13,7 @@ mod rival;
 mod sight;
 mod solid;
 mod space;
+mod speech;
 mod stage;
 pub(super) mod study;
 

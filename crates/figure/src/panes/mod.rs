@@ -18,7 +18,7 @@ mod work;
 
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
-pub use changed::{changed, changed_of_build};
+pub use changed::{changed, changed_height, changed_of_build};
 pub use costs::costs;
 pub use listing::{ListingLine, line_at, listing};
 pub use pane::{Ask, Pane};
