@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use raystep_figure::Theme;
-use raystep_lesson::{Library, NamedRay, Plays, Slide, Stage, StageKind};
+use raystep_lesson::{Library, NamedRay, Slide, Stage, StageKind};
 
 use super::lessons;
 use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
@@ -112,7 +112,7 @@ fn grounds<'a>(library: &'a Library, arguments: &ExportArguments) -> Result<Vec<
             let rays = rays(slide, stage, arguments);
             let left_out = arguments.stage.as_deref().is_some_and(|name| name != stage.kind.name());
             // A build has no ray to be named.
-            let nothing = if slide.plays == Plays::Build { arguments.ray.is_some() } else { rays.is_empty() };
+            let nothing = if !slide.plays.has_rays() { arguments.ray.is_some() } else { rays.is_empty() };
             if !left_out && !nothing {
                 grounds.push((Ground::of_stage(library, slide, stage)?, rays));
             }
@@ -151,7 +151,7 @@ fn nothing(library: &Library, arguments: &ExportArguments) -> String {
     let slides = chosen(library, arguments).unwrap_or_default();
     let stages = |slide: &Slide| slide.stages.iter().map(|stage| stage.kind.name()).collect::<Vec<_>>().join(" and ");
     match (slides.as_slice(), &arguments.ray, &arguments.stage) {
-        ([slide], Some(_), _) if slide.plays == Plays::Build => {
+        ([slide], Some(_), _) if !slide.plays.has_rays() => {
             format!("slide {} plays how its structure is built: it has no rays", slide.id())
         }
         ([slide], Some(ray), _) => {

@@ -4,11 +4,12 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::Vec2;
 use raystep_accel::Rule;
-use raystep_figure::{Camera, Nodes, Shaded, Space, Theme, shaded};
+use raystep_figure::{Camera, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
 
 use super::names::{of_slide, slug};
 use crate::fault::Fault;
+use crate::shown::all_nodes::AllNodes;
 use crate::shown::camera::{self, Seen};
 
 /// A scene, the structure over it, and the slide that speaks of it.
@@ -22,7 +23,7 @@ pub(crate) struct Ground<'a> {
     /// What plays beside, for its numbers.
     pub(super) beside: Option<Built>,
     pub(super) rule: Rule,
-    pub(super) nodes: Arc<Nodes>,
+    pub(super) nodes: Arc<AllNodes>,
     /// The beginning of files' names.
     pub(super) stem: String,
     /// What a plate says about it.
@@ -56,7 +57,7 @@ impl<'a> Ground<'a> {
         let wrong = |error: &dyn std::fmt::Display| Fault::new(format!("{}: {error}", slide.file));
         let built = stage.build(slide.plays).map_err(|error| wrong(&error))?;
         let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
-        let nodes = Arc::new(Nodes::of(&built.structure));
+        let nodes = Arc::new(AllNodes::of(&built.structure, built.told.as_ref()));
         let own = Changes { scene: None, settings: Vec::new(), seen: None, told: true };
         Ok(Ground::new(library, slide, stage, built, rule, nodes, own, &|| true))
     }
@@ -68,7 +69,7 @@ impl<'a> Ground<'a> {
         stage: &'a Stage,
         built: Built,
         rule: Rule,
-        nodes: Arc<Nodes>,
+        nodes: Arc<AllNodes>,
         changes: Changes,
         go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Ground<'a> {
@@ -78,7 +79,9 @@ impl<'a> Ground<'a> {
             Some(name) => (format!("{}-{}", slug(&name), rule.kind()), name),
             None => {
                 let kind = stage.kind.name();
-                let about = format!("{} · {} · {kind}", slide.section_title(), slide.numbers_text());
+                // A board looks the same on every stage.
+                let on = if stage.board.is_some() { String::new() } else { format!(" · {kind}") };
+                let about = format!("{} · {}{on}", slide.section_title(), slide.numbers_text());
                 (format!("{}-{kind}", of_slide(library, slide)), about)
             }
         };

@@ -36,7 +36,7 @@ pub enum View {
 impl<'a> Session<'a> {
     /// The walks of these rays of the ground's stage; where a build is played, that alone.
     pub(crate) fn of_rays(ground: &'a Ground<'a>, rays: &[&NamedRay]) -> Vec<Session<'a>> {
-        if ground.built.growth.is_some() {
+        if !ground.slide.plays.has_rays() {
             return Session::new(ground, None, None, ground.stem.clone()).into_iter().collect();
         }
         rays.iter().filter_map(|ray| Session::of_ray(ground, ray)).collect()
@@ -129,6 +129,14 @@ impl<'a> Session<'a> {
                 Told::Walk { name: self.ray.as_deref(), ray: &walk.ray, events: &walk.events, hit: walk.hit }
             }
             Tape::Build(build) => Told::Build(&build.events),
+            Tape::Board(filled) => Told::Board(&filled.events),
+            // The first of the walks: the others are the same ray's.
+            Tape::Walks(walks) => match walks.walks.first() {
+                Some(Tape::Walk(walk)) => {
+                    Told::Walk { name: self.ray.as_deref(), ray: &walk.ray, events: &walk.events, hit: walk.hit }
+                }
+                _ => Told::Board(&[]),
+            },
         };
         let rule = &self.ground.rule;
         json(&Record {
@@ -169,8 +177,11 @@ impl<'a> Session<'a> {
         let slide = self.ground.slide;
         let event = self.play.event(step);
         let (heading, caption) = self.said(event.as_ref(), step, beat);
-        let played = self.ray.as_ref().map_or_else(|| "how it is built".to_owned(), |ray| format!("ray: {ray}"));
-        let about = format!("{} · {played}", self.ground.about);
+        let about = match (&self.ray, &self.play.tape) {
+            (Some(ray), _) => format!("{} · ray: {ray}", self.ground.about),
+            (None, Tape::Board(_)) => self.ground.about.clone(),
+            (None, _) => format!("{} · how it is built", self.ground.about),
+        };
         let listing = lines(self.ground.library.listing(&slide.listing), &self.play, step, None);
         let mut below: Vec<Pane> = slide.show.iter().filter_map(pane).collect();
         below.dedup();

@@ -1,7 +1,9 @@
 //! What is shown: the slide and its walk, how far it is, from where it is seen, and the commands that change
 //! that. It knows no window, file or clock, so that everything that shows slides can share it.
 
+pub(crate) mod all_nodes;
 pub(crate) mod beside;
+mod board;
 pub(crate) mod camera;
 pub mod command;
 pub(crate) mod eye;

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use raystep_accel::{Accel, Cost, Event, Hit, Mistake, Ray, Rule, Structure, Trace, Visit};
-use raystep_figure::{Film, Instant, Nodes, Reel};
-use raystep_lesson::{BuildTape, Choice, Play, Slide, Stage, Tape, WalkTape};
+use raystep_figure::{Film, Instant, Reel};
+use raystep_lesson::{Choice, Play, Plays, Slide, Stage, Tape, WalkTape};
 use raystep_scene::Scene;
 
+use super::all_nodes::AllNodes;
 use super::reel::reel;
 
 use super::beside::Beside;
@@ -26,7 +27,7 @@ pub struct Playback {
     /// How the structure was built.
     pub rule: Rule,
     /// Its nodes, as pictures need them.
-    pub nodes: Arc<Nodes>,
+    pub nodes: Arc<AllNodes>,
     /// The questions of the beats that are reached.
     pub posed: Vec<Posed>,
     /// What can be done wrong in such a structure.
@@ -62,9 +63,9 @@ pub struct Built {
     /// The structure.
     pub structure: Arc<Structure>,
     /// Its nodes, as pictures need them.
-    pub nodes: Arc<Nodes>,
-    /// How it was built, if that is to be played.
-    pub growth: Option<Arc<BuildTape>>,
+    pub nodes: Arc<AllNodes>,
+    /// What is played without a ray: how it was built, or a board.
+    pub told: Option<Tape>,
     /// How many seconds it took to build.
     pub seconds: f32,
 }
@@ -72,10 +73,10 @@ pub struct Built {
 impl Playback {
     /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
     pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
-        let Built { scene, rule, structure, nodes, growth, seconds } = built;
+        let Built { scene, rule, structure, nodes, told, seconds } = built;
         // A mistake's own scene is no scene of the slide: nothing is told there.
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
-        let mut play = raystep_lesson::Built { scene, structure, growth }.play(ray, beats)?;
+        let mut play = raystep_lesson::Built { scene, structure, told }.play(ray, beats)?;
         // Beats that speak of another of the slide's rays are silent on this one.
         if let RayChoice::Named(index) = view.ray
             && let Some(this) = stage.rays.get(index)
@@ -89,7 +90,7 @@ impl Playback {
         let film = Film::new(&reel(&play, &nodes));
         let reached = reached(&play.tape);
         // Only walks go wrong.
-        let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.ray().is_some()).collect();
+        let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.plays() == Plays::Walk).collect();
         let (kind, posed) = (Beside::Nothing, Vec::new());
         let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached };
         playback.posed = playback.questions(slide);
@@ -124,7 +125,7 @@ impl Playback {
         Some(Playback { seconds, ..self.aside(play, rule, nodes, kind) })
     }
 
-    fn aside(&self, play: Play, rule: Rule, nodes: Arc<Nodes>, kind: Beside) -> Playback {
+    fn aside(&self, play: Play, rule: Rule, nodes: Arc<AllNodes>, kind: Beside) -> Playback {
         let film = Film::new(&reel(&play, &nodes));
         let reached = reached(&play.tape);
         let (view, mistakes, seconds) = (self.view.clone(), self.mistakes.clone(), self.seconds);
@@ -138,7 +139,7 @@ impl Playback {
             rule: self.rule,
             structure: self.play.structure.clone(),
             nodes: self.nodes.clone(),
-            growth: self.play.tape.growth(),
+            told: self.play.tape.without_ray(),
             seconds: self.seconds,
         }
     }
@@ -177,7 +178,11 @@ impl Playback {
     pub fn answer(&self) -> Option<Option<Hit>> {
         match &self.play.tape {
             Tape::Walk(walk) => Some(walk.hit),
-            Tape::Build(_) => None,
+            Tape::Walks(walks) => match walks.walks.first() {
+                Some(Tape::Walk(walk)) => Some(walk.hit),
+                _ => None,
+            },
+            Tape::Build(_) | Tape::Board(_) => None,
         }
     }
 

@@ -2,12 +2,18 @@
 
 use std::borrow::Cow;
 
-use raystep_accel::{Mistake, Place, Value};
-use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, told};
-use raystep_lesson::{Beat, Facts, Listing, Medium, Play, Plays, Show, Tape};
+use super::all_nodes::AllNodes;
+use super::board::board;
+use super::words::kind_name;
+use std::sync::Arc;
+
+use raystep_accel::{Mistake, Place, Prims, Structure, Value};
+use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, Walks, told};
+use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
 /// What a play is shown as: the only place that knows which kind that is.
-pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
+pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes) -> Reel<'a> {
+    let nodes = &all.own;
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
         Tape::Walk(walk) => {
@@ -16,7 +22,26 @@ pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
         Tape::Build(build) => {
             Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, flat })
         }
+        Tape::Board(filled) => Reel::new(board(filled)),
+        Tape::Walks(walks) => Reel::new(side_by_side(walks, &all.abreast, prims, flat)),
     }
+}
+
+/// Walks beside each other.
+fn side_by_side<'a>(walks: &'a WalksTape, nodes: &'a [Nodes], prims: &'a Prims, flat: bool) -> Walks<'a> {
+    let each = walks.walks.iter().zip(&walks.structures).zip(nodes).zip(&walks.plans);
+    let walk = |(((tape, structure), nodes), plan): (((&'a Tape, &'a Arc<Structure>), &'a Nodes), &'a Plan)| {
+        let Tape::Walk(walk) = tape else { return None };
+        let settings: Vec<String> = plan
+            .settings
+            .iter()
+            .map(|setting| format!("{}: {}", setting.key.replace('_', " "), setting.value))
+            .collect();
+        let (ray, events, lost) = (walk.ray, walk.events.as_slice(), walk.lost);
+        let walk = Walk { structure, prims, nodes, ray, events, lost, flat };
+        Some((kind_name(&plan.kind).to_owned(), settings.join(", "), walk))
+    };
+    Walks { walks: each.filter_map(walk).collect(), order: &walks.order, reached: &walks.reached }
 }
 
 /// What is said before the first event.
@@ -24,6 +49,8 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
     match plays {
         Plays::Walk => "Before the walk: the ray has met nothing yet.",
         Plays::Build => "Before the build: the primitives lie there, and nothing is known of them yet.",
+        Plays::Walks => "Before the walks: the ray has met nothing yet.",
+        Plays::Board => "Nothing is filled in yet.",
     }
 }
 

@@ -58,9 +58,9 @@ pub(crate) use common::around;
 pub use common::{Accel, Margin, Random};
 pub use events::{
     Cancelled, CellId, Cost, Each, Ending, Event, Grain, Grow, Lanes, LeafReason, NodeId, Observer, Place, PrimId,
-    Probed, Side, Trace, Value, Verdict, Visit,
+    Probed, Reveal, Side, Trace, Value, Verdict, Visit,
 };
-pub use geometry::{Aabb, Axes, Axis, Direction, Interval, Measure, Obb, Ray, RayError};
+pub use geometry::{Aabb, Axes, Axis, Direction, Interval, Measure, Obb, Ray, RayError, pinhole};
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
 pub use instancing::{Instance, Instances, Model, Prims, Transform, TransformError};
 pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upright, Word};

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, CellId, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Value};
+use raystep_accel::{Accel, CellId, Grow, NestedRule, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Value};
 use raystep_figure::{
     Anchor, Ask, Build, Face, Fact, Figure, Film, Ink, Instant, Kind, Look, Nodes, Pane, Reel, Role, Symbol,
     VolumeName, Walk, told,
@@ -41,8 +41,13 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
     let disc = |x: f32, y: f32| Shape::Sphere(Sphere { center: Vec3::new(x, y, 0.0), radius: 0.4 });
     let prims = Prims::Few(vec![disc(1.0, 3.0), disc(2.0, 1.0), disc(4.0, 3.5), disc(5.0, 1.0), disc(7.0, 2.6)]);
     let ray = Ray::new(Vec3::new(-1.0, 1.8, 0.0), Vec3::new(1.0, 0.1, 0.0)).unwrap();
-    for kind in Rule::KINDS {
-        let rule = Rule::default_for(kind).unwrap().flat();
+    // A hierarchy that is put together from sets grows otherwise than one that is divided.
+    let joined = ["bottom-up", "ploc", "insertion"].map(|builder| ("bvh", Some(builder)));
+    for (kind, builder) in Rule::KINDS.map(|kind| (kind, None)).into_iter().chain(joined) {
+        let mut rule = Rule::default_for(kind).unwrap().flat();
+        if let Some(builder) = builder {
+            rule.set("builder", builder).unwrap();
+        }
         let (mut walked, mut grown) = (Vec::new(), Vec::new());
         let structure = Structure::build(&prims, &rule, &mut grown).unwrap();
         structure.intersect(&prims, &ray, &mut walked);
@@ -52,6 +57,33 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
             &format!("a build, {kind}"),
             &Build { structure, nodes, prims, events: &grown, lost: &Default::default(), flat },
         );
+    }
+}
+
+#[test]
+fn a_build_has_stored_at_its_end_what_the_structure_refers_to() {
+    let disc = |x: f32, y: f32| Shape::Sphere(Sphere { center: Vec3::new(x, y, 0.0), radius: 0.4 });
+    let prims = Prims::Few((0..40).map(|n| disc((n % 8) as f32, (n / 8) as f32 + 0.01 * n as f32)).collect());
+    let crowded = |kind: &str| match Rule::default_for(kind).unwrap().flat() {
+        Rule::NestedGrid(rule) => Rule::NestedGrid(NestedRule { more_than: 1, ..rule }),
+        rule => rule,
+    };
+    for kind in Rule::KINDS {
+        let mut grown = Vec::new();
+        let structure = Structure::build(&prims, &crowded(kind), &mut grown).unwrap();
+        let Some(&Grow::End { references, .. }) = grown.last() else { continue };
+        let build = Build {
+            structure: &structure,
+            nodes: &Nodes::of(&structure),
+            prims: &prims,
+            events: &grown,
+            lost: &Default::default(),
+            flat: true,
+        };
+        let mut at = build.start();
+        build.advance(&mut at, build.len());
+        let (tally, stored) = (build.tally(&at), format!("{references} references stored"));
+        assert!(tally.ends_with(&stored), "{kind}: {tally}, not {stored}");
     }
 }
 

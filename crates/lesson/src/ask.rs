@@ -4,7 +4,8 @@ use raystep_accel::{Event, Place, Value};
 
 use crate::Spot;
 
-/// A question. Its right answer is read off what is played, so it is right for every ray.
+/// A question. Its right answer is read off what is played, so it is right for every ray; only what no event tells is
+/// said by the slide itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Ask {
     /// The question: Markdown, with `{{field}}` of the coming event.
@@ -35,6 +36,10 @@ pub enum About {
     },
     /// Which of these events comes.
     Event(Vec<String>),
+    /// Of walks side by side, the one that has the fewest such events.
+    Least(String),
+    /// What no event tells: the slide says it.
+    Said(String),
 }
 
 /// Why an answer is wrong.

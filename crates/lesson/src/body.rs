@@ -4,7 +4,7 @@ use crate::attributes::{self, Attribute};
 use crate::problem::misspelt;
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{About, Ask, Beat, Condition, Medium, Paragraph, Plays, Reason, Spot, Wait, limits, offer, template, wait};
+use crate::{About, Ask, Beat, Condition, Medium, Paragraph, Reason, Spot, Wait, limits, offer, template, wait};
 
 /// A line of the body with the byte where it begins.
 type Line<'a> = (usize, &'a str);
@@ -36,16 +36,25 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
     }
     // What stands between the braces could not be read.
     let braces = braces?;
-    let (mut waits, mut solid, mut ray) = (None, None, None);
+    let (mut waits, mut solid, mut ray, mut of) = (None, None, None, None);
     let mut fields = Vec::new();
     for Attribute { key, key_at, value, value_at } in braces {
         match key.as_str() {
             "at" => waits = Some((value_at, value)),
             "solid" => solid = Some((value_at, value)),
-            "ray" if reading.plays == Plays::Build => {
-                reading.problem(key_at, "a build has no rays: its beats name none");
+            "ray" if !reading.plays.has_rays() => {
+                let plays = reading.plays.name();
+                reading.problem(key_at, format!("a {plays} has no rays: its beats name none"));
             }
             "ray" => ray = Some((value_at, value)),
+            "of" if !reading.abreast.is_empty() => {
+                if !reading.abreast.contains(&value) {
+                    let known: Vec<&str> = reading.abreast.iter().map(String::as_str).collect();
+                    let message = misspelt("structure of the stage", &value, &known);
+                    reading.problem(value_at, message);
+                }
+                of = Some(value);
+            }
             _ => fields.push((key_at, key, value)),
         }
     }
@@ -54,6 +63,7 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
         return None;
     };
     let mut at_event = wait::parse(&event, wait_at, reading)?;
+    at_event.of = of;
     let mut at_solid = solid.and_then(|(at, event)| wait_on_solid(&event, at, &at_event, reading));
     for (key_at, key, value) in fields {
         if check_condition(&at_event, &key, key_at, reading) {
@@ -229,10 +239,23 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
                 check_event(&value, value_at, reading);
                 about = Some(About::Event(value.split('|').map(str::to_owned).collect()));
             }
+            "least" => {
+                check_event(&value, value_at, reading);
+                if reading.abreast.is_empty() {
+                    reading.problem(key_at, "only walks side by side can be compared: write `plays = \"walks\"`");
+                }
+                about = Some(About::Least(value));
+            }
+            "answer" if value.trim().is_empty() => reading.problem(value_at, "the answer is empty"),
+            "answer" => about = Some(About::Said(value)),
             "options" => options = value.split_whitespace().map(str::to_owned).collect(),
             _ => reading.problem(
                 key_at,
-                misspelt("attribute of a question", &key, &["field", "count", "alike", "event", "options"]),
+                misspelt(
+                    "attribute of a question",
+                    &key,
+                    &["field", "count", "alike", "event", "options", "least", "answer"],
+                ),
             ),
         }
     }
@@ -240,7 +263,7 @@ fn ask(lines: &[Line<'_>], event: &str, reading: &mut Reading<'_>) -> Option<Ask
         *of = alike;
     }
     if about.is_none() && reading.count() == before {
-        reading.problem(start, "a question needs `field=` (of the coming event), `event=` (which comes) or `count=` (how many the walk has)");
+        reading.problem(start, "a question needs `field=` (of the coming event), `event=` (which comes), `count=` (how many the walk has) or `answer=` (what no event tells)");
     }
 
     // The question may run over several lines; each `-` begins an answer.

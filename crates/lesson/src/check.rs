@@ -9,7 +9,7 @@ use raystep_scene::Scene;
 use crate::problem::{listed, misspelt};
 use crate::{
     About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter, Slide,
-    Spot, Stage, StageKind, Term, condition, names,
+    Spot, Stage, StageKind, Tape, Term, condition, names,
 };
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well. `setter` says what in
@@ -153,7 +153,7 @@ impl Checker<'_> {
     /// Of every paragraph that is asked for, all that it names happens somewhere.
     fn silence(&mut self, slide: &Slide) {
         for (spot, _) in std::mem::take(&mut self.told).into_iter().filter(|(_, said)| !said) {
-            let what = if slide.plays == Plays::Build { "build" } else { "ray" };
+            let what = if slide.plays.has_rays() { "ray" } else { slide.plays.name() };
             self.say(
                 slide,
                 spot,
@@ -174,7 +174,7 @@ impl Checker<'_> {
                         self.say(slide, spot, error.to_string());
                     }
                 }
-                Act::Compare(kind) if slide.plays == Plays::Build || *kind == stage.plan.kind => {
+                Act::Compare(kind) if slide.plays != Plays::Walk || *kind == stage.plan.kind => {
                     self.say(slide, spot, format!("there is nothing to compare with `{kind}` here"));
                 }
                 Act::Compare(_) => {}
@@ -214,9 +214,15 @@ impl Checker<'_> {
             return None;
         }
         self.camera(slide, stage, &scene);
+        for (spot, name) in stage.board.iter().flat_map(|board| board.scenes()) {
+            if let Err(error) = Scene::named(name) {
+                self.say(slide, spot, error.to_string());
+            }
+        }
         // Every wrong parameter, not only the first.
         let mut good = true;
-        for plan in std::iter::once(&stage.plan).chain(&stage.beside) {
+        let measured = stage.board.iter().flat_map(|board| board.plans());
+        for plan in std::iter::once(&stage.plan).chain(&stage.beside).chain(&stage.abreast).chain(measured) {
             match Rule::default_for(&plan.kind) {
                 Ok(mut rule) => {
                     for setting in &plan.settings {
@@ -270,10 +276,10 @@ impl Checker<'_> {
     fn stage(&mut self, slide: &Slide, stage: &Stage, listing: Option<&Listing>, built: &Built) {
         let readable = self.readable(slide);
         let beside = self.build_beside(slide, stage, built);
-        if slide.plays == Plays::Build {
+        if !slide.plays.has_rays() {
             let Some(play) = built.play_with(beside.as_ref(), None, &slide.beats) else { return };
             self.hear(slide, &play);
-            let what = format!("in the build of the {} stage", stage.kind.name());
+            let what = format!("in the {} of the {} stage", slide.plays.name(), stage.kind.name());
             for (index, beat) in slide.beats.iter().enumerate() {
                 self.values(slide, beat, &play);
                 if readable {
@@ -348,6 +354,14 @@ impl Checker<'_> {
 
     /// Every reason is for an answer that can be given.
     fn reasons(&mut self, slide: &Slide, ask: &Ask, play: &Play, event: &Event) {
+        if let (About::Least(_), Tape::Walks(walks)) = (&ask.about, &play.tape) {
+            let mut allowed = walks.names();
+            allowed.push(crate::choices::ALIKE.to_owned());
+            let allowed: Vec<&str> = allowed.iter().map(String::as_str).collect();
+            for reason in ask.reasons.iter().filter(|reason| !allowed.contains(&reason.answer.as_str())) {
+                self.say(slide, reason.spot, misspelt("answer to this question", &reason.answer, &allowed));
+            }
+        }
         let Some(right) = ask.right(play, event) else { return };
         for reason in ask.reasons.iter().filter(|reason| reason.answer != "else") {
             let answer = reason.answer.as_str();
@@ -387,15 +401,25 @@ impl Checker<'_> {
         let conditions = beat.paragraphs.iter().filter_map(|p| Some((p.only_if.as_ref()?, p.spot)));
         let words = conditions.clone().flat_map(|(all, spot)| all.words().map(move |(fact, text)| (fact, text, spot)));
         for (fact, text, spot) in waits.chain(words) {
-            let Some(value) = example(beat, fact, play) else { continue };
-            let allowed = spellings(&value);
-            if !allowed.is_empty() && !allowed.contains(&text) {
+            // Of a k-DOP's slabs some stand across axes and others between them: one example does not say all.
+            let mut allowed: Vec<&str> = Vec::new();
+            let can_be = |value: Value| {
+                let words = spellings(&value);
+                let free = words.is_empty() || words.contains(&text);
+                for word in words {
+                    if !allowed.contains(&word) {
+                        allowed.push(word);
+                    }
+                }
+                free
+            };
+            if !examples(beat, fact, play).any(can_be) && !allowed.is_empty() {
                 let message = format!("`{fact}` is never `{text}`: it can be {}", listed(&allowed));
                 self.say(slide, spot, message);
             }
         }
         for (fact, spot) in conditions.flat_map(|(all, spot)| all.numbers().map(move |fact| (fact, spot))) {
-            if example(beat, fact, play).is_some_and(|value| condition::number_of(&value).is_none()) {
+            if examples(beat, fact, play).next().is_some_and(|value| condition::number_of(&value).is_none()) {
                 self.say(slide, spot, format!("`{fact}` is no number: it can only be asked whether it `=` a word"));
             }
         }
@@ -405,19 +429,22 @@ impl Checker<'_> {
 /// What is built, in words: slides share it.
 fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     let settings: Vec<_> = plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
-    format!("{} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
+    // A board measures what its own slide asks for, and walks have structures of their own.
+    let own = if stage.board.is_some() || !stage.abreast.is_empty() { slide.file.as_str() } else { "" };
+    format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 
-/// Some value of a fact of a beat, wherever in the play it is one.
-fn example(beat: &Beat, fact: &str, play: &Play) -> Option<Value> {
-    let (event, field) = match fact.rsplit_once('.') {
-        Some(("count" | "beside.count", _)) => return Some(Value::Count(0)),
+/// The values of a fact of a beat, wherever in the play it is one.
+fn examples<'a>(beat: &'a Beat, fact: &'a str, play: &'a Play) -> impl Iterator<Item = Value> + 'a {
+    let (event, field, count) = match fact.rsplit_once('.') {
+        Some(("count" | "beside.count", _)) => (None, "", Some(Value::Count(0))),
         // `count.slab.divide`: what is counted has a name of two words.
-        Some((event, _)) if event.starts_with("count.") || event.starts_with("beside.") => return None,
-        Some((event, field)) => (event, field),
-        None => (beat.at.event.as_str(), fact),
+        Some((event, _)) if event.starts_with("count.") || event.starts_with("beside.") => (None, "", None),
+        Some((event, field)) => (Some(event), field, None),
+        None => (Some(beat.at.event.as_str()), fact, None),
     };
-    play.tape.events().find(|other| names(event, other.name()))?.field(field)
+    let named = event.into_iter().flat_map(|event| play.tape.events().filter(move |other| names(event, other.name())));
+    count.into_iter().chain(named.filter_map(|event| event.field(field)))
 }
 
 /// How a field's values are spelt, where there are but a few.

@@ -2,11 +2,14 @@
 
 use raystep_accel::{Axis, Event, Grow, Place, Structure, Value, Visit};
 
-use crate::{About, Ask, Choice, Play, names};
+use crate::{About, Ask, Choice, Play, Reason, Tape, names};
 
 /// The answers beside the right one to the question where a node is cut: nearest to its middle, and with
 /// the most even shares.
 pub(crate) const CUTS: [&str; 2] = ["middle", "even"];
+
+/// How a slide writes that no walk has the fewest alone.
+pub(crate) const ALIKE: &str = "alike";
 
 /// As many answers as a question about a number offers.
 const NUMBERS: usize = 3;
@@ -16,6 +19,12 @@ impl Ask {
     /// two: this walk leaves nothing to ask.
     pub fn choices(&self, play: &Play, step: usize) -> Vec<Choice> {
         let Some(event) = play.event(step) else { return Vec::new() };
+        if let About::Said(right) = &self.about {
+            return self.said(right);
+        }
+        if let About::Least(event) = &self.about {
+            return self.least(event, play);
+        }
         let Some(right) = self.right(play, &event) else { return Vec::new() };
         if is_cut(self, &event) {
             return self.cuts(play, step, &event);
@@ -48,7 +57,47 @@ impl Ask {
             About::Field(field) => event.field(field),
             About::Count { event: name, .. } => Some(Value::Count(self.count(name, play, event))),
             About::Event(_) => Some(Value::Word(event.name(), &[])),
+            About::Said(_) | About::Least(_) => None,
         }
+    }
+
+    /// The walks to choose from, and that none of them has the fewest such events alone.
+    fn least(&self, event: &str, play: &Play) -> Vec<Choice> {
+        let Tape::Walks(walks) = &play.tape else { return Vec::new() };
+        let counts: Vec<u32> = walks.walks.iter().filter_map(|walk| walk.count(event, walk.len())).collect();
+        let Some(least) = counts.iter().copied().min() else { return Vec::new() };
+        let alone = counts.iter().filter(|count| **count == least).count() == 1;
+        let walk = |(index, name): (usize, String)| (name, alone && counts.get(index) == Some(&least));
+        let mut answers: Vec<(String, bool)> = walks.names().into_iter().enumerate().map(walk).collect();
+        answers.push((ALIKE.to_owned(), !alone));
+        let choice = |(index, (answer, right)): (usize, (String, bool))| Choice {
+            label: self
+                .label(&answer)
+                .or_else(|| (answer == ALIKE).then(|| "no single one".to_owned()))
+                .or(Some(answer.clone())),
+            value: Value::Count(index as u32),
+            place: None,
+            right,
+            reason: if right { None } else { self.reason(&answer) },
+            own: None,
+        };
+        answers.into_iter().enumerate().map(choice).collect()
+    }
+
+    /// The answer that the slide says, among the wrong ones, in the order of their letters, which tells nothing.
+    fn said(&self, right: &str) -> Vec<Choice> {
+        let mut answers: Vec<(&str, Option<&Reason>)> = vec![(right, None)];
+        answers.extend(self.reasons.iter().map(|reason| (reason.answer.as_str(), Some(reason))));
+        answers.sort_by_key(|(answer, _)| *answer);
+        let choice = |(index, (answer, reason)): (usize, (&str, Option<&Reason>))| Choice {
+            label: Some(reason.and_then(|reason| reason.label.clone()).unwrap_or_else(|| answer.to_owned())),
+            value: Value::Count(index as u32),
+            place: None,
+            right: reason.is_none(),
+            reason: reason.map(|reason| reason.text.clone()),
+            own: None,
+        };
+        answers.into_iter().enumerate().map(choice).collect()
     }
 
     /// How many events of that name there are, only those alike if the question says so.

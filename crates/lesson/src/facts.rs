@@ -4,7 +4,7 @@ use raystep_accel::{Event, Value};
 
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{Play, StageKind, Tape, names};
+use crate::{Play, StageKind, Tape, WalksTape, names};
 
 /// What a slide can say at a step of what is played. Nothing in it comes from later steps.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +43,11 @@ impl<'a> Facts<'a> {
             let event = tape.event(tape.len().checked_sub(1)?)?;
             return Facts { tape, beside: None, step: tape.len() + 1, event, stage: self.stage }.field(name);
         }
+        if let (Tape::Walks(walks), Some((own, rest))) = (self.tape, name.split_once('.'))
+            && let Some(walker) = walks.names().iter().position(|known| known == own)
+        {
+            return self.of_walk(walks, walker, rest);
+        }
         if let Some(event) = name.strip_prefix(COUNT) {
             return self.tape.count(event, self.step).map(Value::Count);
         }
@@ -50,6 +55,19 @@ impl<'a> Facts<'a> {
             Some((event, field)) => self.before(event)?.field(field),
             None => self.event.field(name),
         }
+    }
+
+    /// A fact of one of several walks, as far as it has come.
+    fn of_walk(&self, walks: &WalksTape, walker: usize, name: &str) -> Option<Value> {
+        let tape = walks.walks.get(walker)?;
+        let done = walks.done(walker, self.step);
+        if let Some(event) = name.strip_prefix(COUNT) {
+            return tape.count(event, done).map(Value::Count);
+        }
+        let event = tape.event(done.checked_sub(1)?)?;
+        // Its last event has happened, too.
+        let own = Facts { tape, beside: None, step: done + 1, event, stage: self.stage };
+        name.rsplit_once('.').and_then(|(event, field)| own.before(event)?.field(field))
     }
 
     /// The last event of that name before this one.
@@ -72,6 +90,8 @@ pub(crate) fn check_fact(event: &str, name: &str, at: usize, reading: &mut Readi
         }
         None => (name, at),
     };
+    let own = name.split_once('.').filter(|(own, _)| reading.abreast.iter().any(|known| known == own));
+    let (name, at) = own.map_or((name, at), |(own, rest)| (rest, at + own.len() + 1));
     if let Some(counted) = name.strip_prefix(COUNT) {
         check_event(counted, at + COUNT.len(), reading);
     } else if let Some((other, field)) = name.rsplit_once('.') {

@@ -1,5 +1,7 @@
 //! The head of a slide: TOML between two lines of `+++`.
 
+use std::sync::Arc;
+
 use glam::{Vec2, Vec3};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -7,7 +9,7 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
-use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, limits, wait};
+use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, wait, walks};
 
 /// The format that this program reads.
 const FORMAT: f32 = 1.0;
@@ -52,7 +54,12 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     }
     // Everything that follows names the events of what is played.
     reading.plays = plays(&mut keys, reading);
-    let (listing_at, listing) = keys.need::<String>("listing", reading).unwrap_or_default();
+    let listing = match reading.plays {
+        // No algorithm runs on a board, and no one algorithm where several structures are walked.
+        Plays::Board | Plays::Walks => keys.get::<String>("listing", reading),
+        Plays::Walk | Plays::Build => keys.need::<String>("listing", reading),
+    };
+    let (listing_at, listing) = listing.unwrap_or_default();
     let show = show(&mut keys, reading);
 
     // Two stages in tables of their own, or one whose keys stand in the head itself.
@@ -166,6 +173,9 @@ fn show(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<Show> {
 /// The only stage of a slide that has but one: flat if its scene's name begins so.
 fn stage_in_head(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Stage> {
     let scene = keys.raw("scene").and_then(|value| String::from_toml(value.get_ref()));
+    if scene.is_none() && !keys.has("scene") && reading.plays == Plays::Board {
+        return stage(StageKind::Flat, keys, reading);
+    }
     if scene.is_none() {
         reading.problem(0, "there is no stage: write a table [flat] or [solid] with `scene`, `structure` and `rays`");
     }
@@ -175,18 +185,28 @@ fn stage_in_head(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Stage
 
 /// One stage.
 fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Stage> {
-    let scene = keys.need::<String>("scene", reading);
-    let own = match keys.table("structure", reading) {
+    // A board that measures nothing stands on nothing.
+    let scene = match reading.plays {
+        Plays::Board if !keys.has("scene") => Some((keys.at(), "nothing".to_owned())),
+        _ => keys.need::<String>("scene", reading),
+    };
+    let abreast = if reading.plays == Plays::Walks { abreast(keys, reading) } else { Vec::new() };
+    reading.abreast = walks::names(&abreast);
+    let own = match keys.table("structure", reading).filter(|_| reading.plays != Plays::Walks) {
         Some(mut table) => plan(&mut table, reading),
+        None if reading.plays == Plays::Walks => abreast.first().cloned(),
+        // Whatever stands on a board has a structure of its own.
+        None if reading.plays == Plays::Board => Some(Plan::all()),
         None => {
             reading.problem(keys.at(), "`structure` is missing: write `structure = { kind = \"kd\" }`");
             None
         }
     };
     let rays = match reading.plays {
-        Plays::Walk => rays(keys, reading),
-        Plays::Build => no_rays(keys, reading),
+        Plays::Walk | Plays::Walks => rays(keys, reading),
+        Plays::Build | Plays::Board => no_rays(keys, reading),
     };
+    let board = (reading.plays == Plays::Board).then(|| Arc::new(board::read(keys, reading)));
     let beside = keys.table("beside", reading).and_then(|mut table| plan(&mut table, reading));
     reading.beside |= beside.is_some();
     let mut camera = keys.table("camera", reading);
@@ -197,11 +217,26 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     }
     let (scene_at, scene) = scene?;
     let [scene_spot, camera_spot] = [scene_at, camera_at].map(|at| reading.spot(at));
-    Some(Stage { kind, scene, plan: own?, beside, rays, camera: look, scene_spot, camera_spot })
+    Some(Stage { kind, scene, plan: own?, beside, rays, abreast, board, camera: look, scene_spot, camera_spot })
+}
+
+/// `structures = [{ kind = "kd" }, { kind = "bsp" }]`: from two to nine over a flat scene.
+fn abreast(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<Plan> {
+    let at = keys.at();
+    let tables = keys.tables("structures", reading);
+    let many = tables.len();
+    let plans: Vec<Plan> = tables.into_iter().filter_map(|mut table| plan(&mut table, reading)).collect();
+    if !(2..=9).contains(&many) {
+        reading.problem(
+            at,
+            "from two to nine structures stand side by side: write `structures = [{ kind = \"kd\" }, { kind = \"bvh\" }]`",
+        );
+    }
+    plans
 }
 
 /// `{ kind = "kd", max_depth = 6 }`
-fn plan(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Plan> {
+pub(crate) fn plan(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Plan> {
     let kind = keys.need::<String>("kind", reading);
     keys.say_missing(reading);
     let ((at, kind), rest) = (kind?, keys.rest(reading));
@@ -238,10 +273,14 @@ fn rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
     rays
 }
 
-/// A build needs no ray.
+/// A build or a board needs no ray.
 fn no_rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
     if let Some(value) = keys.raw("rays") {
-        reading.problem(value.span().start, "`rays` belong to a slide that plays a walk: this one plays a build");
+        let plays = reading.plays.name();
+        reading.problem(
+            value.span().start,
+            format!("`rays` belong to a slide that plays a walk: this one plays a {plays}"),
+        );
     }
     Vec::new()
 }

@@ -77,6 +77,24 @@ impl<'t> Keys<'t> {
         table.map(|table| Keys::new(table, value.span().start))
     }
 
+    /// The tables of an array of tables; none where the key is left out.
+    pub(crate) fn tables(&mut self, key: &'static str, reading: &mut Reading<'_>) -> Vec<Keys<'t>> {
+        const WHAT: &str = "a list of tables: [{ key = value, ... }]";
+        let Some(value) = self.raw(key) else { return Vec::new() };
+        let Some(list) = value.get_ref().as_array() else {
+            wrong(key, WHAT, value, reading);
+            return Vec::new();
+        };
+        let mut tables = Vec::new();
+        for value in list {
+            match value.get_ref().as_table() {
+                Some(table) => tables.push(Keys::new(table, value.span().start)),
+                None => wrong(key, WHAT, value, reading),
+            }
+        }
+        tables
+    }
+
     /// All keys that were not asked for, as text: the parameters of a structure.
     pub(crate) fn rest(&mut self, reading: &mut Reading<'_>) -> Vec<(At<String>, String)> {
         let mut rest = Vec::new();
@@ -169,6 +187,38 @@ impl FromToml for Vec<String> {
 
     fn from_toml(value: &DeValue<'_>) -> Option<Vec<String>> {
         all(value).or_else(|| Some(vec![String::from_toml(value)?]))
+    }
+}
+
+impl FromToml for bool {
+    const WHAT: &'static str = "true or false";
+
+    fn from_toml(value: &DeValue<'_>) -> Option<bool> {
+        value.as_bool()
+    }
+}
+
+impl FromToml for f64 {
+    const WHAT: &'static str = "a number";
+
+    fn from_toml(value: &DeValue<'_>) -> Option<f64> {
+        match value {
+            DeValue::Integer(number) => number.as_str().parse().ok(),
+            DeValue::Float(number) => number.as_str().parse().ok(),
+            _ => None,
+        }
+    }
+}
+
+impl FromToml for Vec<(f64, String)> {
+    const WHAT: &'static str = "numbers with what stands there: [[1, \"1\"], [1e6, \"1 million\"]]";
+
+    fn from_toml(value: &DeValue<'_>) -> Option<Vec<(f64, String)>> {
+        let pair = |value: &DeValue<'_>| match value.as_array()?.iter().as_slice() {
+            [number, text] => Some((f64::from_toml(number.get_ref())?, String::from_toml(text.get_ref())?)),
+            _ => None,
+        };
+        value.as_array()?.iter().map(|value| pair(value.get_ref())).collect()
     }
 }
 

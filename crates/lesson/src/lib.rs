@@ -6,6 +6,7 @@
 mod ask;
 mod attributes;
 mod beat;
+mod board;
 mod body;
 mod check;
 mod choices;
@@ -31,9 +32,14 @@ mod term;
 mod texts;
 mod vocabulary;
 mod wait;
+mod walks;
 
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
+pub use board::{
+    Board, BoardTape, Cell, Chart, Column, Counted, Drawn, Formula, Map, Maps, Measured, Panel, Picture, Pictures,
+    Rendered, Row, Scale, Stroke, Table,
+};
 pub use check::{check, check_file};
 pub use condition::Condition;
 pub use facts::Facts;
@@ -48,3 +54,4 @@ pub use tape::{BuildTape, Tape, WalkTape};
 pub use term::Term;
 pub use texts::{Script, Setter};
 pub use wait::{Wait, names};
+pub use walks::WalksTape;

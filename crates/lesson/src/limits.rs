@@ -8,6 +8,8 @@ pub(crate) const BEATS: usize = 64;
 pub(crate) const RAYS: usize = 32;
 /// Promises of a ray, numbers of a slide, panes that it shows.
 pub(crate) const ENTRIES: usize = 32;
+/// Rows, points and lines of a board.
+pub(crate) const BOARD: usize = 64;
 /// Letters of a title, of a name, of what a button says.
 pub(crate) const TITLE: usize = 120;
 /// Letters of what a word means.

@@ -6,9 +6,9 @@ use raystep_accel::{Cancelled, Event, Ray, Rule, RuleError, Structure};
 use raystep_scene::{Scene, UnknownScene};
 use thiserror::Error;
 
-use crate::{Beat, BuildTape, Plan, Plays, Stage, Tape};
+use crate::{Beat, Plan, Plays, Stage, Tape};
 
-/// The walk of one ray through a structure, or the building of one, beside the beats of a slide.
+/// The walk of one ray through a structure, the building of one, or a board, beside the beats of a slide.
 #[derive(Clone, Debug)]
 pub struct Play {
     /// What the structure was built over.
@@ -23,15 +23,15 @@ pub struct Play {
     pub beats: Vec<Option<usize>>,
 }
 
-/// A stage's scene, the structure over it, and how it was built if that is to be played.
+/// A stage's scene, the structure over it, and what is played whichever ray there is: a build, a board.
 #[derive(Clone, Debug)]
 pub struct Built {
     /// The scene.
     pub scene: Arc<Scene>,
     /// The structure.
     pub structure: Arc<Structure>,
-    /// How it was built.
-    pub growth: Option<Arc<BuildTape>>,
+    /// What is played without a ray: how it was built, or a board.
+    pub told: Option<Tape>,
 }
 
 /// Why a slide cannot be played.
@@ -68,7 +68,7 @@ impl Stage {
     /// # Errors
     /// An unknown scene, or a rule that cannot be followed.
     pub fn build(&self, plays: Plays) -> Result<Built, PlayError> {
-        self.plan.build(&Arc::new(Scene::named(&self.scene)?), plays)
+        self.plan.build(self, &Arc::new(Scene::named(&self.scene)?), plays)
     }
 
     /// The structure beside, over the same scene, if the stage has one.
@@ -76,21 +76,21 @@ impl Stage {
     /// # Errors
     /// A rule that cannot be followed.
     pub fn build_beside(&self, scene: &Arc<Scene>, plays: Plays) -> Result<Option<Built>, PlayError> {
-        self.beside.as_ref().map(|plan| plan.build(scene, plays)).transpose()
+        self.beside.as_ref().map(|plan| plan.build(self, scene, plays)).transpose()
     }
 }
 
 impl Plan {
     /// The structure over a scene, with how it was built if that is to be played.
-    fn build(&self, scene: &Arc<Scene>, plays: Plays) -> Result<Built, PlayError> {
+    fn build(&self, stage: &Stage, scene: &Arc<Scene>, plays: Plays) -> Result<Built, PlayError> {
         let rule = self.rule(scene.flat)?;
-        let (structure, growth) = BuildTape::record(plays, scene, &rule, &mut ())?;
-        Ok(Built { scene: scene.clone(), structure: Arc::new(structure), growth })
+        let (structure, told) = Tape::record(plays, Some(stage), scene, &rule, &mut ())?;
+        Ok(Built { scene: scene.clone(), structure: Arc::new(structure), told })
     }
 }
 
 impl Built {
-    /// The build itself if it is to be played, else the walk of the ray; nothing where there is neither.
+    /// The build or the board if one is to be played, else the walk of the ray; nothing where there is neither.
     pub fn play(&self, ray: Option<Ray>, beats: &[Beat]) -> Option<Play> {
         Some(Play::new(self.scene.clone(), self.structure.clone(), self.tape(ray)?, beats))
     }
@@ -103,8 +103,8 @@ impl Built {
 
     /// What happens.
     fn tape(&self, ray: Option<Ray>) -> Option<Tape> {
-        match (&self.growth, ray) {
-            (Some(growth), _) => Some(Tape::Build(growth.clone())),
+        match (&self.told, ray) {
+            (Some(told), _) => Some(told.with_ray(&self.scene, ray)),
             (None, Some(ray)) => Some(Tape::walk(&self.scene, &self.structure, ray)),
             (None, None) => None,
         }

@@ -1,6 +1,6 @@
-//! What a slide plays: a ray's walk, or the building of its structure.
+//! What a slide plays: a ray's walk, the building of its structure, or a board that is filled.
 
-use raystep_accel::{Grow, Visit};
+use raystep_accel::{Grow, Reveal, Visit};
 
 /// Names of events, each group with the fields that they have.
 type Vocabulary = &'static [(&'static [&'static str], &'static [&'static str])];
@@ -13,25 +13,37 @@ pub enum Plays {
     Walk,
     /// The building of the structure; there is no ray.
     Build,
+    /// A ray's walks through several structures, side by side.
+    Walks,
+    /// The filling of tables and charts; there is no ray.
+    Board,
 }
 
 impl Plays {
-    /// Both.
-    pub const ALL: [Plays; 2] = [Plays::Walk, Plays::Build];
+    /// All of them.
+    pub const ALL: [Plays; 4] = [Plays::Walk, Plays::Build, Plays::Walks, Plays::Board];
+
+    /// Whether a ray walks.
+    pub fn has_rays(self) -> bool {
+        matches!(self, Plays::Walk | Plays::Walks)
+    }
 
     /// How a slide writes it, and what it is called.
     pub fn name(self) -> &'static str {
         match self {
             Plays::Walk => "walk",
             Plays::Build => "build",
+            Plays::Walks => "walks",
+            Plays::Board => "board",
         }
     }
 
     /// The events that can happen in it.
     pub(crate) fn vocabulary(self) -> Vocabulary {
         match self {
-            Plays::Walk => Visit::NAMES,
+            Plays::Walk | Plays::Walks => Visit::NAMES,
             Plays::Build => Grow::NAMES,
+            Plays::Board => Reveal::NAMES,
         }
     }
 }

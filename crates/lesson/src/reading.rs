@@ -13,13 +13,23 @@ pub(crate) struct Reading<'a> {
     pub(crate) plays: Plays,
     /// Whether something is played beside it.
     pub(crate) beside: bool,
+    /// What the structures are called that are walked side by side.
+    pub(crate) abreast: Vec<String>,
 }
 
 impl<'a> Reading<'a> {
     /// Begins to read a file.
     pub(crate) fn new(file: &'a str, text: &'a str) -> Reading<'a> {
         let starts = std::iter::once(0).chain(text.match_indices('\n').map(|(newline, _)| newline + 1)).collect();
-        Reading { file, text, starts, problems: Vec::new(), plays: Plays::default(), beside: false }
+        Reading {
+            file,
+            text,
+            starts,
+            problems: Vec::new(),
+            plays: Plays::default(),
+            beside: false,
+            abreast: Vec::new(),
+        }
     }
 
     /// Says so if the file is larger than any slide or listing.

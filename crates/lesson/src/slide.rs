@@ -1,10 +1,12 @@
 //! A slide: the same beats on a flat and a solid stage.
 
+use std::sync::Arc;
+
 use glam::{Vec2, Vec3};
 use raystep_accel::Ray;
 
 use crate::reading::Reading;
-use crate::{Beat, Plays, Problem, Spot, body, head};
+use crate::{Beat, Board, Plays, Problem, Spot, body, head};
 
 /// One slide of the lecture, as its file says it.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +21,7 @@ pub struct Slide {
     pub numbers: Vec<String>,
     /// What it is called.
     pub title: String,
-    /// A walk or a build.
+    /// A walk, a build or a board.
     pub plays: Plays,
     /// The name of its listing.
     pub listing: String,
@@ -31,6 +33,8 @@ pub struct Slide {
     pub opens: Option<StageKind>,
     /// What it says, in the order of what it plays.
     pub beats: Vec<Beat>,
+    /// What is for the lecturer alone: Markdown.
+    pub notes: String,
     /// The file it was read from.
     pub file: String,
     /// Where in the file its numbers stand.
@@ -40,6 +44,9 @@ pub struct Slide {
     /// Where its listing is named.
     pub(crate) listing_spot: Spot,
 }
+
+/// The heading of what is for the lecturer alone.
+const NOTES: &str = "# Notes";
 
 impl Slide {
     /// `"5/33"`: how the command line calls it.
@@ -84,6 +91,14 @@ impl Slide {
             reading.problem(0, "the head is not closed: a second line `+++` is missing");
             return None;
         };
+        // What the lecturer alone reads stands below everything else.
+        let notes_at = lines.iter().position(|(_, line)| line.trim_end() == NOTES).filter(|at| *at > end);
+        let (lines, below) = lines.split_at(notes_at.unwrap_or(lines.len()));
+        let notes: Vec<&str> = below.iter().skip(1).map(|(_, line)| line.trim_end()).collect();
+        let notes = notes.join("\n").trim().to_owned();
+        if let Some((at, _)) = below.first().filter(|_| notes.is_empty()) {
+            reading.problem(*at, format!("`{NOTES}` is followed by what the lecturer is to say"));
+        }
         // Blanks in place of the first fence: a byte of the head is the same byte of the file.
         let head = head::read(&format!("   {}", &text[3..lines[end].0]), reading);
         let before = reading.count();
@@ -110,6 +125,7 @@ impl Slide {
             stages: head.stages,
             opens: head.opens,
             beats,
+            notes,
             file: file.to_owned(),
             numbers_spot: head.numbers_spot,
             title_spot: head.title_spot,
@@ -172,6 +188,10 @@ pub struct Stage {
     pub beside: Option<Plan>,
     /// Its rays, at least two, the first the slide's own; none where a build is played.
     pub rays: Vec<NamedRay>,
+    /// The structures that a ray walks side by side, where that is played: two or three.
+    pub abreast: Vec<Plan>,
+    /// What is filled, where a board is played.
+    pub board: Option<Arc<Board>>,
     /// Where it is seen from, if not as its scene says.
     pub camera: Option<Look>,
     /// Where its scene is named.
@@ -196,6 +216,20 @@ pub struct Plan {
     pub settings: Vec<Setting>,
     /// Where the kind stands.
     pub(crate) spot: Spot,
+}
+
+impl Plan {
+    /// No structure: every primitive is tested.
+    pub(crate) fn all() -> Plan {
+        Plan { kind: "list".to_owned(), settings: Vec::new(), spot: Spot::default() }
+    }
+}
+
+impl Plan {
+    /// A hierarchy of boxes as it usually is.
+    pub(crate) fn boxes() -> Plan {
+        Plan { kind: "bvh".to_owned(), ..Plan::all() }
+    }
 }
 
 /// One parameter of a structure.

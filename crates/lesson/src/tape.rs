@@ -1,4 +1,4 @@
-//! What is played, event by event: a ray's walk, or the building of the structure.
+//! What is played, event by event: a ray's walk, the building of the structure, or a board that is filled.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Visit};
 use raystep_scene::Scene;
 
-use crate::{Plays, names};
+use crate::{BoardTape, Plays, Stage, WalksTape, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -21,6 +21,10 @@ pub enum Tape {
     Walk(WalkTape),
     /// A structure is built.
     Build(Arc<BuildTape>),
+    /// A ray walks through several structures.
+    Walks(Arc<WalksTape>),
+    /// A board is filled.
+    Board(Arc<BoardTape>),
 }
 
 /// The walk of a ray.
@@ -56,11 +60,13 @@ impl Tape {
         Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit })
     }
 
-    /// Which of the two it is.
+    /// Which of them it is.
     pub fn plays(&self) -> Plays {
         match self {
             Tape::Walk(_) => Plays::Walk,
             Tape::Build(_) => Plays::Build,
+            Tape::Walks(_) => Plays::Walks,
+            Tape::Board(_) => Plays::Board,
         }
     }
 
@@ -69,6 +75,8 @@ impl Tape {
         match self {
             Tape::Walk(walk) => walk.events.len(),
             Tape::Build(build) => build.events.len(),
+            Tape::Walks(walks) => walks.order.len(),
+            Tape::Board(board) => board.events.len(),
         }
     }
 
@@ -82,6 +90,8 @@ impl Tape {
         match self {
             Tape::Walk(walk) => walk.lost,
             Tape::Build(build) => build.lost.values().sum(),
+            Tape::Walks(walks) => walks.walks.iter().map(Tape::lost).sum(),
+            Tape::Board(_) => 0,
         }
     }
 
@@ -90,6 +100,11 @@ impl Tape {
         match self {
             Tape::Walk(walk) => walk.events.get(index).copied().map(Event::Walk),
             Tape::Build(build) => build.events.get(index).copied().map(Event::Build),
+            Tape::Walks(walks) => {
+                let (walker, index) = *walks.order.get(index)?;
+                walks.walks.get(walker)?.event(index)
+            }
+            Tape::Board(board) => board.events.get(index).copied().map(Event::Board),
         }
     }
 
@@ -103,16 +118,34 @@ impl Tape {
         let kept = match self {
             Tape::Walk(walk) => walk.lost == 0,
             Tape::Build(build) => !build.lost.keys().any(|lost| names(name, lost)),
+            Tape::Walks(_) => self.lost() == 0,
+            Tape::Board(_) => true,
         };
         let counted = || self.events().take(step).filter(|event| names(name, event.name())).count() as u32;
         kept.then(counted)
     }
 
-    /// The build, if it is one.
-    pub fn growth(&self) -> Option<Arc<BuildTape>> {
+    /// The same tape for whichever ray comes next, if it is more than one ray's walk.
+    pub fn without_ray(&self) -> Option<Tape> {
+        (self.plays() != Plays::Walk).then(|| self.clone())
+    }
+
+    /// The tape once this ray walks.
+    pub(crate) fn with_ray(&self, scene: &Scene, ray: Option<Ray>) -> Tape {
+        match (self, ray) {
+            (Tape::Walks(walks), Some(ray)) => Tape::Walks(Arc::new(walks.walk(scene, ray))),
+            (tape, _) => tape.clone(),
+        }
+    }
+
+    /// Whether an event is of the walk through this structure; every event is, where there is but one.
+    pub(crate) fn is_of(&self, index: usize, name: &str) -> bool {
         match self {
-            Tape::Walk(_) => None,
-            Tape::Build(build) => Some(build.clone()),
+            Tape::Walks(walks) => walks
+                .order
+                .get(index)
+                .is_some_and(|(walker, _)| walks.names().get(*walker).is_some_and(|own| own == name)),
+            _ => true,
         }
     }
 
@@ -120,29 +153,40 @@ impl Tape {
     pub fn ray(&self) -> Option<Ray> {
         match self {
             Tape::Walk(walk) => Some(walk.ray),
-            Tape::Build(_) => None,
+            Tape::Walks(walks) => walks.walks.first()?.ray(),
+            Tape::Build(_) | Tape::Board(_) => None,
         }
     }
 }
 
-impl BuildTape {
-    /// Builds what `rule` says over a scene and keeps what happens, if that is to be played.
+impl Tape {
+    /// Builds what `rule` says over a scene. Keeps what happens, if that is to be played, builds the other structures of
+    /// `stage` and fills its board: nothing is kept for a ray that is still to walk.
     ///
     /// # Errors
     /// `watch` asked to give up.
     pub fn record(
         plays: Plays,
+        stage: Option<&Stage>,
         scene: &Scene,
         rule: &Rule,
         watch: &mut impl Observer<Grow>,
-    ) -> Result<(Structure, Option<Arc<BuildTape>>), Cancelled> {
-        match plays {
-            Plays::Walk => Ok((Structure::build(&scene.prims, rule, watch)?, None)),
-            Plays::Build => {
+    ) -> Result<(Structure, Option<Tape>), Cancelled> {
+        match (plays, stage) {
+            (Plays::Build, _) => {
                 let mut tape = BuildTape::default();
                 let structure = Structure::build(&scene.prims, rule, &mut (watch, &mut tape))?;
-                Ok((structure, Some(Arc::new(tape))))
+                Ok((structure, Some(Tape::Build(Arc::new(tape)))))
             }
+            (Plays::Walks, Some(stage)) => {
+                let walks = WalksTape::build(&stage.abreast, scene, watch)?;
+                Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Walks(Arc::new(walks)))))
+            }
+            (Plays::Board, Some(Stage { board: Some(board), .. })) => {
+                let filled = BoardTape::fill(board, scene, watch)?;
+                Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Board(Arc::new(filled)))))
+            }
+            (Plays::Walk | Plays::Walks | Plays::Board, _) => Ok((Structure::build(&scene.prims, rule, watch)?, None)),
         }
     }
 }

@@ -32,7 +32,7 @@ impl Plays {
 /// Says so if there is no such event.
 pub(crate) fn check_event(event: &str, at: usize, reading: &mut Reading<'_>) -> bool {
     let known = reading.plays.events();
-    let what = format!("event of a {}", reading.plays.name());
+    let what = format!("event of a {}", if reading.plays == Plays::Walks { "walk" } else { reading.plays.name() });
     let mut good = true;
     for word in event.split('|').filter(|word| !known.contains(word)) {
         reading.problem(at, misspelt(&what, word, &known));

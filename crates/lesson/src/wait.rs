@@ -18,6 +18,8 @@ pub struct Wait {
     pub nth: u32,
     /// Fields and the values they must have, as text.
     pub fields: Vec<(String, String)>,
+    /// Of walks side by side, the one that it waits for.
+    pub of: Option<String>,
 }
 
 impl Wait {
@@ -30,7 +32,9 @@ impl Wait {
     /// The step that shows the event, looking from step `from` on.
     pub fn step(&self, tape: &Tape, from: usize, flat: bool) -> Option<usize> {
         let seen = |event: &Event| !(flat && event.concerns_z());
-        let hits = tape.events().enumerate().skip(from).filter(|(_, event)| seen(event) && self.matches(event));
+        let own = |index: usize| self.of.as_ref().is_none_or(|name| tape.is_of(index, name));
+        let hits = tape.events().enumerate().skip(from);
+        let hits = hits.filter(|(index, event)| seen(event) && own(*index) && self.matches(event));
         hits.map(|(index, _)| index + 1).nth(self.nth.saturating_sub(1) as usize)
     }
 }
@@ -47,7 +51,7 @@ pub(crate) fn parse(text: &str, at: usize, reading: &mut Reading<'_>) -> Option<
             return None;
         }
     };
-    let mut wait = Wait { event: event.to_owned(), nth, fields: Vec::new() };
+    let mut wait = Wait { event: event.to_owned(), nth, fields: Vec::new(), of: None };
     for word in words {
         let Some((field, value)) = word.split_once('=') else {
             reading.problem(at, format!("`{word}` should be `field=value`"));
@@ -65,7 +69,8 @@ impl fmt::Display for Wait {
         if self.nth > 1 {
             write!(f, "#{}", self.nth)?;
         }
-        self.fields.iter().try_for_each(|(field, value)| write!(f, " {field}={value}"))
+        self.fields.iter().try_for_each(|(field, value)| write!(f, " {field}={value}"))?;
+        self.of.iter().try_for_each(|name| write!(f, " of={name}"))
     }
 }
 

@@ -1,6 +1,6 @@
 //! The glossary and the vocabulary of events name the same things, in the same order.
 
-use raystep_accel::{Abreast, Grow, Probe, Visit};
+use raystep_accel::{Abreast, Grow, Probe, Reveal, Visit};
 
 const GLOSSARY: &str = include_str!("../../../lessons/glossary.md");
 
@@ -23,6 +23,7 @@ fn names(vocabulary: &[(&'static [&'static str], &[&str])]) -> Vec<&'static str>
 fn every_event_is_in_the_glossary_and_nothing_else() {
     assert_eq!(listed("Walks"), names(Visit::NAMES));
     assert_eq!(listed("Builders"), names(Grow::NAMES));
+    assert_eq!(listed("Boards"), names(Reveal::NAMES));
     assert_eq!(listed("Packets"), names(Abreast::NAMES));
     assert_eq!(listed("Pairs"), names(Probe::NAMES));
 }

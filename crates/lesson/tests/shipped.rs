@@ -18,11 +18,35 @@ fn there_are_slides_on_every_topic_and_their_names_are_their_own() {
     unique.sort();
     unique.dedup();
     assert_eq!(ids.len(), unique.len(), "{ids:?}");
-    assert!(ids.len() >= 18, "{ids:?}");
-    // Grids, kd-trees and hierarchies of boxes offer both stages.
-    for slide in library.slides.iter().filter(|slide| slide.section != "02-slabs") {
-        assert_eq!(slide.stages.len(), 2, "{}", slide.file);
+    // All structures are shown on both stages; only instances are solid alone, since they place meshes. Walks side by
+    // side are flat, and boards have no stage.
+    let staged = |slide: &&Slide| slide.section != "02-slabs" && !matches!(slide.plays, Plays::Board | Plays::Walks);
+    for slide in library.slides.iter().filter(staged) {
+        let placed = slide.stages.iter().any(|stage| stage.scene.starts_with("forest"));
+        assert_eq!(slide.stages.len(), if placed { 1 } else { 2 }, "{}", slide.file);
     }
+}
+
+/// What the lecture's titled slides have no slide for yet: object pairs, a still, packets, hardware.
+const MISSING: [u32; 4] = [19, 47, 59, 64];
+
+#[test]
+fn every_slide_of_the_lecture_is_covered_and_asks() {
+    let library = Library::embedded();
+    let mut covered = Vec::new();
+    for slide in &library.slides {
+        let numbers =
+            slide.numbers.iter().filter_map(|number| number.trim_end_matches(char::is_alphabetic).parse().ok());
+        let numbers: Vec<u32> = numbers.collect();
+        // Two numbers are a range.
+        covered.extend(*numbers.iter().min().unwrap()..=*numbers.iter().max().unwrap());
+        assert!(slide.beats.iter().any(|beat| beat.ask.is_some()), "{} asks nothing", slide.file);
+        let walked = slide.plays.has_rays();
+        assert!(!walked || slide.stages.iter().all(|stage| stage.rays.len() >= 2), "{} has one ray", slide.file);
+        assert!(!slide.notes.is_empty(), "{} has no notes", slide.file);
+    }
+    let missing: Vec<u32> = (1..=66).filter(|number| !covered.contains(number)).collect();
+    assert_eq!(missing, MISSING);
 }
 
 /// Every question on this ray has one right answer, and every other answer its reason.
@@ -45,7 +69,7 @@ fn questions_have_one_right_answer_and_reasons_for_the_others_on_every_ray() {
     for slide in &library.slides {
         for stage in &slide.stages {
             let built = stage.build(slide.plays).unwrap();
-            if let (Plays::Build, Some(play)) = (slide.plays, built.play(None, &slide.beats)) {
+            if let (false, Some(play)) = (slide.plays.has_rays(), built.play(None, &slide.beats)) {
                 check_questions(slide, &play);
                 continue;
             }

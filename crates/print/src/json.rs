@@ -1,6 +1,6 @@
-//! A walk or a build as JSON, for other programs. `TRACE.md` beside this crate describes every key.
+//! A walk, a build or a board as JSON, for other programs. `TRACE.md` beside this crate describes every key.
 
-use raystep_accel::{Cost, Event, Grow, Hit, Observer, Place, Ray, Value, Visit};
+use raystep_accel::{Cost, Event, Grow, Hit, Observer, Place, Ray, Reveal, Value, Visit};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// What is written: what it is about, and what happened.
@@ -40,9 +40,11 @@ pub enum Told<'a> {
     },
     /// The structure was built.
     Build(&'a [Grow]),
+    /// A board was filled.
+    Board(&'a [Reveal]),
 }
 
-/// The walk or the build as JSON text, ending with a newline.
+/// The walk, the build or the board as JSON text, ending with a newline.
 pub fn json(record: &Record<'_>) -> String {
     let structure =
         Built { kind: record.kind, parameters: Pairs(record.parameters), nodes: record.nodes, bytes: record.bytes };
@@ -76,6 +78,10 @@ pub fn json(record: &Record<'_>) -> String {
         Told::Build(events) => {
             let events = steps(events.iter().copied().map(Event::Build));
             text(&Grown { format: "raystep-build", version, scene, origin, structure, lost, events })
+        }
+        Told::Board(events) => {
+            let events = steps(events.iter().copied().map(Event::Board));
+            text(&Grown { format: "raystep-board", version, scene, origin, structure, lost, events })
         }
     }
 }

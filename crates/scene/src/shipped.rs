@@ -15,7 +15,10 @@ use crate::{MOST_STEPS, Scene, View, teapot};
 static FLAT: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/scenes");
 
 /// The teapot at 10×10 with its floor.
-const TEAPOT: &str = "teapot-6321";
+pub(crate) const TEAPOT: &str = "teapot-6321";
+
+/// Nothing: what boards without measurements stand on.
+const NOTHING: &str = "nothing";
 
 /// Some thousand trees.
 const FOREST: &str = "forest";
@@ -56,6 +59,9 @@ impl Scene {
         if name == TEAPOT {
             return Ok(teapot_on_floor());
         }
+        if name == NOTHING {
+            return Ok(nothing());
+        }
         if name == STADIUM {
             return Ok(stadium());
         }
@@ -86,6 +92,13 @@ impl Scene {
         };
         Scene::from_toml(text, name).map_err(|wrong| unknown(name, format!("its file is wrong: {wrong}")))
     }
+}
+
+/// An empty page.
+fn nothing() -> Scene {
+    let view = View::fitting(&Aabb::EMPTY, Vec3::Z, Vec3::Y);
+    let (name, title) = (NOTHING.to_owned(), "Nothing".to_owned());
+    Scene { name, title, prims: Prims::Few(Vec::new()), flat: true, view, note: String::new(), origin: DVec3::ZERO }
 }
 
 fn unknown(name: &str, advice: String) -> UnknownScene {

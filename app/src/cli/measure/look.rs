@@ -3,7 +3,6 @@
 use std::str::FromStr;
 
 use glam::Vec3;
-use raystep_accel::{PrimId, Primitives};
 use raystep_figure::Camera;
 use raystep_scene::{Scene, View};
 
@@ -65,7 +64,7 @@ impl Shot {
         let camera = match look {
             Look::Free { eye, target, fov_degrees } => Camera::Solid { eye, target, up: scene.view.up, fov_degrees },
             Look::Close if !scene.flat => {
-                let View { eye, target, up, fov_degrees } = close(scene);
+                let View { eye, target, up, fov_degrees } = scene.close_view();
                 Camera::Solid { eye, target, up, fov_degrees }
             }
             Look::Close | Look::Scene => of_scene(scene, pixels),
@@ -75,18 +74,6 @@ impl Shot {
         let light = shadows.then(|| bounds.center() + Vec3::new(-0.6, -0.8, 1.7) * bounds.extent().length());
         Shot { camera, size, light }
     }
-}
-
-/// The object alone fills the picture: of the teapot on its floor, the teapot.
-fn close(scene: &Scene) -> View {
-    let boxes = (0..scene.prims.len() as u32).map(|prim| scene.prims.bounds(PrimId(prim)));
-    let mut corners: Vec<Vec3> = boxes.flat_map(|bounds| [bounds.min, bounds.max]).collect();
-    if scene.name == "teapot-6321" {
-        // The floor is the last of its triangles.
-        corners.truncate(corners.len() - 2);
-    }
-    let View { eye, target, up, .. } = scene.view;
-    View::filling(&corners, eye - target, up)
 }
 
 #[cfg(test)]

@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use raystep_accel::{Axis, Event, Place, Value};
-use raystep_figure::{Figure, Form, Ink, Look, Nodes, Role, TreeView, sentence, veiled};
-use raystep_lesson::{Library, Plays};
+use raystep_figure::{Figure, Form, Ink, Look, Role, TreeView, sentence, veiled};
+use raystep_lesson::Library;
 
 use super::State;
+use crate::shown::all_nodes::AllNodes;
 use crate::shown::pictures::{Pane, Pictures};
 use crate::shown::playback::{Built, Playback, Posed};
 use crate::shown::view::{RayChoice, View};
@@ -136,10 +137,10 @@ fn an_open_question_gives_nothing_away() {
         for stage in &slide.stages {
             let built = stage.build(slide.plays).expect("a shipped stage");
             let rule = stage.plan.rule(built.scene.flat).expect("a shipped rule");
-            let nodes = Arc::new(Nodes::of(&built.structure));
-            let raystep_lesson::Built { scene, structure, growth } = built;
-            let built = Built { scene, rule, structure, nodes, growth, seconds: 0.0 };
-            let rays = if slide.plays == Plays::Build { 1 } else { stage.rays.len() };
+            let nodes = Arc::new(AllNodes::of(&built.structure, built.told.as_ref()));
+            let raystep_lesson::Built { scene, structure, told } = built;
+            let built = Built { scene, rule, structure, nodes, told, seconds: 0.0 };
+            let rays = if !slide.plays.has_rays() { 1 } else { stage.rays.len() };
             for ray in 0..rays {
                 let view = View { ray: RayChoice::Named(ray), ..View::of_slide(index, stage.kind) };
                 let own = stage.rays.get(ray).map(|ray| ray.ray);

@@ -103,7 +103,7 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 (Command::Compare, matches!(state.beside, Beside::Structure(_)), true),
             ];
             // Brute force has no structure that could be built.
-            let builds = state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+            let builds = state.slide().is_some_and(|slide| slide.plays != Plays::Walk);
             for (command, on, _) in modes.into_iter().filter(|(.., fits)| *fits) {
                 let button = Button::new(command.name()).selected(on);
                 let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };
@@ -112,6 +112,10 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 if response.on_disabled_hover_text("A build has no ray to compare with").clicked() {
                     asked = Some(Asked::Command(command));
                 }
+            }
+            // Whatever stands on a board has a structure of its own.
+            if state.slide().is_some_and(|slide| slide.plays == Plays::Board) {
+                return;
             }
             if room.breaks {
                 broken(ui, state, theme, &mut asked);

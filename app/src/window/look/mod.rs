@@ -4,6 +4,7 @@ pub(super) mod controls;
 pub(super) mod fonts;
 pub(super) mod formulas;
 pub(super) mod icons;
+mod images;
 pub(super) mod markdown;
 pub(super) mod outline;
 pub(super) mod painter;

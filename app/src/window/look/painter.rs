@@ -5,6 +5,7 @@ use raystep_accel::Place;
 use raystep_figure::{Anchor, Dash, Face, Figure, Ink, Mark, Role, Style, Theme};
 
 use super::fonts::font;
+use super::images;
 use super::outline::{self, hatching};
 use super::visuals::color32;
 
@@ -95,8 +96,14 @@ fn paint_mark(painter: &Painter, origin: Pos2, mark: &Mark, role: Role, theme: &
                 painter.circle_stroke(center, *radius, (stroke.width, color32(stroke.color)));
             }
         }
-        // No pane of the window holds these: formulas stand in the prose, images lie under the labels.
-        Ink::Formula { .. } | Ink::Image { .. } => {}
+        Ink::Image { min, max, image } => {
+            let texture = images::texture(painter.ctx(), image);
+            let rect = Rect::from_min_max(origin + vec2(min.x, min.y), origin + vec2(max.x, max.y));
+            let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.image(texture.id(), rect, whole, egui::Color32::WHITE);
+        }
+        // No pane of the window holds these: formulas stand in the prose.
+        Ink::Formula { .. } => {}
         ink => paint_shape(painter, origin, ink, &style),
     }
 }

@@ -4,7 +4,7 @@
 use egui::{Frame, Panel, Ui};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
-use raystep_lesson::{Plays, Show};
+use raystep_lesson::Show;
 
 use super::figure::figure;
 use super::page::{Asked, Kept, Page};
@@ -32,6 +32,10 @@ pub(super) fn right(
     sizes: &mut Remembered,
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
+    // A board needs all the room, and nothing runs beside it.
+    if ![Pane::Listing, Pane::Changed, Pane::Stack, Pane::Work].into_iter().any(|pane| has(kept, pane)) {
+        return None;
+    }
     let whole = ui.ctx().content_rect().width();
     let frame = Frame::new().fill(fill(page.theme, Role::Page));
     let usual = (whole * 0.28).clamp(318.0, 470.0);
@@ -155,7 +159,7 @@ pub(super) fn center(
     }
     // The costs of splits are curves and bytes are boxes; intervals are lines, of which four must fit.
     let bytes = bytes(page.state);
-    let builds = page.state.slide().is_some_and(|slide| slide.plays == Plays::Build);
+    let builds = page.state.slide().is_some_and(|slide| !slide.plays.has_rays());
     let usual = match () {
         // What a slide is about gets the room.
         () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.38).clamp(200.0, 340.0),

@@ -105,6 +105,7 @@ pub(super) fn stage(
     let look = Look::WINDOW;
     // A kind that draws the middle of the page itself needs no stage.
     let Some(space) = pictures.space.clone().filter(|_| !pictures.has(Pane::Picture)) else {
+        let look = Look { text: look.text * scale, ..look };
         return figure::figure(ui, page, kept, Pane::Picture, rect, &look, asked);
     };
     let space = &*space;
@@ -183,9 +184,8 @@ fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc
 /// What a walk has cost so far, at the foot of its picture.
 fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<Cost>) {
     let Some(cost) = cost else { return };
-    let all = raystep_accel::Primitives::len(&playback.play.scene.prims);
     let structure = &*playback.play.structure;
-    let (tests, of) = raystep_figure::tested(structure, all, &cost);
+    let (tests, of) = raystep_figure::tested(structure, &playback.play.scene.prims, &cost);
     let mut says = format!("{tests} of {of} tested");
     match (cost.node_visits, cost.cell_steps) {
         (0, 0) => {}

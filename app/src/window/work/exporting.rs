@@ -49,9 +49,9 @@ impl Window {
         let view = &self.playback.view;
         let slide = self.library.slides.get(view.slide).ok_or_else(gone)?;
         let stage = slide.stage(view.stage).or(slide.stages.first()).ok_or_else(gone)?;
-        let Built { scene, rule, structure, nodes, growth, .. } = self.playback.built();
+        let Built { scene, rule, structure, nodes, told, .. } = self.playback.built();
         let title = scene.title.clone();
-        let built = raystep_lesson::Built { scene, structure, growth };
+        let built = raystep_lesson::Built { scene, structure, told };
         let changes = Changes {
             scene: view.is_elsewhere().then_some(title),
             settings: view.settings.clone(),

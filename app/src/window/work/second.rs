@@ -157,7 +157,7 @@ fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task)
                     let rule = Rule::default_for(kind).map_err(|error| Failure::Wrong(error.to_string()))?;
                     let scene = playback.play.scene.clone();
                     let rule = if scene.flat { rule.flat() } else { rule };
-                    build(scene, rule, Plays::Walk, task)?
+                    build(scene, rule, Plays::Walk, None, task)?
                 }
             };
             let none = || Failure::Wrong("A build has no ray to compare: go to a slide on which one walks.".to_owned());

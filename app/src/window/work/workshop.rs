@@ -5,13 +5,13 @@ use std::time::Instant;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
-use raystep_figure::Nodes;
-use raystep_lesson::{BuildTape, Library, Plays, Slide, Stage};
+use raystep_lesson::{Board, Library, Plan, Plays, Slide, Stage, Tape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use super::bench::{Bench, Broken};
 use super::task::Task;
+use crate::shown::all_nodes::AllNodes;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::view::{RayChoice, View};
 
@@ -176,7 +176,7 @@ impl Workshop {
 /// The ray that a view asks for; a build needs none.
 pub(crate) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option<Ray>, String> {
     match (&view.ray, slide.plays) {
-        (_, Plays::Build) => Ok(None),
+        (_, plays) if !plays.has_rays() => Ok(None),
         (RayChoice::Own(ray), _) => Ok(Some(*ray)),
         (RayChoice::Named(index), _) => {
             let named = stage.rays.get(*index).ok_or("The slide has no such ray.")?;
@@ -240,7 +240,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
                 (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
-            build(scene, rule, slide.plays, task)?
+            build(scene, rule, slide.plays, Some(&stage), task)?
         }
     };
     let mesh = mesh(&order, &built.scene, task);
@@ -259,14 +259,21 @@ fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
     known.or_else(|| Mesh::new(device, &scene.prims, &|| !task.is_stopped()).map(Arc::new))
 }
 
-/// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played.
-pub(crate) fn build(scene: Arc<Scene>, rule: Rule, plays: Plays, task: &Task) -> Result<Built, Failure> {
+/// Builds a structure, unless the task is stopped; how it was built is kept where that is to be played, and what
+/// `stage` has beside it: more structures, a board.
+pub(crate) fn build(
+    scene: Arc<Scene>,
+    rule: Rule,
+    plays: Plays,
+    stage: Option<&Stage>,
+    task: &Task,
+) -> Result<Built, Failure> {
     let start = Instant::now();
-    let built = BuildTape::record(plays, &scene, &rule, &mut Watch(task));
-    let (structure, growth) = built.map_err(|Cancelled| Failure::Cancelled)?;
+    let built = Tape::record(plays, stage, &scene, &rule, &mut Watch(task));
+    let (structure, told) = built.map_err(|Cancelled| Failure::Cancelled)?;
     let seconds = start.elapsed().as_secs_f32();
-    let nodes = Arc::new(Nodes::of(&structure));
-    Ok(Built { scene, rule, structure: Arc::new(structure), nodes, growth, seconds })
+    let nodes = Arc::new(AllNodes::of(&structure, told.as_ref()));
+    Ok(Built { scene, rule, structure: Arc::new(structure), nodes, told, seconds })
 }
 
 /// The small scene in which a mistake shows.
@@ -296,10 +303,20 @@ impl Observer<Grow> for Watch<'_> {
 /// Whether a kept structure is the one that a view asks for.
 fn fits(built: &Built, view: &View, library: &Library) -> bool {
     let Some((slide, stage)) = slide_and_stage(view, library) else { return false };
-    // How it was built is kept only where it is played.
-    built.growth.is_some() == (slide.plays == Plays::Build)
+    // How it was built is kept only where it is played, and a board is its own slide's.
+    built.told.as_ref().map_or(Plays::Walk, Tape::plays) == slide.plays
+        && is_of(built.told.as_ref(), stage)
         && is_over(built, view, library)
         && rule_of(view, stage, built.scene.flat).is_ok_and(|rule| rule == built.rule)
+}
+
+/// Whether a kept tape is no board's, or this stage's board's.
+fn is_of(told: Option<&Tape>, stage: &Stage) -> bool {
+    match told {
+        Some(Tape::Board(filled)) => stage.board.as_ref() == Some(&filled.board),
+        Some(Tape::Walks(walks)) => stage.abreast == walks.plans,
+        _ => true,
+    }
 }
 
 /// Whether a kept structure stands over the scene that a view asks for.
@@ -316,8 +333,18 @@ fn slide_and_stage<'a>(view: &View, library: &'a Library) -> Option<(&'a Slide, 
     Some((slide, slide.stage(view.stage).or(slide.stages.first())?))
 }
 
+/// What a kept structure has beside it: the board that it fills, the structures that are walked with it.
+fn others(built: &Built) -> (Option<&Board>, &[Plan]) {
+    match &built.told {
+        Some(Tape::Board(filled)) => (Some(filled.board.as_ref()), &[]),
+        Some(Tape::Walks(walks)) => (None, &walks.plans),
+        _ => (None, &[]),
+    }
+}
+
 fn same(a: &Built, b: &Built) -> bool {
     a.rule == b.rule
-        && a.growth.is_some() == b.growth.is_some()
+        && others(a) == others(b)
+        && a.told.is_some() == b.told.is_some()
         && (Arc::ptr_eq(&a.scene, &b.scene) || a.scene.name == b.scene.name)
 }

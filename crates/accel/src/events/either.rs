@@ -1,14 +1,16 @@
-//! An event of a walk or of a build, for whoever shows both.
+//! An event of a walk, of a build or of a board, for whoever shows them all.
 
-use super::{Grain, Grow, Place, Value, Visit};
+use super::{Grain, Grow, Place, Reveal, Value, Visit};
 
-/// Something that a walk or a builder did.
+/// Something that a walk or a builder did, or that came to be seen on a board.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// A ray's walk did it.
     Walk(Visit),
     /// A builder did it.
     Build(Grow),
+    /// It came to be seen on a board.
+    Board(Reveal),
 }
 
 /// Asks whichever it is.
@@ -17,6 +19,7 @@ macro_rules! either {
         match $event {
             Event::Walk($inner) => $ask,
             Event::Build($inner) => $ask,
+            Event::Board($inner) => $ask,
         }
     };
 }
@@ -37,9 +40,10 @@ impl Event {
         either!(self, event => event.grain())
     }
 
-    /// The value of the field called `name`.
+    /// The value of the field called `name`. What a board has no number for is no field of it.
     pub fn field(&self, name: &str) -> Option<Value> {
-        either!(self, event => event.field(name))
+        let missing = |value: &Value| matches!((self, value), (Event::Board(_), Value::Number(n)) if n.is_nan());
+        either!(self, event => event.field(name)).filter(|value| !missing(value))
     }
 
     /// The names of its fields, in order.

@@ -1,4 +1,4 @@
-//! What is told: the events of walks and of builds, the places that they are about, and who listens.
+//! What is told: the events of walks, of builds and of boards, the places that they are about, and who listens.
 
 mod cost;
 mod either;
@@ -6,6 +6,7 @@ mod grow;
 mod lanes;
 mod observer;
 mod place;
+mod reveal;
 mod trace;
 mod value;
 mod visit;
@@ -18,6 +19,7 @@ pub use lanes::Lanes;
 pub(crate) use observer::{BETWEEN_LOOKS, patiently, sort_patiently};
 pub use observer::{Cancelled, Each, Observer};
 pub use place::{CellId, NodeId, Place, PrimId};
+pub use reveal::Reveal;
 pub use trace::Trace;
 pub use value::Value;
 pub use visit::{Ending, Grain, Probed, Side, Verdict, Visit};

@@ -6,6 +6,7 @@ pub(crate) mod digits;
 mod direction;
 mod interval;
 mod obb;
+mod pinhole;
 mod ray;
 
 pub use aabb::Aabb;
@@ -13,4 +14,5 @@ pub use axis::{Axes, Axis, Measure};
 pub use direction::Direction;
 pub use interval::Interval;
 pub use obb::Obb;
+pub use pinhole::pinhole;
 pub use ray::{Ray, RayError};

@@ -1,7 +1,7 @@
 //! The building of a structure.
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Place, Primitives, Prims, Structure};
+use raystep_accel::{Aabb, Grow, Place, Primitives, Prims, Structure};
 
 use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
@@ -15,9 +15,14 @@ use crate::words::{Fact, Symbol, VolumeName, counted};
 use crate::world::Space;
 
 impl Build<'_> {
+    /// Whether anything is weighed: an octree has no choice, and sets that are joined are compared otherwise.
+    fn weighs(&self) -> bool {
+        self.events.iter().any(|event| matches!(event, Grow::Weigh { .. }))
+    }
+
     /// Whether a flat scene is divided by planes along the axes, or by shares of its primitives.
     fn weighs_in_the_plane(&self) -> bool {
-        self.flat && matches!(self.structure, Structure::Kd(_) | Structure::Bvh(_))
+        self.flat && matches!(self.structure, Structure::Kd(_) | Structure::Bvh(_)) && self.weighs()
     }
 }
 
@@ -38,7 +43,10 @@ impl Kind for Build<'_> {
         let mut panes = vec![Pane::Tree, Pane::Cells, Pane::Listing, Pane::Changed, Pane::Work, Pane::Timeline];
         // The cells of a grid are not weighed, and are filled one after the other.
         if self.structure.node_count() > 0 {
-            panes.extend([Pane::Ruler, Pane::RulerLine, Pane::Stack, Pane::StackHere]);
+            panes.extend([Pane::RulerLine, Pane::Stack, Pane::StackHere]);
+        }
+        if self.structure.node_count() > 0 && self.weighs() {
+            panes.push(Pane::Ruler);
         }
         // What is weighed stands on the same axes as the space that it divides.
         if self.weighs_in_the_plane() {
@@ -59,7 +67,9 @@ impl Kind for Build<'_> {
             Pane::RulerLine if ruler && moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)
             }
-            Pane::Ruler | Pane::RulerLine if ruler => costs(moment, VolumeName::of(self.structure), hide, size, look),
+            Pane::Ruler | Pane::RulerLine if ruler && self.weighs() => {
+                costs(moment, VolumeName::of(self.structure), hide, size, look)
+            }
             Pane::Tree => tree_of_build(moment, ask.view.unwrap_or(&TreeView::default()), size, look),
             Pane::Cells => cells_of_build(self, moment, size, look),
             Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),

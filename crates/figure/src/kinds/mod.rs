@@ -1,5 +1,6 @@
 //! What can be shown step by step: each kind in a file that says which panes it draws. A new kind is such a file.
 
+mod board;
 mod build;
 mod film;
 mod instant;
@@ -7,9 +8,12 @@ mod kind;
 mod reel;
 mod still;
 mod walk;
+mod walks;
 
+pub use board::Board;
 pub use film::Film;
 pub use instant::Instant;
 pub use kind::{Guess, Kind};
 pub use reel::Reel;
 pub use still::Still;
+pub use walks::Walks;

@@ -1,7 +1,7 @@
 //! A ray's walk.
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Visit};
+use raystep_accel::{Aabb, Cost, Place, Prims, Visit};
 
 use super::{Guess, Instant, Kind};
 use crate::moments::{Moment, Walk};
@@ -160,7 +160,7 @@ impl Kind for Walk<'_> {
     }
 
     fn tally(&self, at: &Instant) -> String {
-        let (tests, tested) = tested(self.structure, self.prims.len(), &at.state::<Moment>().cost);
+        let (tests, tested) = tested(self.structure, self.prims, &at.state::<Moment>().cost);
         format!("{tests} of {tested} tested")
     }
 

@@ -95,6 +95,8 @@ pub struct Tally {
     pub weighed: u64,
     /// Splits taken.
     pub taken: u64,
+    /// Times that two sets became one.
+    pub joined: u64,
     /// Leaves made.
     pub leaves: u64,
 }
@@ -209,9 +211,10 @@ impl GrowMoment {
                 self.cell_count = nx * ny * nz;
                 self.prim = None;
             }
-            Grow::Refine { cell, first, nx, ny, nz, .. } => {
+            Grow::Refine { cell, first, nx, ny, nz, prims } => {
                 // What the cell referred to goes into its own grid.
                 self.cells.remove(&cell);
+                self.tally.stored = self.tally.stored.saturating_sub(u64::from(prims));
                 self.cell_count = first.0 + nx * ny * nz;
                 self.prim = None;
                 self.rasterised.clear();

@@ -1,5 +1,6 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
+mod board;
 mod bytes;
 mod cells;
 mod changed;
@@ -13,9 +14,12 @@ mod space;
 mod stack;
 mod timeline;
 mod tree;
+mod walks;
 mod weighing;
 mod work;
 
+pub(crate) use board::board;
+pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Picture, Pictures, Row, Scale, Table};
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};
@@ -29,6 +33,7 @@ pub use stack::{stack, stack_height, stack_of_build};
 pub use timeline::{Track, timeline, timeline_of_build};
 pub(crate) use timeline::{symbol_at, symbol_of_build_at, symbol_on_track, track};
 pub use tree::{TreeView, tree, tree_of_build};
+pub(crate) use walks::{Walker, walks};
 pub(crate) use weighing::weighing;
 pub(crate) use work::weighed;
 pub use work::{tested, work, work_of_build};

@@ -1,7 +1,7 @@
 //! Where a solid scene is seen from.
 
 use glam::{Mat4, Vec2, Vec3};
-use raystep_accel::{Ray, RayError};
+use raystep_accel::{Ray, RayError, pinhole};
 
 /// A camera; the one type that projects the world onto a page.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,12 +67,7 @@ impl Camera {
                 Ray::new(at.extend(1e3), Vec3::NEG_Z)
             }
             Camera::Solid { eye, target, up, fov_degrees } => {
-                let forward = (target - eye).normalize_or_zero();
-                let right = forward.cross(up).normalize_or_zero();
-                let half = f64::from(fov_degrees.to_radians() * 0.5);
-                let tan = (libm::sin(half) / libm::cos(half)) as f32;
-                let d = forward + right * (ndc.x * tan * size.x / size.y) + right.cross(forward) * (ndc.y * tan);
-                Ray::new(eye, d.normalize_or_zero())
+                pinhole(eye, target, up, fov_degrees, ndc, size.x / size.y)
             }
         }
     }

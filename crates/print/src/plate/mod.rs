@@ -65,7 +65,8 @@ impl Page<'_> {
     fn wide(&mut self, picture: &dyn Fn(Vec2) -> Figure) {
         let size = self.figure.size;
         let said = Area::new(0.0, HEAD, (size.x * 0.225).round(), size.y - FOOT);
-        let code = Area::new((size.x * 0.72).round(), HEAD, size.x, size.y - FOOT);
+        let code = if self.has_code() { 0.72 } else { 1.0 };
+        let code = Area::new((size.x * code).round(), HEAD, size.x, size.y - FOOT);
         let middle = Area::new(said.max.x, HEAD, code.min.x, size.y - FOOT);
         let (space_area, below) = middle.split_top(middle.size().y - self.below_height(middle.size().y));
         self.space(space_area, picture);
@@ -73,9 +74,17 @@ impl Page<'_> {
         said.fill(&mut self.figure, Role::Page);
         self.said(said.inset(EDGE));
         self.below(below);
-        self.code(code);
+        if self.has_code() {
+            self.code(code);
+        }
         self.head(Area::new(0.0, 0.0, size.x, HEAD));
         self.foot(Area::new(0.0, size.y - FOOT, size.x, size.y));
+    }
+
+    /// Whether an algorithm runs, something waits, or work is counted.
+    fn has_code(&self) -> bool {
+        let still = &self.plate.still;
+        !self.plate.listing.is_empty() || [Pane::Stack, Pane::Work].into_iter().any(|pane| still.has(pane))
     }
 
     /// One above the other, the algorithm beside the stack and the work.

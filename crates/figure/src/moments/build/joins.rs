@@ -8,6 +8,7 @@ impl GrowMoment {
     /// Two nodes become the children of a third, which may have stood before with others below it.
     pub(super) fn join(&mut self, node: NodeId, children: [NodeId; 2], bounds: Aabb) {
         self.consider(node);
+        self.tally.joined += 1;
         let prims = children.iter().filter_map(|child| self.nodes.get(child)).map(|child| child.prims).sum();
         self.forget_below(node);
         let fresh =
@@ -27,6 +28,20 @@ impl GrowMoment {
         }
         if let Some(parent) = self.nodes.get_mut(&parent) {
             parent.children.push(node);
+        }
+        self.count_again(parent);
+    }
+
+    /// A node and all above it hold what their children hold together.
+    fn count_again(&mut self, node: NodeId) {
+        let mut next = Some(node);
+        while let Some(id) = next {
+            let children = self.nodes.get(&id).map(|node| node.children.clone()).unwrap_or_default();
+            let prims = children.iter().filter_map(|child| self.nodes.get(child)).map(|child| child.prims).sum();
+            if let Some(node) = self.nodes.get_mut(&id) {
+                node.prims = prims;
+            }
+            next = self.parents.get(&id).copied();
         }
     }
 

@@ -5,7 +5,8 @@ mod spans;
 use glam::Vec2;
 use raystep_accel::{Structure, Visit};
 
-use spans::{Span, current_t, extent, spans};
+use spans::{Span, current_t};
+pub(crate) use spans::{extent, spans};
 
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};

@@ -56,8 +56,9 @@ impl Drawing<'_> {
         if moment.bounds.is_empty() {
             return;
         }
-        // Until the first cell is filled or the first plane weighed.
-        let grows = moment.tally.rasterised == 0 && moment.tally.weighed == 0 && moment.tally.taken == 0;
+        // Until the first cell is filled, the first plane weighed, or the first sets are joined.
+        let tally = &moment.tally;
+        let grows = tally.rasterised == 0 && tally.weighed == 0 && tally.taken == 0 && tally.joined == 0;
         self.add(if grows { Role::Here } else { Role::Edge }, Some(Place::World), Form::Box(moment.bounds));
         if !grows {
             return;

@@ -22,9 +22,10 @@ pub fn tree_of_build(moment: &GrowMoment, view: &TreeView, size: Vec2, look: &Lo
 pub(crate) fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
     match moment.nodes.get(&id) {
         _ if moment.node == Some(id) => Role::Here,
-        Some(node) if !node.children.is_empty() || node.leaf.is_some() => Role::Seen,
+        // Divided or a leaf; or, where sets are joined, a set by itself.
+        Some(_) => Role::Seen,
         // Named by its parent's split, still to be built.
-        _ => Role::Waiting,
+        None => Role::Waiting,
     }
 }
 

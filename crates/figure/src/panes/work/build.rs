@@ -72,6 +72,7 @@ fn words(build: &Build<'_>, moment: &GrowMoment) -> Vec<String> {
     let tally = &moment.tally;
     let rest = [
         (tally.taken, "taken", "taken"),
+        (tally.joined, "time two sets became one", "times two sets became one"),
         (tally.leaves, "leaf", "leaves"),
         (moment.waiting.len() as u64, "node waits", "nodes wait"),
         // A primitive and a cell: each pair is looked at once.

@@ -3,7 +3,7 @@
 mod build;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Primitives, Structure};
+use raystep_accel::{Cost, Primitives, Prims, Structure};
 
 pub(crate) use build::weighed;
 pub use build::work_of_build;
@@ -19,12 +19,20 @@ fn tests_box_only(structure: &Structure) -> bool {
 }
 
 /// How many tests a walk has cost, and of how many things: "12 primitives", "1 box".
-pub fn tested(structure: &Structure, prims: usize, cost: &Cost) -> (u64, String) {
+pub fn tested(structure: &Structure, prims: &Prims, cost: &Cost) -> (u64, String) {
+    let (tests, all, one, many) = of_all(structure, prims, cost);
+    (tests, counted(all, one, many))
+}
+
+/// How many tests a walk has cost, how many things there are to be tested, and what one and many of them are called.
+/// In instances the triangles of their models are tested, as often as they are placed.
+fn of_all(structure: &Structure, prims: &Prims, cost: &Cost) -> (u64, u64, &'static str, &'static str) {
     let volume = VolumeName::of(structure);
-    if tests_box_only(structure) {
-        return (cost.box_tests, counted(1, volume.one, volume.many));
+    match prims {
+        _ if tests_box_only(structure) => (cost.box_tests, 1, volume.one, volume.many),
+        Prims::Instances(placed) => (cost.prim_tests, placed.triangles(), "triangle", "triangles"),
+        _ => (cost.prim_tests, prims.len() as u64, "primitive", "primitives"),
     }
-    (cost.prim_tests, counted(prims as u64, "primitive", "primitives"))
 }
 
 /// The primitives tested so far as a number and a bar, the rest of the work in words. `beside` names
@@ -35,8 +43,7 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let (left, u) = (look.margin(), look.text);
     let only_box = tests_box_only(walk.structure);
     let volume = VolumeName::of(walk.structure);
-    let (tests, tested) = tested(walk.structure, walk.prims.len(), &moment.cost);
-    let all = if only_box { 1 } else { walk.prims.len() as u64 };
+    let (tests, all, one, many) = of_all(walk.structure, walk.prims, &moment.cost);
 
     // The one loud number.
     let loud = u * 2.6;
@@ -45,7 +52,7 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let base = Vec2::new(left, y);
     write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
     let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
-    let says = format!("of {tested} tested");
+    let says = format!("of {} tested", counted(all, one, many));
     write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
     y += loud * 0.5 + u * 0.6;
 

@@ -54,7 +54,7 @@ impl Fact for Grow {
             Grow::Widen { grown: true, .. } => "the box grows",
             Grow::Widen { .. } => "it fits into the box",
             Grow::Resolve { .. } => "the resolution is chosen",
-            Grow::Refine { .. } => "a crowded cell gets its own grid",
+            Grow::Refine { .. } => "a cell gets its own grid",
             Grow::Rasterise { .. } => "a primitive's box meets a cell",
             Grow::Prune { .. } => "the primitive itself does not",
             Grow::Open { .. } => "a node comes to be",

@@ -1,6 +1,7 @@
 //! What events of walks and of builds have in common, and how views call them.
 
 pub(crate) mod grow;
+mod reveal;
 pub(crate) mod visit;
 
 use std::borrow::Cow;
@@ -70,6 +71,7 @@ impl Fact for Event {
         match self {
             Event::Walk(visit) => visit.symbol(),
             Event::Build(grow) => grow.symbol(),
+            Event::Board(reveal) => reveal.symbol(),
         }
     }
 
@@ -77,6 +79,7 @@ impl Fact for Event {
         match self {
             Event::Walk(visit) => visit.short(volume),
             Event::Build(grow) => grow.short(volume),
+            Event::Board(reveal) => reveal.short(volume),
         }
     }
 
@@ -84,6 +87,7 @@ impl Fact for Event {
         match self {
             Event::Walk(visit) => visit.sentence(volume),
             Event::Build(grow) => grow.sentence(volume),
+            Event::Board(reveal) => reveal.sentence(volume),
         }
     }
 }
@@ -141,7 +145,7 @@ pub fn short(event: &(impl Fact + ?Sized), volume: VolumeName) -> Cow<'static, s
 pub fn veiled(event: &Event) -> Event {
     match event {
         Event::Walk(event) => Event::Walk(veiled_visit(event)),
-        Event::Build(_) => *event,
+        Event::Build(_) | Event::Board(_) => *event,
     }
 }
 

@@ -1,0 +1,61 @@
+//! The vocabulary of boards: tables and charts, whose rows, points and lines come to be seen one after the other.
+
+use super::{CellId, Grain, Place, vocabulary};
+
+vocabulary! {
+    /// One thing of a board that came to be seen. `entry` counts what came before it. A number that a row lacks is
+    /// no number (NaN), and no field.
+    pub enum Reveal {
+        /// A row of a table: tests per ray as printed, their printed total, what follows from other printed numbers,
+        /// and what was measured here, a ray: tests of primitives, nodes or cells entered, volumes tested; then how
+        /// many nodes or cells the structure has, and how many bytes.
+        Row ["row"] {
+            entry: u32,
+            printed: f32,
+            total: f32,
+            computed: f32,
+            tests: f32,
+            visits: f32,
+            boxes: f32,
+            nodes: f32,
+            bytes: f32,
+        }
+        /// A point of a chart.
+        Point ["point"] { entry: u32, x: f32, y: f32 }
+        /// A line of a chart, and its height at its two ends.
+        Line ["line"] { entry: u32, from: f32, to: f32, first: f32, last: f32 }
+        /// A heat map: what its rays cost in the mean, the least and the most.
+        Map ["map"] { entry: u32, mean: f32, least: f32, most: f32 }
+        /// A picture: how many triangles it shows, the rays shot for it, and what each tested in the mean.
+        Picture ["picture"] { entry: u32, triangles: f32, rays: f32, tests: f32 }
+    }
+}
+
+impl Reveal {
+    /// What slides, listings and questions call it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Reveal::Row { .. } => "row",
+            Reveal::Point { .. } => "point",
+            Reveal::Line { .. } => "line",
+            Reveal::Map { .. } => "map",
+            Reveal::Picture { .. } => "picture",
+        }
+    }
+
+    /// What it is about: everything on a board has a place of its own, so that its parts light up together.
+    pub fn place(&self) -> Place {
+        match *self {
+            Reveal::Row { entry, .. }
+            | Reveal::Point { entry, .. }
+            | Reveal::Line { entry, .. }
+            | Reveal::Map { entry, .. }
+            | Reveal::Picture { entry, .. } => Place::Cell(CellId(entry)),
+        }
+    }
+
+    /// Every row, point and line is a step of its own.
+    pub fn grain(&self) -> Grain {
+        Grain::Visit
+    }
+}

@@ -1,0 +1,52 @@
+//! A board that is filled: tables and charts.
+
+use raystep_accel::Reveal;
+
+use super::{Instant, Kind};
+use crate::page::Figure;
+use crate::panes::{Ask, Pane, Panel, board};
+use crate::words::Fact;
+
+/// Tables and charts, and what comes to be seen on them.
+#[derive(Clone, Debug)]
+pub struct Board<'a> {
+    /// What stands on it.
+    pub panels: Vec<Panel>,
+    /// What comes to be seen, in order.
+    pub events: &'a [Reveal],
+    /// What each of these is called.
+    pub names: Vec<String>,
+}
+
+impl Kind for Board<'_> {
+    fn len(&self) -> usize {
+        self.events.len()
+    }
+
+    fn start(&self) -> Instant {
+        Instant::new(0_usize)
+    }
+
+    fn advance(&self, at: &mut Instant, step: usize) {
+        let shown = at.state_mut::<usize>();
+        *shown = step.min(self.events.len()).max(*shown);
+    }
+
+    fn panes(&self) -> Vec<Pane> {
+        vec![Pane::Picture]
+    }
+
+    fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
+        (pane == Pane::Picture).then(|| board(&self.panels, *at.state(), ask))
+    }
+
+    fn fact(&self, step: usize) -> Option<&dyn Fact> {
+        let event = self.events.get(step.checked_sub(1)?)?;
+        Some(event)
+    }
+
+    fn tally(&self, at: &Instant) -> String {
+        let step: usize = *at.state();
+        step.checked_sub(1).and_then(|index| self.names.get(index)).cloned().unwrap_or_default()
+    }
+}

@@ -1,0 +1,261 @@
+//! A chart: points and lines over two axes, each named where it ends.
+
+use glam::Vec2;
+
+use super::{Filled, place};
+use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
+use crate::theme::{Face, Role, text_width};
+use crate::words::number;
+
+/// A chart of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chart {
+    /// What it is about.
+    pub title: String,
+    /// What stands behind the title.
+    pub about: String,
+    /// Across.
+    pub x: Scale,
+    /// Up.
+    pub y: Scale,
+    /// What is drawn in it.
+    pub drawn: Vec<Drawn>,
+}
+
+/// An axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scale {
+    /// What it counts.
+    pub name: String,
+    /// Whether equal steps on it are equal factors.
+    pub log: bool,
+    /// Its lower end.
+    pub from: f64,
+    /// Its upper end.
+    pub to: f64,
+    /// Numbers that stand on it with words of their own; round numbers where there are none.
+    pub ticks: Vec<(f64, String)>,
+}
+
+/// Something drawn in a chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// When it comes to be seen.
+    pub entry: usize,
+    /// What it is called.
+    pub name: String,
+    /// A few words below the name.
+    pub note: String,
+    /// What it is.
+    pub curve: Curve,
+}
+
+/// A point, or points joined by a line.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Curve {
+    /// A point.
+    Point(Dot),
+    /// A line through points; a guess is dashed.
+    Line {
+        /// Its points, from left to right.
+        dots: Vec<Dot>,
+        /// Whether it is but a guess.
+        guess: bool,
+    },
+}
+
+/// Two numbers.
+pub type Dot = [f64; 2];
+
+impl Scale {
+    /// How far along the axis a number lies: 0 at its lower end, 1 at its upper one.
+    fn part(&self, value: f64) -> f32 {
+        let along = |value: f64| if self.log { libm::log10(value.max(f64::MIN_POSITIVE)) } else { value };
+        ((along(value) - along(self.from)) / (along(self.to) - along(self.from))) as f32
+    }
+
+    fn shows(&self, value: f64) -> bool {
+        (-1e-3..=1.001).contains(&self.part(value))
+    }
+
+    /// What stands on it.
+    fn marks(&self, most: f32) -> Vec<(f64, String)> {
+        if !self.ticks.is_empty() {
+            return self.ticks.clone();
+        }
+        let round = |value: f64| (value, number(value as f32));
+        if !self.log {
+            let ticks = Ticks { low: self.from as f32, high: self.to as f32, left: 0.0, right: most };
+            return ticks.marks(1.0).into_iter().map(|value| round(f64::from(value))).collect();
+        }
+        let (low, high) = (libm::ceil(libm::log10(self.from) - 1e-9), libm::floor(libm::log10(self.to) + 1e-9));
+        let every = libm::ceil((high - low + 1.0) / f64::from(most)).max(1.0);
+        let count = libm::floor((high - low) / every) as i32;
+        (0..=count.max(0)).map(|index| round(libm::pow(10.0, low + every * f64::from(index)))).collect()
+    }
+}
+
+/// Parts of a line between two points, when it is asked where the line runs.
+const PARTS: usize = 24;
+
+/// Lines of fewer points than these were measured.
+const LAW: usize = 40;
+
+/// The page of a chart.
+struct Plot<'a> {
+    chart: &'a Chart,
+    look: &'a Look,
+    min: Vec2,
+    max: Vec2,
+    /// Where names stand already.
+    taken: Vec<(Vec2, Vec2)>,
+}
+
+pub(super) fn draw(chart: &Chart, filled: Filled, room: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(room);
+    let top = look.heading(&mut figure, &chart.title, &chart.about) + look.text * 1.2;
+    let u = look.text;
+    let up = chart.y.marks((room.y / (u * 3.0)).max(2.0));
+    let names = up.iter().map(|(_, text)| text_width(text, Face::Regular, look.small())).fold(0.0, f32::max);
+    let min = Vec2::new(look.margin() + names + u * 0.8, top + u * 1.0);
+    let max = Vec2::new(room.x - look.margin() - u * 2.0, room.y - look.margin() - u * 3.2);
+    let mut plot = Plot { chart, look, min, max, taken: Vec::new() };
+    plot.axes(&mut figure, &up);
+    // What is new lies on top, and its name finds its room first.
+    let mut order: Vec<&Drawn> = chart.drawn.iter().filter(|drawn| filled.shows(drawn.entry)).collect();
+    order.sort_by_key(|drawn| drawn.entry);
+    // Points lie on their lines.
+    order.sort_by_key(|drawn| (matches!(drawn.curve, Curve::Point(_)), drawn.entry));
+    for drawn in &order {
+        plot.ink(&mut figure, drawn, filled.is_new(drawn.entry));
+    }
+    for drawn in order.iter().rev() {
+        plot.name(&mut figure, drawn, filled.is_new(drawn.entry));
+    }
+    figure
+}
+
+impl Plot<'_> {
+    fn at(&self, [x, y]: Dot) -> Vec2 {
+        let part = Vec2::new(self.chart.x.part(x), 1.0 - self.chart.y.part(y));
+        self.min + part * (self.max - self.min)
+    }
+
+    fn axes(&self, figure: &mut Figure, up: &[(f64, String)]) {
+        let (u, small) = (self.look.text, self.look.small());
+        for (value, text) in up.iter().filter(|(value, _)| self.chart.y.shows(*value)) {
+            let y = self.at([self.chart.x.from, *value]).y;
+            figure.add(Role::Panel, None, line(Vec2::new(self.min.x, y), Vec2::new(self.max.x, y)));
+            let at = Vec2::new(self.min.x - u * 0.5, y);
+            write(figure, Role::Quiet, None, at, text, small, Face::Regular, Anchor::End);
+        }
+        let across = self.chart.x.marks(((self.max.x - self.min.x) / (u * 6.0)).max(2.0));
+        for (value, text) in across.iter().filter(|(value, _)| self.chart.x.shows(*value)) {
+            let x = self.at([*value, self.chart.y.from]).x;
+            figure.add(Role::Panel, None, line(Vec2::new(x, self.min.y), Vec2::new(x, self.max.y)));
+            let at = Vec2::new(x, self.max.y + u * 1.0);
+            write(figure, Role::Quiet, None, at, text, small, Face::Regular, Anchor::Middle);
+        }
+        let corner = Vec2::new(self.min.x, self.max.y);
+        figure.add(Role::Edge, None, line(corner, self.max));
+        figure.add(Role::Edge, None, line(corner, self.min));
+        let middle = Vec2::new((self.min.x + self.max.x) * 0.5, self.max.y + u * 2.4);
+        write(figure, Role::Quiet, None, middle, &self.chart.x.name, small, Face::Regular, Anchor::Middle);
+        let above = Vec2::new(self.look.margin(), self.min.y - u * 1.2);
+        write(figure, Role::Quiet, None, above, &self.chart.y.name, small, Face::Regular, Anchor::Start);
+    }
+
+    /// The line or the point itself.
+    fn ink(&self, figure: &mut Figure, drawn: &Drawn, new: bool) {
+        let place = place(drawn.entry);
+        let u = self.look.text;
+        match &drawn.curve {
+            Curve::Point(dot) => {
+                let center = self.at(*dot);
+                // Lines end at its rim.
+                figure.add(Role::Page, place, Ink::Circle { center, radius: u * 0.42 });
+                let role = if new { Role::Here } else { Role::Text };
+                figure.add(role, place, Ink::Circle { center, radius: u * 0.42 });
+            }
+            Curve::Line { dots, guess } => {
+                let role = match (guess, new) {
+                    (true, _) => Role::Waiting,
+                    (false, true) => Role::Here,
+                    (false, false) => Role::Seen,
+                };
+                let points: Vec<Vec2> =
+                    dots.iter().filter(|dot| self.chart.y.shows(dot[1])).map(|dot| self.at(*dot)).collect();
+                // What was measured has few points, a law has many: each of the few is marked.
+                let marks = if points.len() < LAW { points.clone() } else { Vec::new() };
+                if points.len() > 1 {
+                    figure.add(role, place, Ink::Line { points });
+                }
+                for center in marks {
+                    figure.add(Role::Page, place, Ink::Circle { center, radius: u * 0.25 });
+                    figure.add(Role::Seen, place, Ink::Circle { center, radius: u * 0.25 });
+                }
+            }
+        }
+    }
+
+    /// The name, where it covers nothing: right of a point or of a line's end, else left, above or below.
+    fn name(&mut self, figure: &mut Figure, drawn: &Drawn, new: bool) {
+        let u = self.look.text;
+        let at = match &drawn.curve {
+            Curve::Point(dot) => self.at(*dot),
+            Curve::Line { dots, .. } => {
+                let inside = dots.iter().filter(|dot| self.chart.y.shows(dot[1]));
+                // In the middle of a law there is most room.
+                let inside: Vec<&Dot> = inside.collect();
+                let named = if inside.len() < LAW { inside.len().saturating_sub(1) } else { inside.len() / 2 };
+                match inside.get(named) {
+                    Some(dot) => self.at(**dot),
+                    None => return,
+                }
+            }
+        };
+        let wide =
+            text_width(&drawn.name, Face::Bold, u).max(text_width(&drawn.note, Face::Regular, self.look.small()));
+        let high = if drawn.note.is_empty() { u * 1.3 } else { u * 2.6 };
+        let size = Vec2::new(wide, high);
+        let sides = [
+            Vec2::new(u * 0.9, -high * 0.5),
+            Vec2::new(-u * 0.9 - wide, -high * 0.5),
+            Vec2::new(u * 0.5, u * 0.5),
+            Vec2::new(-wide - u * 0.5, -high - u * 0.5),
+            Vec2::new(u * 0.5, -high - u * 0.5),
+            Vec2::new(-wide - u * 0.5, u * 0.5),
+            Vec2::new(-wide * 0.5, -high - u * 0.9),
+            Vec2::new(-wide * 0.5, u * 0.9),
+        ];
+        let free = |corner: Vec2| {
+            let end = corner + size;
+            let inside = corner.x >= self.min.x
+                && end.x <= self.max.x + u * 2.0
+                && corner.y >= self.min.y - u
+                && end.y <= self.max.y;
+            let apart = |(a, b): &(Vec2, Vec2)| end.x < a.x || b.x < corner.x || end.y < a.y || b.y < corner.y;
+            inside && self.taken.iter().all(apart) && !self.crossed(corner, end)
+        };
+        let inside = |corner: Vec2| corner.x >= self.min.x && corner.x + wide <= self.max.x + u * 2.0;
+        let corner = sides.map(|side| at + side).into_iter().find(|corner| free(*corner));
+        let corner = corner.or_else(|| sides.map(|side| at + side).into_iter().find(|corner| inside(*corner)));
+        let corner = corner.unwrap_or(at + sides[0]);
+        self.taken.push((corner, corner + size));
+        let place = place(drawn.entry);
+        let role = if new { Role::Value } else { Role::Text };
+        write(figure, role, place, corner + Vec2::new(0.0, u * 0.65), &drawn.name, u, Face::Bold, Anchor::Start);
+        let below = corner + Vec2::new(0.0, u * 1.95);
+        write(figure, Role::Quiet, place, below, &drawn.note, self.look.small(), Face::Regular, Anchor::Start);
+    }
+
+    /// Whether a line or a point of the chart runs through a box on the page.
+    fn crossed(&self, min: Vec2, max: Vec2) -> bool {
+        let within = |at: Vec2| at.x > min.x && at.x < max.x && at.y > min.y && at.y < max.y;
+        let crosses = |from: Vec2, to: Vec2| (0..=PARTS).any(|part| within(from.lerp(to, part as f32 / PARTS as f32)));
+        self.chart.drawn.iter().any(|drawn| match &drawn.curve {
+            Curve::Point(dot) => within(self.at(*dot)),
+            Curve::Line { dots, .. } => dots.windows(2).any(|pair| crosses(self.at(pair[0]), self.at(pair[1]))),
+        })
+    }
+}

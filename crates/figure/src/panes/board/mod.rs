@@ -1,0 +1,110 @@
+//! Boards: tables, charts, heat maps and pictures beside each other, filled entry by entry.
+
+mod chart;
+mod maps;
+mod pictures;
+mod table;
+
+use glam::Vec2;
+use raystep_accel::{CellId, Place};
+
+pub use chart::{Chart, Curve, Dot, Drawn, Scale};
+pub use maps::{Map, Maps};
+pub use pictures::{Picture, Pictures};
+pub use table::{Column, Row, Table};
+
+use super::Ask;
+use crate::page::{Figure, Look};
+
+/// A part of a board. Its entries (rows, points, lines) have numbers, in the order in which they come to be seen.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Panel {
+    /// A table.
+    Table(Table),
+    /// A chart.
+    Chart(Chart),
+    /// Heat maps.
+    Maps(Maps),
+    /// Pictures.
+    Pictures(Pictures),
+}
+
+/// How far a board is filled.
+#[derive(Clone, Copy, Debug)]
+struct Filled {
+    /// How many entries are to be seen.
+    step: usize,
+    /// Whether a question about the next one is open.
+    asks: bool,
+}
+
+impl Filled {
+    fn shows(self, entry: usize) -> bool {
+        entry < self.step
+    }
+
+    fn is_new(self, entry: usize) -> bool {
+        entry + 1 == self.step && !self.asks
+    }
+
+    fn is_asked(self, entry: usize) -> bool {
+        entry == self.step && self.asks
+    }
+}
+
+/// The place of an entry.
+fn place(entry: usize) -> Option<Place> {
+    Some(Place::Cell(CellId(entry as u32)))
+}
+
+/// Letters that are small enough for all panels: what stands in the presenter's hall is large, but a table may not be cut.
+fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
+    let beside = wide && panels.len() > 1 && panels.iter().any(|panel| matches!(panel, Panel::Chart(_)));
+    let (mut across, mut up) = (0.0_f32, 0.0_f32);
+    for panel in panels {
+        let [width, height] = match panel {
+            Panel::Table(table) => table.letters(),
+            Panel::Chart(_) => [34.0, 18.0],
+            Panel::Maps(maps) => [26.0 * maps.maps.len() as f32, 22.0],
+            Panel::Pictures(pictures) => [20.0 * pictures.pictures.len() as f32, 18.0],
+        };
+        let share = if beside { if matches!(panel, Panel::Chart(_)) { 0.58 } else { 0.42 } } else { 1.0 };
+        across = across.max(width / share);
+        up = if beside { up.max(height) } else { up + height };
+    }
+    let most = (ask.size.x / across.max(1.0)).min(ask.size.y / up.max(1.0));
+    Look { text: ask.look.text.min(most), ..ask.look }
+}
+
+/// The panels, filled up to a step.
+pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
+    let mut figure = Figure::new(ask.size);
+    let filled = Filled { step, asks: ask.hide };
+    let mut corner = Vec2::ZERO;
+    let wide = ask.size.x > ask.size.y * 1.15;
+    let look = fitted(panels, ask, wide);
+    for (index, panel) in panels.iter().enumerate() {
+        let left = panels.len() - index;
+        let mut room = ask.size - corner;
+        if left > 1 {
+            // The first of two has the larger part: a chart's, or what the rows of a table need.
+            match panel {
+                Panel::Chart(_) if wide => room.x *= 0.58,
+                Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => room.y *= 0.55,
+                Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
+            }
+        }
+        let part = match panel {
+            Panel::Table(table) => table::draw(table, filled, room, &look),
+            Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
+            Panel::Maps(maps) => maps::draw(maps, filled, room, &look),
+            Panel::Pictures(pictures) => pictures::draw(pictures, filled, room, &look),
+        };
+        figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
+        match panel {
+            Panel::Chart(_) if wide => corner.x += room.x,
+            _ => corner.y += room.y,
+        }
+    }
+    figure
+}

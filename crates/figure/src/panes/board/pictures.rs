@@ -1,0 +1,72 @@
+//! Pictures beside each other, each with its name and what it shows.
+
+use glam::Vec2;
+
+use super::{Filled, place};
+use crate::page::{Anchor, Figure, Image, Ink, Look, write};
+use crate::theme::{Face, Role};
+
+/// Pictures of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pictures {
+    /// What they are about.
+    pub title: String,
+    /// What stands behind the title.
+    pub about: String,
+    /// The pictures.
+    pub pictures: Vec<Picture>,
+}
+
+/// A picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// When it comes to be seen.
+    pub entry: usize,
+    /// What it is called.
+    pub name: String,
+    /// What it shows, in numbers.
+    pub says: String,
+    /// The picture itself.
+    pub image: Image,
+}
+
+pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(room);
+    let u = look.text;
+    let top = look.heading(&mut figure, &pictures.title, &pictures.about) + u * 0.8;
+    let left = look.margin();
+    let gap = u * 1.5;
+    let Some(first) = pictures.pictures.first() else { return figure };
+    let aspect = first.image.width as f32 / first.image.height.max(1) as f32;
+    // As many columns as make the pictures largest; each has two lines of words below.
+    let many = pictures.pictures.len();
+    let below = u * 4.4;
+    let fitting = |columns: usize| {
+        let rows = many.div_ceil(columns) as f32;
+        let across = (room.x - 2.0 * left - gap * (columns as f32 - 1.0)) / columns as f32;
+        (across / aspect).min((room.y - top) / rows - below)
+    };
+    let columns = (1..=many).max_by(|a, b| fitting(*a).total_cmp(&fitting(*b))).unwrap_or(1);
+    let high = fitting(columns).max(u * 4.0);
+    let wide = high * aspect;
+    for (index, picture) in pictures.pictures.iter().enumerate() {
+        let (column, row) = ((index % columns) as f32, (index / columns) as f32);
+        let min = Vec2::new(left + (wide + gap) * column, top + (high + below) * row);
+        let max = min + Vec2::new(wide, high);
+        let shown = filled.shows(picture.entry);
+        let place = place(picture.entry).filter(|_| shown);
+        if shown {
+            figure.add(Role::Scene, place, Ink::Image { min, max, image: picture.image.clone() });
+        }
+        let frame = vec![min, Vec2::new(max.x, min.y), max, Vec2::new(min.x, max.y), min];
+        figure.add(Role::Edge, place, Ink::Line { points: frame });
+        let at = Vec2::new(min.x, max.y + u * 1.4);
+        let role = if shown { Role::Text } else { Role::Quiet };
+        write(&mut figure, role, place, at, &picture.name, u * 1.1, Face::Bold, Anchor::Start);
+        if shown {
+            let below = at + Vec2::new(0.0, u * 1.6);
+            write(&mut figure, Role::Quiet, place, below, &picture.says, u, Face::Regular, Anchor::Start);
+        }
+    }
+    figure
+}

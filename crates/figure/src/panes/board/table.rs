@@ -1,0 +1,201 @@
+//! A table: rows that come to be seen one after the other, numbers aligned on their points.
+
+use glam::Vec2;
+
+use super::{Filled, place};
+use crate::page::{Anchor, Figure, Look, block, line, write};
+use crate::theme::{Face, Role, text_width};
+
+/// A table of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// What it is about.
+    pub title: String,
+    /// What stands behind the title.
+    pub about: String,
+    /// The head of the first column: what a row is.
+    pub of: String,
+    /// The other columns.
+    pub columns: Vec<Column>,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+/// A column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// What stands above it; words that stand above several columns come first, before a `|`.
+    pub head: String,
+    /// What its numbers are.
+    pub role: Role,
+    /// Whether a row shows it while a question about the row is open.
+    pub given: bool,
+}
+
+/// A row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// When it comes to be seen.
+    pub entry: usize,
+    /// What it is about.
+    pub name: String,
+    /// A few words behind the name.
+    pub note: String,
+    /// What stands in its columns; nothing where a row has none.
+    pub cells: Vec<String>,
+}
+
+/// How large a table is set: sizes follow from its letters.
+struct Set {
+    text: f32,
+    /// The widths of the columns, the first one that of the names.
+    widths: Vec<f32>,
+    gap: f32,
+}
+
+/// Most that letters grow where there is room.
+const LARGEST: f32 = 1.3;
+/// A row's height in letters.
+const ROW: f32 = 2.5;
+
+impl Table {
+    /// How high it stands in letters of the usual size.
+    pub(super) fn height(&self, look: &Look) -> f32 {
+        look.text * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5 + 3.5)
+    }
+
+    /// How wide and how high it is at least, in letters.
+    pub(super) fn letters(&self) -> [f32; 2] {
+        let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
+        [natural * 0.9 + 2.0, 0.8 * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5) + 3.5]
+    }
+
+    /// How many lines the longest head has.
+    fn head_lines(&self) -> usize {
+        self.columns.iter().map(|column| lines_of(&column.head).len()).max().unwrap_or(1)
+    }
+
+    /// Letters as large as the room allows, within reason.
+    fn set(&self, room: Vec2, look: &Look) -> Set {
+        let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
+        let across = (room.x - 2.0 * look.margin()) / natural;
+        let up = (room.y - look.text * 3.0) / (ROW * self.rows.len() as f32 + self.head_lines() as f32 * 1.5 + 0.8);
+        let text = across.min(up).clamp(look.text * 0.72, look.text * LARGEST);
+        let widths = self.widths(text);
+        let used: f32 = widths.iter().sum();
+        // Eyes follow short rows: spare room goes between the columns, up to a point.
+        let gap = ((room.x - 2.0 * look.margin() - used) / widths.len() as f32).clamp(text * 0.8, text * 4.0);
+        Set { text, widths, gap }
+    }
+
+    fn widths(&self, text: f32) -> Vec<f32> {
+        let name = |row: &Row| {
+            let note =
+                if row.note.is_empty() { 0.0 } else { text_width(&row.note, Face::Regular, text * 0.9) + text * 0.7 };
+            text_width(&row.name, Face::Bold, text) + note
+        };
+        let first = self.rows.iter().map(name).fold(text_width(&self.of, Face::Regular, text * 0.9), f32::max);
+        let column = |index: usize| {
+            let head = lines_of(&self.columns[index].head);
+            let head = head.iter().map(|line| text_width(line, Face::Regular, text * 0.9)).fold(text * 2.5, f32::max);
+            let (before, behind) = self.around_points(index, text);
+            head.max(before + behind)
+        };
+        std::iter::once(first).chain((0..self.columns.len()).map(column)).collect()
+    }
+
+    /// A cell, cut before its point if all in its column are bare numbers; else all of it.
+    fn at_point<'a>(&self, column: usize, cell: &'a str) -> (&'a str, &'a str) {
+        let bare = |cell: &str| cell.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b',' | b'.'));
+        let mut cells = self.rows.iter().filter_map(|row| row.cells.get(column));
+        match cell.find('.').filter(|_| cells.all(|cell| bare(cell) || cell == "\u{2013}")) {
+            Some(at) => cell.split_at(at),
+            None => (cell, ""),
+        }
+    }
+
+    /// The most room that the numbers of a column need before and behind their points.
+    fn around_points(&self, column: usize, text: f32) -> (f32, f32) {
+        let cells = self.rows.iter().filter_map(|row| row.cells.get(column));
+        let parts = cells.map(|cell| {
+            let (before, behind) = self.at_point(column, cell);
+            (text_width(before, Face::Mono, text), text_width(behind, Face::Mono, text))
+        });
+        parts.fold((0.0, 0.0), |(a, b), (before, behind)| (a.max(before), b.max(behind)))
+    }
+}
+
+/// Room between two columns, at least, in letters.
+const GAP: f32 = 1.6;
+
+/// The lines of a head: written with `|` between them.
+fn lines_of(head: &str) -> Vec<&str> {
+    head.split('|').map(str::trim).collect()
+}
+
+pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, look: &Look) -> Figure {
+    let mut figure = Figure::new(room);
+    let top = look.heading(&mut figure, &table.title, &table.about) + look.text * 0.6;
+    let set = table.set(room, look);
+    let Set { text, ref widths, gap } = set;
+    let left = look.margin();
+    // The right ends of the columns; a column's share of spare room lies before it.
+    let ends: Vec<f32> = widths
+        .iter()
+        .scan(left - gap, |x, width| {
+            *x += width + gap;
+            Some(*x)
+        })
+        .collect();
+    let right = ends.last().copied().unwrap_or(left);
+    let heads = table.head_lines();
+    let small = text * 0.9;
+    let head_bottom = top + heads as f32 * text * 1.5;
+    let at = Vec2::new(left, head_bottom - text * 0.9);
+    write(&mut figure, Role::Quiet, None, at, &table.of, small, Face::Regular, Anchor::Start);
+    for (column, end) in table.columns.iter().zip(&ends[1..]) {
+        let lines = lines_of(&column.head);
+        for (index, head) in lines.iter().rev().enumerate() {
+            let at = Vec2::new(*end, head_bottom - text * 0.9 - index as f32 * text * 1.35);
+            let face = if lines.len() > 1 && index + 1 == lines.len() { Face::Bold } else { Face::Regular };
+            write(&mut figure, Role::Quiet, None, at, head, small, face, Anchor::End);
+        }
+    }
+    figure.add(Role::Text, None, line(Vec2::new(left, head_bottom), Vec2::new(right, head_bottom)));
+
+    let high = text * ROW;
+    for (index, row) in table.rows.iter().enumerate() {
+        let y = head_bottom + high * (index as f32 + 0.5);
+        let (shown, asked) = (filled.shows(row.entry), filled.is_asked(row.entry));
+        let place = place(row.entry).filter(|_| shown);
+        if filled.is_new(row.entry) || asked {
+            let corner = Vec2::new(left - text * 0.6, y - high * 0.5);
+            figure.add(Role::Ground, place, block(corner, Vec2::new(right - left + text * 1.2, high), text * 0.2));
+        }
+        let name = if shown || asked { Role::Text } else { Role::Quiet };
+        write(&mut figure, name, place, Vec2::new(left, y), &row.name, text, Face::Bold, Anchor::Start);
+        if !row.note.is_empty() {
+            let x = left + text_width(&row.name, Face::Bold, text) + text * 0.7;
+            write(&mut figure, Role::Quiet, place, Vec2::new(x, y), &row.note, small, Face::Regular, Anchor::Start);
+        }
+        for (index, (column, end)) in table.columns.iter().zip(&ends[1..]).enumerate() {
+            let Some(cell) = row.cells.get(index).filter(|cell| !cell.is_empty()) else { continue };
+            if asked && !column.given {
+                let width = text_width(cell, Face::Mono, text).max(text * 2.2);
+                let corner = Vec2::new(end - width, y - text * 0.75);
+                figure.add(Role::Guess, None, block(corner, Vec2::new(width, text * 1.5), text * 0.3));
+                let at = Vec2::new(end - width * 0.5, y);
+                write(&mut figure, Role::Guess, None, at, "?", text, Face::Bold, Anchor::Middle);
+            } else if shown || asked {
+                let (before, behind) = table.at_point(index, cell);
+                let (_, after) = table.around_points(index, text);
+                let at = Vec2::new(end - after, y);
+                write(&mut figure, column.role, place, at, before, text, Face::Mono, Anchor::End);
+                write(&mut figure, column.role, place, at, behind, text, Face::Mono, Anchor::Start);
+            }
+        }
+        let below = y + high * 0.5;
+        figure.add(Role::Panel, None, line(Vec2::new(left, below), Vec2::new(right, below)));
+    }
+    figure
+}

@@ -1,0 +1,178 @@
+//! What is measured here: what a structure costs the rays of a picture, in counts, which are the same everywhere.
+
+use glam::Vec2;
+use raystep_accel::{Accel, Cancelled, Cost, Grow, Observer, Primitives, Structure, pinhole};
+use raystep_scene::Scene;
+
+use crate::Plan;
+
+use super::Column;
+
+/// Counts of one structure over the rays of one picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// Rays shot: one through the middle of each pixel.
+    pub rays: u64,
+    /// Tests of primitives, a ray.
+    pub tests: f64,
+    /// Nodes or cells entered, a ray.
+    pub visits: f64,
+    /// Volumes tested, a ray.
+    pub boxes: f64,
+    /// Nodes or cells that there are.
+    pub nodes: u64,
+    /// What the structure takes in memory.
+    pub bytes: u64,
+}
+
+/// Pixels across and down the picture that is measured.
+const PICTURE: [u32; 2] = [96, 72];
+/// Pixels of a heat map.
+const MAP: [u32; 2] = [200, 150];
+/// The same for brute force: each ray tests everything, whichever ray it is.
+const SMALL_PICTURE: [u32; 2] = [16, 12];
+
+/// What one ray of a picture costs, pixel by pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Counted {
+    /// Pixels across and down.
+    pub size: [u32; 2],
+    /// What is counted of each pixel's ray, rows from above.
+    pub counts: Vec<u32>,
+}
+
+impl Counted {
+    /// The mean of all rays.
+    pub fn mean(&self) -> f64 {
+        self.counts.iter().map(|count| f64::from(*count)).sum::<f64>() / self.counts.len().max(1) as f64
+    }
+
+    /// The smallest and the largest count.
+    pub fn range(&self) -> [u32; 2] {
+        let least = self.counts.iter().copied().min().unwrap_or(0);
+        [least, self.counts.iter().copied().max().unwrap_or(0)]
+    }
+}
+
+impl Measured {
+    /// Builds what `plan` says over a scene and shoots the rays of its close view.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(crate) fn of(
+        plan: &Plan,
+        scene: &Scene,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Option<Measured>, Cancelled> {
+        let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
+        let all = matches!(structure, Structure::List(_));
+        let (mut cost, mut rays) = (Cost::default(), 0_u32);
+        shoot(&structure, scene, if all { SMALL_PICTURE } else { PICTURE }, watch, &mut |own| {
+            cost += own;
+            rays += 1;
+        })?;
+        let each = |count: u64| count as f64 / f64::from(rays.max(1));
+        let cells = structure.grid().map_or(0, |grid| grid.cell_count() as u64);
+        Ok(Some(Measured {
+            rays: u64::from(rays),
+            tests: each(cost.prim_tests),
+            visits: each(entered(&cost)),
+            boxes: each(cost.box_tests),
+            nodes: structure.node_count() as u64 + cells,
+            bytes: structure.bytes() as u64,
+        }))
+    }
+}
+
+impl Measured {
+    /// One of its counts of a ray.
+    pub(crate) fn count(&self, of: Column) -> f64 {
+        match of {
+            Column::Visits => self.visits,
+            Column::Boxes => self.boxes,
+            _ => self.tests,
+        }
+    }
+
+    /// The same over scenes of more and more primitives: how many those are, and what a ray costs.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(crate) fn growth(
+        plan: &Plan,
+        of: Column,
+        scenes: &[String],
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Vec<[f64; 2]>, Cancelled> {
+        let mut dots = Vec::new();
+        for scene in scenes.iter().filter_map(|name| Scene::named(name).ok()) {
+            if let Some(measured) = Measured::of(plan, &scene, watch)? {
+                dots.push([scene.prims.len() as f64, measured.count(of)]);
+            }
+        }
+        Ok(dots)
+    }
+}
+
+impl Counted {
+    /// Builds what `plan` says over a scene and counts what each ray of its close view costs.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(crate) fn of(
+        plan: &Plan,
+        of: Column,
+        scene: &Scene,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Option<Counted>, Cancelled> {
+        let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
+        let mut counts = Vec::with_capacity((MAP[0] * MAP[1]) as usize);
+        let count = |cost: Cost| match of {
+            Column::Visits => entered(&cost),
+            Column::Boxes => cost.box_tests,
+            _ => cost.prim_tests,
+        };
+        shoot(&structure, scene, MAP, watch, &mut |own| counts.push(count(own) as u32))?;
+        Ok(Some(Counted { size: MAP, counts }))
+    }
+}
+
+/// Nodes or cells entered.
+fn entered(cost: &Cost) -> u64 {
+    cost.node_visits + cost.cell_steps
+}
+
+fn built(plan: &Plan, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<Option<Structure>, Cancelled> {
+    match plan.rule(scene.flat) {
+        Ok(rule) => Structure::build(&scene.prims, &rule, watch).map(Some),
+        Err(_) => Ok(None),
+    }
+}
+
+/// Tells what each ray of a picture costs, rows from above.
+fn shoot(
+    structure: &Structure,
+    scene: &Scene,
+    [width, height]: [u32; 2],
+    watch: &impl Observer<Grow>,
+    tell: &mut dyn FnMut(Cost),
+) -> Result<(), Cancelled> {
+    let view = scene.close_view();
+    let size = Vec2::new(width as f32, height as f32);
+    for y in 0..height {
+        if watch.cancelled() {
+            return Err(Cancelled);
+        }
+        for x in 0..width {
+            let at = (Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+            let ray = pinhole(view.eye, view.target, view.up, view.fov_degrees, at, size.x / size.y);
+            let mut cost = Cost::default();
+            // A camera that sees nothing shoots rays that cost nothing.
+            if let Ok(ray) = ray {
+                structure.intersect(&scene.prims, &ray, &mut cost);
+            }
+            tell(cost);
+        }
+    }
+    Ok(())
+}

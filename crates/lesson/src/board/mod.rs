@@ -1,0 +1,22 @@
+//! Boards: tables, charts, heat maps and pictures that a slide fills row by row and point by point, printed numbers beside those that
+//! follow from them and those that are measured here.
+
+mod chart;
+mod formula;
+mod maps;
+mod measure;
+mod panel;
+mod picture;
+mod table;
+mod tape;
+
+pub use chart::{Chart, Drawn, Scale, Stroke};
+pub use formula::Formula;
+pub use maps::{Map, Maps};
+pub use measure::{Counted, Measured};
+pub use panel::{Board, Panel};
+pub use picture::{Picture, Pictures, Rendered};
+pub use table::{Cell, Column, Row, Table};
+pub use tape::BoardTape;
+
+pub(crate) use panel::read;

@@ -1,0 +1,136 @@
+//! What stands on a board, and in which order it comes to be seen.
+
+use crate::keys::Keys;
+use crate::reading::Reading;
+use crate::{Plan, Spot, limits};
+
+use super::{Chart, Column, Drawn, Map, Maps, Picture, Pictures, Row, Stroke, Table, chart, maps, picture, table};
+
+/// Tables, charts, heat maps and pictures.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Board {
+    /// What it holds, the largest first.
+    pub panels: Vec<Panel>,
+}
+
+/// A part of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Panel {
+    /// A table.
+    Table(Table),
+    /// A chart.
+    Chart(Chart),
+    /// Heat maps.
+    Maps(Maps),
+    /// Pictures.
+    Pictures(Pictures),
+}
+
+/// One thing on a board that comes to be seen.
+#[derive(Clone, Copy, Debug)]
+pub enum Entry<'a> {
+    /// A row of a table.
+    Row(&'a Row),
+    /// A point or a line of a chart.
+    Drawn(&'a Drawn),
+    /// A heat map, and what it counts.
+    Map(&'a Map, Column),
+    /// A picture.
+    Picture(&'a Picture),
+}
+
+impl Board {
+    /// Everything that comes to be seen: its panel and its place there, in the order in which it does.
+    pub fn order(&self) -> Vec<(usize, usize)> {
+        let mut order: Vec<(f32, usize, usize)> = Vec::new();
+        for (index, panel) in self.panels.iter().enumerate() {
+            // What names no step of its own comes after what stands before it.
+            let mut step = 0.0;
+            for (place, own) in panel.steps().into_iter().enumerate() {
+                step = own.unwrap_or(step);
+                order.push((step, index, place));
+            }
+        }
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order.into_iter().map(|(_, panel, place)| (panel, place)).collect()
+    }
+
+    /// Everything that is built to be measured.
+    pub(crate) fn plans(&self) -> impl Iterator<Item = &Plan> {
+        let entries = self.order().into_iter().filter_map(|at| self.entry(at));
+        entries.filter_map(|entry| match entry {
+            Entry::Row(row) => row.plan.as_ref(),
+            Entry::Map(map, _) => Some(&map.plan),
+            Entry::Picture(picture) => Some(&picture.plan),
+            Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, .. }, .. }) => Some(plan),
+            Entry::Drawn(_) => None,
+        })
+    }
+
+    /// The scenes that are named on it beside its own, and where.
+    pub(crate) fn scenes(&self) -> Vec<(Spot, &str)> {
+        let mut scenes: Vec<(Spot, &str)> = Vec::new();
+        for entry in self.order().into_iter().filter_map(|at| self.entry(at)) {
+            match entry {
+                Entry::Row(row) => scenes.extend(row.scene.as_deref().map(|scene| (row.spot, scene))),
+                Entry::Picture(picture) => scenes.extend(picture.scene.as_deref().map(|scene| (picture.spot, scene))),
+                Entry::Drawn(Drawn { stroke: Stroke::Growth { scenes: named, .. }, spot, .. }) => {
+                    scenes.extend(named.iter().map(|scene| (*spot, scene.as_str())));
+                }
+                Entry::Drawn(_) | Entry::Map(..) => {}
+            }
+        }
+        scenes
+    }
+
+    /// What stands at a place of a panel.
+    pub fn entry(&self, (panel, place): (usize, usize)) -> Option<Entry<'_>> {
+        match self.panels.get(panel)? {
+            Panel::Table(table) => table.rows.get(place).map(Entry::Row),
+            Panel::Chart(chart) => chart.drawn.get(place).map(Entry::Drawn),
+            Panel::Pictures(pictures) => pictures.pictures.get(place).map(Entry::Picture),
+            Panel::Maps(maps) => maps.maps.get(place).map(|map| Entry::Map(map, maps.of)),
+        }
+    }
+}
+
+impl Panel {
+    fn steps(&self) -> Vec<Option<f32>> {
+        match self {
+            Panel::Table(table) => table.rows.iter().map(|row| row.step).collect(),
+            Panel::Chart(chart) => chart.drawn.iter().map(|drawn| drawn.step).collect(),
+            Panel::Pictures(pictures) => pictures.pictures.iter().map(|picture| picture.step).collect(),
+            Panel::Maps(maps) => maps.maps.iter().map(|map| map.step).collect(),
+        }
+    }
+}
+
+/// Reads the tables, charts, heat maps and pictures of a head.
+pub(crate) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Board {
+    let mut board = Board::default();
+    for mut keys in keys.tables("chart", reading) {
+        board.panels.extend(chart::read(&mut keys, reading).map(Panel::Chart));
+        keys.finish(reading);
+    }
+    for mut keys in keys.tables("table", reading) {
+        board.panels.extend(table::read(&mut keys, reading).map(Panel::Table));
+        keys.finish(reading);
+    }
+    for mut keys in keys.tables("heat", reading) {
+        board.panels.extend(maps::read(&mut keys, reading).map(Panel::Maps));
+        keys.finish(reading);
+    }
+    for mut keys in keys.tables("picture", reading) {
+        board.panels.extend(picture::read(&mut keys, reading).map(Panel::Pictures));
+        keys.finish(reading);
+    }
+    if !["chart", "table", "heat", "picture"].into_iter().any(|key| keys.has(key)) {
+        reading.problem(0, "a board has tables, charts, heat maps or pictures: write `[[table]]`, `[[chart]]`, `[[heat]]` or `[[picture]]`");
+    }
+    let entries = board.order().len();
+    if entries > limits::BOARD {
+        reading.problem(0, format!("the board shows {entries} things: at most {} are allowed", limits::BOARD));
+        return Board::default();
+    }
+    board
+}

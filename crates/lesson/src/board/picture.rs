@@ -1,0 +1,251 @@
+//! Pictures: a scene ray traced through one of our structures, with a sun, its shadows, and the sky's light.
+
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+
+use glam::{Vec2, Vec3};
+use raystep_accel::{
+    Accel, Cancelled, Cost, Grow, Hit, Observer, PrimId, Primitives, Prims, Ray, Shape, Structure, pinhole,
+};
+use raystep_scene::{Scene, View};
+
+use crate::keys::Keys;
+use crate::reading::Reading;
+use crate::{Plan, head};
+
+/// Pictures beside each other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pictures {
+    /// What they are about, in a few words.
+    pub title: String,
+    /// What stands behind the title.
+    pub about: String,
+    /// The pictures.
+    pub pictures: Vec<Picture>,
+}
+
+/// A picture to be made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    /// What it is called.
+    pub name: String,
+    /// The name of its scene; the board's own if it has none.
+    pub scene: Option<String>,
+    /// Which structure its rays walk through.
+    pub plan: Plan,
+    /// Where it is seen from: the eye, what lies in the middle, the vertical angle in degrees. As the scene says,
+    /// if it does not.
+    pub view: Option<(Vec3, Vec3, f32)>,
+    /// When it comes to be seen, among everything on the board.
+    pub(crate) step: Option<f32>,
+    /// Where it stands.
+    pub(crate) spot: crate::Spot,
+}
+
+/// A picture that was made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rendered {
+    /// Pixels across and down.
+    pub size: [u32; 2],
+    /// Four bytes for each pixel, rows from above.
+    pub rgba: Arc<[u8]>,
+    /// How many triangles a ray could meet.
+    pub triangles: u64,
+    /// Rays shot: to the eye and to the sun.
+    pub rays: u64,
+    /// Tests of primitives, a ray.
+    pub tests: f64,
+}
+
+/// Pixels of a picture.
+const SIZE: [u32; 2] = [400, 250];
+
+/// Rays for a pixel of a scene without leaves: a grid of so many by so many.
+const FINE: u32 = 2;
+
+/// Longer than any leaf or blade, in metres.
+const LONG: f32 = 0.7;
+
+/// Reads `[[picture]]`.
+pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pictures> {
+    let (title, about) = (keys.need::<String>("title", reading), keys.get::<String>("about", reading));
+    let mut pictures = Vec::new();
+    for mut keys in keys.tables("pictures", reading) {
+        let spot = reading.spot(keys.at());
+        let (name, step) = (keys.need::<String>("name", reading), keys.get::<f32>("step", reading));
+        let scene = keys.get::<String>("scene", reading).map(|(_, scene)| scene);
+        let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+        let (eye, target) = (keys.get::<Vec3>("eye", reading), keys.get::<Vec3>("target", reading));
+        let fov = keys.get::<f32>("fov_degrees", reading).map_or(40.0, |(_, fov)| fov);
+        let at = keys.at();
+        keys.finish(reading);
+        let view = match (eye, target) {
+            (Some((_, eye)), Some((_, target))) => Some((eye, target, fov)),
+            (None, None) => None,
+            _ => {
+                reading.problem(at, "a picture has both `eye` and `target`, or neither");
+                None
+            }
+        };
+        if let Some((_, name)) = name {
+            let plan = plan.unwrap_or_else(Plan::boxes);
+            pictures.push(Picture { name, scene, plan, view, step: step.map(|(_, step)| step), spot });
+        }
+    }
+    if pictures.is_empty() || pictures.len() > 3 {
+        reading.problem(keys.at(), "from one to three `pictures` stand beside each other");
+    }
+    Some(Pictures { title: title?.1, about: about.unwrap_or_default().1, pictures })
+}
+
+/// Pictures that were made, by what they show: slides share them.
+static MADE: LazyLock<Mutex<HashMap<String, Rendered>>> = LazyLock::new(Mutex::default);
+
+impl Rendered {
+    /// Makes a picture.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(crate) fn of(
+        picture: &Picture,
+        board: &Scene,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Option<Rendered>, Cancelled> {
+        let named = match &picture.scene {
+            Some(name) => match Scene::named(name) {
+                Ok(scene) => Some(scene),
+                Err(_) => return Ok(None),
+            },
+            None => None,
+        };
+        let scene = named.as_ref().unwrap_or(board);
+        let settings: Vec<_> = picture.plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
+        let key = format!("{} {} {settings:?} {:?}", scene.name, picture.plan.kind, picture.view);
+        let known = || MADE.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(made) = known().get(&key) {
+            return Ok(Some(made.clone()));
+        }
+        let Ok(rule) = picture.plan.rule(scene.flat) else { return Ok(None) };
+        let structure = Structure::build(&scene.prims, &rule, watch)?;
+        let mut view = scene.view;
+        if let Some((eye, target, fov_degrees)) = picture.view {
+            view = View { eye, target, up: scene.view.up, fov_degrees };
+        }
+        let made = Camera { scene, structure: &structure, view, sun: sun(&view) }.render(watch)?;
+        known().insert(key, made.clone());
+        Ok(Some(made))
+    }
+}
+
+/// Where the sun stands: high, left of the eye and behind it.
+fn sun(view: &View) -> Vec3 {
+    let forward = (view.target - view.eye).normalize_or_zero();
+    let right = forward.cross(view.up).normalize_or_zero();
+    (view.up * 1.1 - right * 0.9 - forward * 0.35).normalize_or_zero()
+}
+
+/// A scene, how it is seen, and from where the sun shines.
+struct Camera<'a> {
+    scene: &'a Scene,
+    structure: &'a Structure,
+    view: View,
+    sun: Vec3,
+}
+
+impl Camera<'_> {
+    fn render(&self, watch: &impl Observer<Grow>) -> Result<Rendered, Cancelled> {
+        let [width, height] = SIZE;
+        let size = Vec2::new(width as f32, height as f32);
+        let (mut cost, mut rays) = (Cost::default(), 0_u64);
+        let mut rgba = Vec::with_capacity((width * height * 4) as usize);
+        // Leaves are smaller than a pixel anyhow; smooth things get smooth edges.
+        let fine = if matches!(self.scene.prims, Prims::Instances(_)) { 1 } else { FINE };
+        for y in 0..height {
+            if watch.cancelled() {
+                return Err(Cancelled);
+            }
+            for x in 0..width {
+                let mut color = Vec3::ZERO;
+                for sample in 0..fine * fine {
+                    let within = (Vec2::new((sample % fine) as f32, (sample / fine) as f32) + 0.5) / fine as f32;
+                    let at = ((Vec2::new(x as f32, y as f32) + within) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+                    let View { eye, target, up, fov_degrees } = self.view;
+                    color += match pinhole(eye, target, up, fov_degrees, at, size.x / size.y) {
+                        Ok(ray) => self.color(&ray, &mut cost, &mut rays),
+                        Err(_) => Vec3::ONE,
+                    };
+                }
+                color /= (fine * fine) as f32;
+                // Bytes as screens have them: twice the square root is near enough, and the same everywhere.
+                let byte = |channel: f32| (channel.clamp(0.0, 1.0).sqrt() * 255.0 + 0.5) as u8;
+                rgba.extend([byte(color.x), byte(color.y), byte(color.z), 255]);
+            }
+        }
+        let triangles = match &self.scene.prims {
+            Prims::Instances(instances) => instances.triangles(),
+            prims => prims.len() as u64,
+        };
+        let tests = cost.prim_tests as f64 / rays.max(1) as f64;
+        Ok(Rendered { size: SIZE, rgba: rgba.into(), triangles, rays, tests })
+    }
+
+    /// The light that comes along a ray, red, green and blue, 1 being white.
+    fn color(&self, ray: &Ray, cost: &mut Cost, rays: &mut u64) -> Vec3 {
+        *rays += 1;
+        let sky = sky(ray.d.dot(self.view.up));
+        let Some(hit) = self.structure.intersect(&self.scene.prims, ray, cost) else { return sky };
+        let shape = self.scene.prims.met(&hit);
+        let normal = normal(&shape, ray);
+        let facing = if normal.dot(ray.d) > 0.0 { -normal } else { normal };
+        let surface = self.surface(&hit, facing);
+        let from = ray.at(hit.t);
+        let lit = facing.dot(self.sun).max(0.0);
+        let shadow = Ray::new(from, self.sun).and_then(|ray| ray.within(hit.t.max(1.0) * 1e-3, f32::INFINITY));
+        let dark = lit > 0.0
+            && shadow.is_ok_and(|ray| {
+                *rays += 1;
+                self.structure.occluded(&self.scene.prims, &ray, cost)
+            });
+        let sun = if dark { 0.0 } else { lit };
+        // From above comes the sky's light, from below that of the ground.
+        let above = 0.5 + 0.5 * facing.dot(self.view.up);
+        let light = Vec3::new(1.0, 0.95, 0.86) * (sun * 0.95) + Vec3::new(0.36, 0.42, 0.52) * (0.25 + 0.75 * above);
+        // What lies far behind the middle of the picture fades into the sky.
+        let far = self.scene.bounds().extent().length().max(1e-6);
+        let behind = hit.t - (self.view.target - self.view.eye).length();
+        let haze = (behind / far).clamp(0.0, 0.75);
+        (surface * light).lerp(sky, haze * haze)
+    }
+
+    /// The colour of what was hit: porcelain, or outdoors ground, bark and leaves, each plant a little different.
+    fn surface(&self, hit: &Hit, facing: Vec3) -> Vec3 {
+        let Prims::Instances(instances) = &self.scene.prims else { return Vec3::new(0.72, 0.70, 0.66) };
+        // The ground is the last thing that is placed.
+        if hit.prim == PrimId(instances.len() as u32 - 1) {
+            return Vec3::new(0.26, 0.25, 0.15);
+        }
+        let own = hit.prim.0.wrapping_mul(2_654_435_761) >> 8;
+        let part = |shift: u32| ((own >> shift) & 63) as f32 / 63.0;
+        // Trunk and boughs are long, leaves and blades are not.
+        let bark = hit.inner.is_some_and(|inner| {
+            let triangle = instances.triangle(hit.prim, inner);
+            (triangle.b - triangle.a).length().max((triangle.c - triangle.a).length()) > LONG
+        });
+        let leaves = Vec3::new(0.16 + 0.16 * part(0), 0.30 + 0.14 * part(6), 0.08 + 0.05 * part(12));
+        // Leaves let some light through.
+        if bark { Vec3::new(0.22, 0.17, 0.12) } else { leaves * (0.9 + 0.25 * facing.dot(self.view.up).abs()) }
+    }
+}
+
+/// The sky in a direction so far up.
+fn sky(up: f32) -> Vec3 {
+    Vec3::new(0.80, 0.87, 0.93).lerp(Vec3::new(0.27, 0.46, 0.74), up.clamp(0.0, 1.0).sqrt())
+}
+
+fn normal(shape: &Shape<'_>, ray: &Ray) -> Vec3 {
+    match shape {
+        Shape::Triangle(triangle) => (triangle.b - triangle.a).cross(triangle.c - triangle.a).normalize_or_zero(),
+        // Pictures are made of triangles; anything else looks back at the eye.
+        _ => -ray.d.normalize_or_zero(),
+    }
+}

@@ -1,0 +1,174 @@
+//! A table: rows of named things, columns of what was printed, what follows from it, and what is measured here.
+
+use crate::keys::Keys;
+use crate::problem::misspelt;
+use crate::reading::Reading;
+use crate::{Plan, Spot, head, limits};
+
+use super::Formula;
+
+/// A table of a board.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// What it is about, in a few words.
+    pub title: String,
+    /// What stands behind the title.
+    pub about: String,
+    /// What a row is: the head of the first column.
+    pub of: String,
+    /// What is told of each row.
+    pub columns: Vec<(Column, String)>,
+    /// The rows.
+    pub rows: Vec<Row>,
+}
+
+/// What a column tells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Column {
+    /// A number as the lecture prints it, word for word.
+    Printed,
+    /// A total as the lecture prints it.
+    Total,
+    /// What follows from printed numbers.
+    Computed,
+    /// Tests of primitives, a ray, measured here.
+    Tests,
+    /// Nodes or cells entered, a ray, measured here.
+    Visits,
+    /// Volumes tested, a ray, measured here.
+    Boxes,
+    /// Nodes or cells of the structure.
+    Nodes,
+    /// Bytes of the structure.
+    Bytes,
+}
+
+impl Column {
+    /// All of them, with the names that slides and facts give them.
+    pub const NAMES: [(&'static str, Column); 8] = [
+        ("printed", Column::Printed),
+        ("total", Column::Total),
+        ("computed", Column::Computed),
+        ("tests", Column::Tests),
+        ("visits", Column::Visits),
+        ("boxes", Column::Boxes),
+        ("nodes", Column::Nodes),
+        ("bytes", Column::Bytes),
+    ];
+
+    /// How slides write it.
+    pub fn name(self) -> &'static str {
+        Column::NAMES[self as usize].0
+    }
+
+    /// Whether it is measured here.
+    pub fn is_measured(self) -> bool {
+        matches!(self, Column::Tests | Column::Visits | Column::Boxes | Column::Nodes | Column::Bytes)
+    }
+}
+
+/// A row of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// What it is about.
+    pub name: String,
+    /// A few words behind its name.
+    pub note: String,
+    /// What its cells hold, but for what is measured.
+    pub cells: Vec<(Column, Cell)>,
+    /// What is built and measured for it.
+    pub plan: Option<Plan>,
+    /// The name of the scene that it is measured over; the board's own if it has none.
+    pub scene: Option<String>,
+    /// When it comes to be seen, among everything on the board.
+    pub(crate) step: Option<f32>,
+    /// Where it stands.
+    pub(crate) spot: Spot,
+}
+
+/// What stands in a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cell {
+    /// Words, as they are.
+    Text(String),
+    /// What a formula gives, and what stands behind the number.
+    Value(Formula, String),
+}
+
+impl Cell {
+    /// Its number; no number where it holds words.
+    pub fn number(&self) -> f64 {
+        match self {
+            Cell::Text(text) => {
+                let digits: String = text.chars().filter(|c| *c != ',').collect();
+                let word = digits.split_whitespace().next().unwrap_or_default();
+                word.trim_end_matches(['\u{d7}', '%']).parse().unwrap_or(f64::NAN)
+            }
+            Cell::Value(formula, _) => formula.at(0.0),
+        }
+    }
+}
+
+/// Reads `[[table]]`.
+pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Table> {
+    let (title, about) = (keys.need::<String>("title", reading), keys.get::<String>("about", reading));
+    let of = keys.get::<String>("of", reading);
+    let columns = keys.tables("columns", reading).into_iter().filter_map(|keys| column(keys, reading)).collect();
+    let rows = keys.tables("rows", reading).into_iter().filter_map(|keys| row(keys, reading)).collect();
+    let table =
+        Table { title: title?.1, about: about.unwrap_or_default().1, of: of.unwrap_or_default().1, columns, rows };
+    let at = keys.at();
+    let measures = table.columns.iter().any(|(column, _)| column.is_measured());
+    if table.columns.is_empty() || table.rows.is_empty() {
+        reading.problem(at, "a table has columns and rows, one or more of each");
+    } else if measures && table.rows.iter().all(|row| row.plan.is_none()) {
+        reading.problem(at, "nothing is measured: give a row `structure = { kind = \"...\" }`");
+    }
+    Some(table)
+}
+
+/// `{ tells = "printed", head = "as printed" }`
+fn column(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<(Column, String)> {
+    let (tells, head) = (keys.need::<String>("tells", reading), keys.need::<String>("head", reading));
+    keys.finish(reading);
+    let ((at, tells), (_, head)) = (tells?, head?);
+    let known = Column::NAMES.iter().find(|(name, _)| *name == tells);
+    if known.is_none() {
+        reading.problem(at, misspelt("column", &tells, &Column::NAMES.map(|(name, _)| name)));
+    }
+    Some((known?.1, head))
+}
+
+/// `{ name = "Uniform grid", structure = { kind = "grid" }, printed = "44.86", computed = "26336575 / 44.86" }`
+fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
+    let (name, note) = (keys.need::<String>("name", reading), keys.get::<String>("note", reading));
+    let step = keys.get::<f32>("step", reading);
+    let scene = keys.get::<String>("scene", reading).map(|(_, scene)| scene);
+    let spot = reading.spot(keys.at());
+    let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+    let mut cells = Vec::new();
+    for column in [Column::Printed, Column::Total] {
+        if let Some((at, text)) = keys.get::<String>(column.name(), reading) {
+            if text.chars().count() > limits::TITLE {
+                reading.problem(at, format!("a cell has at most {} letters", limits::TITLE));
+            }
+            cells.push((column, Cell::Text(text)));
+        }
+    }
+    let unit = keys.get::<String>("unit", reading).unwrap_or_default().1;
+    if let Some((at, text)) = keys.get::<String>(Column::Computed.name(), reading)
+        && let Some(formula) = Formula::read(&text, at, &[], reading)
+    {
+        cells.push((Column::Computed, Cell::Value(formula, unit)));
+    }
+    keys.finish(reading);
+    Some(Row {
+        name: name?.1,
+        note: note.unwrap_or_default().1,
+        cells,
+        plan,
+        scene,
+        spot,
+        step: step.map(|(_, step)| step),
+    })
+}

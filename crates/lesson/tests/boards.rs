@@ -1,0 +1,132 @@
+//! Boards, and walks side by side: what they show, in which order, and what is said of wrong ones.
+
+use raystep_lesson::{Facts, Library, Medium, Tape, check};
+
+const SLIDE: &str = include_str!("good_board.md");
+const WALKS: &str = include_str!("good_walks.md");
+
+fn library(slide: &str) -> Library {
+    Library::from_files([("03-uniform-grid/22-board.md".to_owned(), slide.to_owned())])
+}
+
+fn problems(slide: &str) -> String {
+    check(&library(slide), &|_, _| Vec::new()).iter().map(|problem| format!("  {problem}\n")).collect()
+}
+
+#[test]
+fn a_board_is_filled_step_by_step_and_its_texts_know_its_numbers() {
+    assert_eq!(problems(SLIDE), "");
+    let library = library(SLIDE);
+    let slide = &library.slides[0];
+    assert_eq!(slide.notes, "Three minutes.");
+    let play = slide.stages[0].build(slide.plays).unwrap().play(None, &slide.beats).unwrap();
+    let mut told = String::new();
+    for (beat, step) in slide.beats.iter().zip(&play.beats) {
+        let step = step.unwrap();
+        let facts = Facts::at(&play, step).unwrap();
+        told += &format!("{step}: {}\n", beat.text(&facts, Medium::Paper));
+        for field in ["x", "y", "printed", "computed", "tests", "visits", "nodes", "first", "last", "mean", "most"] {
+            if let Some(value) = facts.field(field) {
+                told += &format!("   {field} {value:?}\n");
+            }
+        }
+        for choice in beat.ask.iter().flat_map(|ask| ask.choices(&play, step)) {
+            told += &format!("   {:?}{}\n", choice.label, if choice.right { ", right" } else { "" });
+        }
+    }
+    insta::assert_snapshot!(told);
+}
+
+#[test]
+fn wrong_boards_are_told_what_is_wrong() {
+    let mistakes = [
+        ("nothing on it", "[[chart]]", "[[chrat]]"),
+        ("rays", "scene =", "rays = []\nscene ="),
+        ("unknown column", "tells = \"printed\"", "tells = \"pinted\""),
+        (
+            "no columns",
+            "{ tells = \"printed\", head = \"as printed\" },\n  { tells = \"computed\", head = \"computed\" },\n  { tells = \"tests\", head = \"Measured here|tests\" },",
+            "",
+        ),
+        ("no formula", "2 * 10^3", "2 * 1e3"),
+        ("formula with a name", "2 * 10^3", "2 * n"),
+        ("law without an end", ", to = 1000, step = 3", ", step = 3"),
+        ("law in another name", "3 / 8 * x", "3 / 8 * y"),
+        ("law and point", "point = [\"8\", \"3\"]", "law = \"x\", point = [\"8\", \"3\"]"),
+        ("point of one number", "point = [\"8\", \"3\"]", "point = [\"8\"]"),
+        ("unknown scale", "scale = \"log\"", "scale = \"lgo\""),
+        ("axis from nothing", "from = 1, to = 1000 }\ny", "from = 0, to = 1000 }\ny"),
+        ("axis backwards", "from = 0, to = 400", "from = 400, to = 0"),
+        ("no axis", "y = {", "z = {"),
+        ("unknown structure", "kind = \"grid\" } },", "kind = \"gird\" } },"),
+        ("unknown parameter", "kind = \"grid\" } },", "kind = \"grid\", max_depth = 3 } },"),
+        ("unknown count", "title = \"Where\"", "title = \"Where\"\nof = \"test\""),
+        ("no map", "maps = [", "mups = ["),
+        ("unknown event", "{at=point}", "{at=pint}"),
+        ("unknown field", "{{x}}", "{{t}}"),
+        ("a number that is not there", "{{tests}} tests.", "{{total}} in all."),
+        ("empty answer", "answer=\"all of them\"", "answer=\"\""),
+        ("empty notes", "Three minutes.", ""),
+        ("unknown key of a row", "note = \"usual\"", "noote = \"usual\""),
+    ];
+    let mut table = String::new();
+    for (what, from, to) in mistakes {
+        assert!(SLIDE.contains(from), "the good board has no {from:?}");
+        let found = problems(&SLIDE.replacen(from, to, 1));
+        assert!(!found.is_empty(), "{what} goes unnoticed");
+        table += &format!("{what}\n{found}");
+    }
+    insta::assert_snapshot!(table);
+}
+
+#[test]
+fn walks_side_by_side_go_on_in_step_and_are_told_apart() {
+    assert_eq!(problems(WALKS), "");
+    let library = library(WALKS);
+    let slide = &library.slides[0];
+    let stage = &slide.stages[0];
+    let built = stage.build(slide.plays).unwrap();
+    let mut told = String::new();
+    for ray in &stage.rays {
+        let play = built.play(Some(ray.ray), &slide.beats).unwrap();
+        let Tape::Walks(walks) = &play.tape else { panic!("walks side by side") };
+        // Nobody is ahead of the others by more than its own next step.
+        assert!(walks.reached.is_sorted(), "{:?}", walks.reached);
+        let done: Vec<usize> = walks.walks.iter().map(Tape::len).collect();
+        assert_eq!(done.iter().sum::<usize>(), play.tape.len());
+        told += &format!("{}: {done:?}\n", ray.name);
+        for (beat, step) in slide.beats.iter().zip(&play.beats) {
+            let Some(facts) = step.and_then(|step| Facts::at(&play, step)) else { continue };
+            told += &format!("  {step:?} {:?}\n", facts.event());
+            for fact in ["kd.count.test", "bsp.count.test", "count.test", "kd.plane.plane", "bsp.enter.t_near"] {
+                told += &format!("     {fact} {:?}\n", facts.field(fact));
+            }
+            for choice in beat.ask.iter().flat_map(|ask| ask.choices(&play, step.unwrap())) {
+                told += &format!("     {:?}{}\n", choice.label, if choice.right { ", right" } else { "" });
+            }
+        }
+    }
+    insta::assert_snapshot!(told);
+}
+
+#[test]
+fn wrong_walks_side_by_side_are_told_what_is_wrong() {
+    let mistakes = [
+        ("one structure", ", { kind = \"bsp\" }]", "]"),
+        ("none", "structures =", "structure ="),
+        ("unknown structure", "{ kind = \"bsp\" }", "{ kind = \"bps\" }"),
+        ("of another", "of=bsp", "of=bvh"),
+        ("fact of another", "{{kd.count.test}}", "{{octree.count.test}}"),
+        ("unknown event", "{{kd.count.test}}", "{{kd.count.tset}}"),
+        ("least of nothing", "least=test", "least=tset"),
+        ("answer that is none", "- bsp:", "- bvh:"),
+    ];
+    let mut table = String::new();
+    for (what, from, to) in mistakes {
+        assert!(WALKS.contains(from), "the good slide has no {from:?}");
+        let found = problems(&WALKS.replacen(from, to, 1));
+        assert!(!found.is_empty(), "{what} goes unnoticed");
+        table += &format!("{what}\n{found}");
+    }
+    insta::assert_snapshot!(table);
+}
