@@ -7,6 +7,7 @@ pub mod cli;
 mod counts;
 mod export;
 mod fault;
+mod fields;
 mod files;
 mod folders;
 mod reading;

@@ -33,22 +33,38 @@ pub(crate) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, String> {
     })
 }
 
+/// Writes a report of something that went wrong without an end of anything, says so, and returns the sentence.
+pub(crate) fn file(what: &str, details: &str) -> String {
+    let sentence = with_report(format!("{what}."), details, "");
+    files::say(&sentence);
+    capital(&sentence)
+}
+
 fn told(panic: &PanicHookInfo<'_>) {
     let message = message(panic.payload());
     let place = panic.location().map_or_else(String::new, |at| format!(" ({}:{})", at.file(), at.line()));
-    let mut sentence = format!("this should never happen: {message}{place}.");
+    let sentence = with_report(format!("this should never happen: {message}{place}."), &message, &place);
+    files::say(&sentence);
+    if let Ok(mut said) = SAID.try_lock() {
+        *said = Some(capital(&sentence));
+    }
+}
+
+/// The sentence with where its report is, if there are not enough of them.
+fn with_report(mut sentence: String, what: &str, place: &str) -> String {
     if WRITTEN.fetch_add(1, Ordering::Relaxed) < MOST {
-        let text = text(&message, &place);
+        let text = text(what, place);
         match write(&text) {
             Some(path) => _ = write!(sentence, " A report is in {}.", path.display()),
             None => _ = write!(sentence, " No report could be written; this is it:\n{text}"),
         }
     }
-    files::say(&sentence);
-    if let Ok(mut said) = SAID.try_lock() {
-        let (first, rest) = sentence.split_at(1);
-        *said = Some(first.to_uppercase() + rest);
-    }
+    sentence
+}
+
+fn capital(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 /// What a panic says.
@@ -62,7 +78,7 @@ fn text(message: &str, place: &str) -> String {
     let called: Vec<String> = std::env::args().collect();
     let thread = std::thread::current();
     format!(
-        "Raystep {} broke off where it never should. Please send this to whoever mends it.\n\n\
+        "In Raystep {} something went wrong that never should. Please send this to whoever mends it.\n\n\
          what: {message}{place}\nthread: {}\ncalled: {}\nsystem: {} {}\n\n{}\n",
         env!("CARGO_PKG_VERSION"),
         thread.name().unwrap_or("without a name"),

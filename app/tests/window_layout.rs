@@ -115,7 +115,7 @@ fn the_tree_and_the_code_stand_side_by_side_on_a_laptop() {
 
 #[test]
 fn nothing_in_the_top_bar_is_cut_or_covers_another() {
-    for size in [[1600.0, 1000.0], [1280.0, 800.0], [1024.0, 768.0], [900.0, 600.0]] {
+    for size in [[1600.0, 1000.0], [1500.0, 900.0], [1440.0, 900.0], [1280.0, 800.0], [1024.0, 768.0], [900.0, 600.0]] {
         let mut harness = window(None, size);
         for index in 0..ids().len() {
             harness.state_mut().state.show_slide(index);
@@ -144,19 +144,45 @@ fn nothing_in_the_top_bar_is_cut_or_covers_another() {
     }
 }
 
+/// The button that shows the structure, whatever its name.
+fn structure(harness: &Window) -> Rect {
+    harness.get_by_label_contains("Structure: ").rect()
+}
+
 #[test]
 fn the_buttons_stand_still_from_slide_to_slide() {
-    for size in [[1600.0, 1000.0], [1280.0, 800.0], [1024.0, 768.0]] {
+    for size in [[1600.0, 1000.0], [1440.0, 900.0], [1390.0, 800.0], [1280.0, 800.0], [1024.0, 768.0], [900.0, 600.0]] {
         let mut harness = window(None, size);
         let names = ["Predict", "Present", "Compare", "Flat", "Solid", "More", "Next slide", "Previous slide"];
-        let first = names.map(|name| at(&harness, name));
-        for index in 1..ids().len() {
+        let first: Vec<(&str, Rect)> =
+            names.into_iter().filter_map(|name| Some((name, rect(&harness, name)?))).collect();
+        assert!(first.len() + 1 >= names.len(), "only Present may stand in the menu");
+        let shown = structure(&harness);
+        let check = |harness: &Window, what: &str| {
+            for (name, first) in &first {
+                let moved = (at(harness, name).min - first.min).length();
+                assert!(moved < 0.5, "{what} at {size:?}: {name} moves by {moved}");
+            }
+            let now = structure(harness);
+            let moved = (now.min - shown.min).length() + (now.max - shown.max).length();
+            assert!(moved < 0.5, "{what} at {size:?}: the structure goes from {shown:?} to {now:?}");
+            // The list of rays begins with the longest name that has room, and ends at the structure.
+            if let Some(rays) = harness.query_all_by_label_contains("Ray: ").map(|node| node.rect()).next() {
+                assert!((shown.left() - rays.right() - 6.0).abs() < 0.6, "{what} at {size:?}: {rays:?}, {shown:?}");
+            }
+        };
+        for index in 0..ids().len() {
             harness.state_mut().state.show_slide(index);
             settle(&mut harness);
-            for (name, first) in names.iter().zip(first) {
-                let moved = (at(&harness, name).min - first.min).length();
-                assert!(moved < 0.5, "slide {index} at {size:?}: {name} moves by {moved}");
-            }
+            check(&harness, &format!("slide {index}"));
+        }
+        // Nor when a parameter is changed, where there is one of that name.
+        for (slide, key, value) in [("5/33", "max_depth", "3"), ("3/20", "prune", "false")] {
+            let index = ids().iter().position(|id| id == slide).expect("a slide");
+            harness.state_mut().state.show_slide(index);
+            harness.state_mut().state.set(key, value);
+            settle(&mut harness);
+            check(&harness, &format!("{slide} with {key} = {value}"));
         }
     }
 }
@@ -230,7 +256,7 @@ fn a_notice_covers_no_pane() {
         let mut harness = window(Some("5/33"), size);
         harness.input_mut().dropped_files.push(std::sync::Arc::new(Notes));
         harness.run_steps(4);
-        let notice = harness.get_by_label_contains("Only OBJ files").rect();
+        let notice = harness.get_by_label_contains("a mesh is a file in OBJ").rect();
         for pane in ["Space", "t along the ray", "Walk", "Timeline"] {
             assert!(!notice.intersects(at(&harness, pane)), "{pane} at {size:?}");
         }

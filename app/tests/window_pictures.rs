@@ -37,7 +37,7 @@ impl Shot<'_> {
         let mut harness = builder.with_options(options).wgpu().build_eframe(|context| {
             let mut app = App::wished(&context.egui_ctx, Library::embedded(), wishes, remembered);
             if let Some(state) = &context.wgpu_render_state {
-                app.draw_with(state);
+                app.draw_with(&context.egui_ctx, state);
             }
             app.state.show_stage(self.stage);
             app.state.present = self.present;

@@ -37,6 +37,7 @@ const HOUSES: &[(&str, &[&str])] = &[
         &[
             "counts",
             "fault",
+            "fields",
             "folders",
             "reading",
             "files",

@@ -8,7 +8,7 @@ use raystep_lesson::Library;
 use super::{doctor, lessons, page};
 use crate::fault::Fault;
 use crate::files;
-use crate::window::{self, Wishes};
+use crate::window::{Opening, Wishes};
 
 /// What the window shows first.
 #[derive(Args, Debug)]
@@ -39,6 +39,21 @@ pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
     if let Some(slide) = arguments.slide.as_ref().filter(|slide| library.slide(slide).is_none()) {
         return Err(super::export::no_slide(&library, slide));
     }
+    if let Some(ray) = &arguments.ray {
+        let slide = arguments.slide.as_ref().map_or(library.slides.first(), |slide| library.slide(slide));
+        let known: Vec<&str> = slide
+            .into_iter()
+            .flat_map(|slide| &slide.stages)
+            .flat_map(|stage| &stage.rays)
+            .map(|ray| ray.name.as_str())
+            .collect();
+        if let Some(slide) = slide.filter(|_| !known.contains(&ray.as_str())) {
+            return Err(Fault::new(match known.is_empty() {
+                true => format!("slide {} plays how its structure is built: it has no rays", slide.id()),
+                false => format!("slide {} has no ray \"{ray}\"; there are \"{}\"", slide.id(), known.join("\", \"")),
+            }));
+        }
+    }
     if !doctor::has_display() {
         let why = "neither DISPLAY nor WAYLAND_DISPLAY is set, so there is no screen for a window";
         return read_instead(arguments, &library, why);
@@ -50,7 +65,7 @@ pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
         lessons: arguments.lessons.clone(),
         mesh: arguments.mesh.clone(),
     };
-    match window::open(library.clone(), wishes) {
+    match Opening::of_user(library.clone(), wishes).open() {
         Ok(()) => Ok(()),
         Err(no_window) => read_instead(arguments, &library, &no_window.to_string()),
     }

@@ -3,14 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use egui::{Frame, Margin, Panel, Ui, ViewportCommand};
+use egui::{Frame, Margin, Panel, Ui, ViewportCommand, ViewportInfo};
 use raystep_accel::Place;
 use raystep_figure::{Role, Theme};
 use raystep_lesson::Library;
+use raystep_scene::Scene;
 
 use super::bars::{bottom, top};
+use super::device::{self, Fate};
 use super::dialogs::{self, Overlay};
 use super::keys;
+use super::last::{Around, Keeper, Last};
 use super::look::fonts;
 use super::look::remembered::Remembered;
 use super::look::visuals::{self, fill};
@@ -20,6 +23,7 @@ use super::work::Underway;
 use super::work::errands::News;
 use super::work::exporting::{self, Window, Wish};
 use crate::fault::Fault;
+use crate::files;
 use crate::shown::beside::Beside;
 use crate::shown::command::Command;
 use crate::shown::pictures::Pictures;
@@ -39,6 +43,28 @@ pub struct App {
     styled: Option<&'static str>,
     /// When the last frame was drawn, in seconds.
     played: Option<f64>,
+    /// What has become of the device that the window is drawn with.
+    fate: Fate,
+    /// Set once that device is lost.
+    lost: Option<Lost>,
+    /// What is said of the lessons that are shown.
+    problems: Option<String>,
+    /// The folder of the lessons, if they are not those in the program.
+    lessons: Option<PathBuf>,
+    /// The mesh that was opened last, and where it lies.
+    mesh: Option<(Arc<Scene>, PathBuf)>,
+    /// Keeps where the window stands.
+    keeper: Option<Keeper>,
+    /// Where it is to open once its mesh is there.
+    reopens: Option<Last>,
+}
+
+/// A device was lost, and with it the window.
+pub(super) struct Lost {
+    /// Why, as far as that is known.
+    pub(super) why: String,
+    /// Where the window stood.
+    pub(super) window: ViewportInfo,
 }
 
 impl App {
@@ -49,15 +75,24 @@ impl App {
         state.predict = remembered.predict;
         let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);
         context.set_zoom_factor(remembered.zoom);
+        let mut kept = Kept::default();
+        remembered.wrong.iter().for_each(|sentence| kept.notices.keep(sentence));
         App {
             state,
             theme,
             underway: Underway::new(context),
-            kept: Kept::default(),
+            kept,
             overlay: Overlay::default(),
             remembered,
             styled: None,
             played: None,
+            fate: Fate::default(),
+            lost: None,
+            problems: None,
+            lessons: None,
+            mesh: None,
+            keeper: None,
+            reopens: None,
         }
     }
 
@@ -65,6 +100,8 @@ impl App {
     pub fn wished(context: &egui::Context, library: Library, wishes: Wishes, remembered: Remembered) -> App {
         let slide = wishes.slide(&library);
         let mut app = App::new(context, library, slide, remembered);
+        let library = app.state.library.clone();
+        app.tell_problems(&library);
         wishes.go(&mut app.state);
         if let Some(folder) = &wishes.lessons {
             app.watch_lessons(folder);
@@ -75,20 +112,96 @@ impl App {
         app
     }
 
-    /// Draws solid stages with egui's own device.
-    pub fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
-        self.kept.sight.draw_with(state);
-        self.underway.upload_to(&state.device);
+    /// Draws solid stages with egui's own device. If there was another one before, what is shown goes on on this one.
+    pub fn draw_with(&mut self, context: &egui::Context, state: &egui_wgpu::RenderState) {
+        self.fate = Fate::of(&state.device, &state.queue, context);
+        device::guard(context, &self.fate);
+        self.kept.draw_with(Some(state));
+        self.underway.upload_to(Some(state.device.clone()), self.state.playback());
+    }
+
+    /// If the window was closed since its device is lost: lets go of all that lies on that, and says what was there.
+    pub(super) fn take_lost(&mut self) -> Option<Lost> {
+        let lost = self.lost.take()?;
+        self.kept.draw_with(None);
+        self.underway.upload_to(None, None);
+        Some(lost)
+    }
+
+    /// Says for a while why the window was gone.
+    pub(super) fn is_back(&mut self, context: &egui::Context) {
+        self.kept.notices.say(context, "The graphics device was lost. The window is back with everything in it.");
+    }
+
+    /// Watches the device: once it is lost, the window closes.
+    fn watch_device(&mut self, context: &egui::Context) {
+        for sentence in self.fate.wrong() {
+            self.kept.notices.keep(sentence);
+        }
+        if self.lost.is_none()
+            && let Some(why) = self.fate.lost()
+        {
+            let window = context.input(|input| input.viewport().clone());
+            self.lost = Some(Lost { why, window });
+            context.send_viewport_cmd(ViewportCommand::Close);
+            context.request_repaint();
+        }
     }
 
     /// Lets lessons in a folder be read again when they are saved.
     pub fn watch_lessons(&mut self, folder: &Path) {
+        self.lessons = Some(folder.to_path_buf());
         self.underway.errands.watch(folder);
     }
 
     /// Opens a mesh beside the UI thread.
     pub fn open_mesh(&mut self, path: PathBuf) {
         self.underway.errands.load(path);
+    }
+
+    /// Keeps where the window stands in a file from now on. With `reopens` it opens where the file says.
+    pub fn keep_in(&mut self, file: PathBuf, reopens: bool) {
+        if !reopens {
+            self.keeper = Some(Keeper::new(file));
+            return;
+        }
+        let (keeper, found) = Keeper::reopening(file);
+        self.keeper = Some(keeper);
+        found.wrong.into_iter().for_each(|sentence| self.complain(sentence));
+        let Some(last) = found.last.filter(|last| last.is_of(self.lessons.as_deref())) else { return };
+        last.reopen(&mut self.state, None);
+        self.kept.sight.aspect = last.aspect();
+        if let Some(mesh) = last.mesh().map(Path::to_path_buf) {
+            self.open_mesh(mesh);
+            self.reopens = Some(last);
+        }
+    }
+
+    /// Where the window stands; nothing while it goes somewhere else.
+    fn stands(&self) -> Option<Last> {
+        let stands = self.state.is_current() && self.reopens.is_none();
+        let aspect = self.kept.sight.aspect;
+        let around = Around { lessons: self.lessons.as_deref(), mesh: self.mesh.as_ref(), aspect };
+        stands.then(|| Last::of(&self.state, &around))
+    }
+
+    /// The window closes: where it stands is kept at once.
+    pub fn close(&mut self) {
+        if let (Some(now), Some(keeper)) = (self.stands(), &mut self.keeper) {
+            keeper.close(now);
+        }
+    }
+
+    /// Keeps where the window stands now and then.
+    fn keep_place(&mut self, context: &egui::Context) {
+        if self.keeper.is_none() {
+            return;
+        }
+        if let (Some(now), Some(keeper)) = (self.stands(), &mut self.keeper)
+            && let Some(waits) = keeper.keep(now)
+        {
+            context.request_repaint_after(waits);
+        }
     }
 
     /// The walk beside, once it is there.
@@ -149,8 +262,9 @@ impl App {
 
     /// Shows a mistake beside the walk, on a ray where it shows; or none.
     fn break_it(&mut self, ui: &Ui, mistake: Option<usize>) {
-        let consequence = self.underway.break_it(&mut self.state, mistake);
-        self.say(ui, consequence);
+        if let Some(consequence) = self.underway.break_it(&mut self.state, mistake) {
+            self.say(ui, consequence);
+        }
         self.catch_up_beside(ui);
     }
 
@@ -168,21 +282,43 @@ impl App {
         exporting::copy(&mut self.underway.errands, window, self.state.view.step, sight.size * 2.0, self.theme);
     }
 
-    fn say(&mut self, ui: &Ui, sentence: Option<String>) {
-        if let Some(sentence) = sentence {
-            self.kept.notices.say(ui, sentence);
+    /// Says something for a while.
+    fn say(&mut self, ui: &Ui, sentence: impl Into<String>) {
+        self.kept.notices.say(ui.ctx(), sentence);
+    }
+
+    /// Says what went wrong, until somebody closes it, and on the standard error.
+    fn complain(&mut self, sentence: impl Into<String>) {
+        let sentence = sentence.into();
+        files::say(&sentence);
+        self.kept.notices.keep(sentence);
+    }
+
+    /// Says what is wrong in the lessons, until they are read again.
+    fn tell_problems(&mut self, library: &Library) {
+        if let Some(old) = self.problems.take() {
+            self.kept.notices.take_back(&old);
         }
+        let Some(first) = library.problems.first() else { return };
+        let more = match library.problems.len() - 1 {
+            0 => String::new(),
+            more => format!(" And {more} more: raystep check names them."),
+        };
+        let sentence = format!("{first}.{more}");
+        self.kept.notices.keep(sentence.clone());
+        self.problems = Some(sentence);
     }
 
     /// Makes what the state asks for, as far as it is not there, and takes in what has come back.
     fn catch_up(&mut self, ui: &Ui) {
-        let wrong = self.underway.catch_up(&mut self.state);
-        self.say(ui, wrong);
+        if let Some(wrong) = self.underway.catch_up(&mut self.state) {
+            self.complain(wrong);
+        }
         for file in ui.input(|input| input.raw.dropped_files.clone()) {
             let path = file.path().to_path_buf();
             match path.extension() {
                 Some(ending) if ending.eq_ignore_ascii_case("obj") => self.open_mesh(path),
-                _ => self.kept.notices.say(ui, "Only OBJ files can be opened."),
+                _ => self.complain(format!("{} is not opened: a mesh is a file in OBJ.", path.display())),
             }
         }
         while let Some(news) = self.underway.errands.next() {
@@ -192,8 +328,9 @@ impl App {
     }
 
     fn catch_up_beside(&mut self, ui: &Ui) {
-        let wrong = self.underway.catch_up_beside(&mut self.state);
-        self.say(ui, wrong);
+        if let Some(wrong) = self.underway.catch_up_beside(&mut self.state) {
+            self.say(ui, wrong);
+        }
     }
 
     /// Takes in what has come back from outside.
@@ -204,23 +341,33 @@ impl App {
                     self.open_mesh(path);
                 }
             }
-            News::Mesh(scene, ray) => {
+            News::Mesh(scene, ray, path) => {
                 if !scene.note.is_empty() {
-                    self.kept.notices.say(ui, scene.note.clone());
+                    self.say(ui, scene.note.clone());
                 }
-                self.state.show_mesh(scene, ray);
+                let wanted = self.reopens.take().filter(|last| last.mesh() == Some(&path));
+                self.mesh = Some((scene.clone(), path));
+                match wanted {
+                    Some(last) => last.reopen(&mut self.state, Some(scene)),
+                    None => self.state.show_mesh(scene, ray),
+                }
             }
             News::Folder(folder) => self.overlay.chose_folder(&folder),
             News::Copied(image) => {
                 ui.ctx().copy_image(image);
-                self.kept.notices.say(ui, "The picture is on the clipboard.");
+                self.say(ui, "The picture is on the clipboard.");
             }
             News::Lessons(library) => {
-                self.say(ui, library.problems.first().map(ToString::to_string));
+                library.problems.iter().for_each(|problem| files::say(&problem.to_string()));
+                self.tell_problems(&library);
                 self.underway.renew();
                 self.state.renew(*library);
             }
-            News::Written(sentence) | News::Failed(sentence) => self.kept.notices.say(ui, sentence),
+            News::Written(sentence) => self.say(ui, sentence),
+            News::Failed(sentence) => {
+                self.reopens = None;
+                self.complain(sentence);
+            }
         }
     }
 
@@ -290,6 +437,7 @@ impl App {
         for asked in asked {
             match asked {
                 panes::Asked::Command(command) => self.run(ui, command),
+                panes::Asked::Slide(slide) => self.state.show_slide(slide),
                 panes::Asked::Pick(place) => self.state.pick(place, shift(ui)),
                 panes::Asked::Line(line) => self.state.run_to_line(line, shift(ui)),
                 panes::Asked::Keep => self.state.keep(),
@@ -301,7 +449,7 @@ impl App {
                 panes::Asked::Part(part) => self.state.show_part(part),
                 panes::Asked::Ray(ray) => self.state.show_ray(RayChoice::Own(ray), true),
                 panes::Asked::Set(key, value) => self.state.set(key, &value),
-                panes::Asked::Say(sentence) => self.kept.notices.say(ui, sentence),
+                panes::Asked::Say(sentence) => self.say(ui, sentence),
                 panes::Asked::Compare(kind) => self.state.compare(kind),
                 panes::Asked::Pace(pace) => self.state.pace = pace,
             }
@@ -338,6 +486,10 @@ fn shift(ui: &Ui) -> bool {
 }
 
 impl eframe::App for App {
+    fn logic(&mut self, context: &egui::Context, _frame: &mut eframe::Frame) {
+        self.watch_device(context);
+    }
+
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
         let busy = self.overlay.is_open();
@@ -365,6 +517,7 @@ impl eframe::App for App {
         self.overlay(ui);
         if ui.input(|input| !input.pointer.any_down()) {
             self.remembered.keep(ui.ctx().zoom_factor(), self.state.predict);
+            self.keep_place(ui.ctx());
         }
         if self.state.stamp() != drawn {
             // What was clicked shows without waiting for the pointer to move again.

@@ -4,8 +4,10 @@
 
 mod app;
 mod bars;
+mod device;
 mod dialogs;
 mod keys;
+mod last;
 mod look;
 mod open;
 mod panes;
@@ -13,6 +15,8 @@ mod wishes;
 mod work;
 
 pub use app::App;
+pub use device::Patience;
+pub use last::Last;
 pub use look::remembered::Remembered;
-pub use open::{NoWindow, open};
+pub use open::{EachFrame, NoWindow, Opening};
 pub use wishes::Wishes;

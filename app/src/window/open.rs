@@ -1,15 +1,28 @@
-//! Opening the window.
+//! Opening the window, and opening it again when the graphics device is lost.
 
+use std::path::PathBuf;
+use std::time::Instant;
+
+use egui::Event::{PointerButton, WindowFocused};
+use egui::{Ui, ViewportBuilder, ViewportInfo};
 use raystep_lesson::Library;
 
 use super::app::App;
+use super::device::{self, Patience};
 use super::wishes::Wishes;
 use crate::window::look::remembered::Remembered;
+use crate::{files, folders};
 
-/// The window cannot be opened.
+/// There is no window, or there is none any more.
 #[derive(Debug, thiserror::Error)]
-#[error("no window can be opened: {}", why(.0))]
-pub struct NoWindow(#[from] eframe::Error);
+pub enum NoWindow {
+    /// It cannot be opened.
+    #[error("no window can be opened: {}", why(.0))]
+    Refused(#[from] eframe::Error),
+    /// One device after the other is lost.
+    #[error("no window stays open: the graphics device is lost again and again ({0})")]
+    Lost(String),
+}
 
 /// Why there is none, where the libraries below say nothing that anybody could act on.
 fn why(error: &eframe::Error) -> String {
@@ -23,25 +36,139 @@ fn why(error: &eframe::Error) -> String {
     }
 }
 
-/// Opens the window on these lessons and returns when it is closed.
-///
-/// # Errors
-/// There is no display, or nothing that could draw.
-pub fn open(library: Library, wishes: Wishes) -> Result<(), NoWindow> {
-    let viewport = egui::ViewportBuilder::default()
+/// A window that is to be opened.
+#[derive(Default)]
+pub struct Opening {
+    /// What is taught.
+    pub library: Library,
+    /// What it shall show first.
+    pub wishes: Wishes,
+    /// What it remembers.
+    pub remembered: Remembered,
+    /// The file in which it keeps where it stands.
+    pub last: Option<PathBuf>,
+    /// How many devices may be lost.
+    pub patience: Patience,
+    /// Called before each frame.
+    pub each_frame: Option<EachFrame>,
+    /// Makes the event loop, where it must not be the usual one.
+    pub event_loop: Option<eframe::EventLoopBuilderHook>,
+}
+
+/// What looks on, frame by frame.
+pub type EachFrame = Box<dyn FnMut(&mut App, &Ui, &eframe::Frame)>;
+
+impl Opening {
+    /// The user's own window, with what it remembers.
+    pub fn of_user(library: Library, wishes: Wishes) -> Opening {
+        let last = folders::state().map(|folder| folder.join("last.toml"));
+        Opening { library, wishes, remembered: Remembered::of_user(), last, ..Opening::default() }
+    }
+
+    /// Opens the window and returns when it is closed. A window whose device is lost opens again on the same state: an
+    /// app cannot give egui's painter another device.
+    ///
+    /// # Errors
+    /// There is no display, or nothing that could draw; or it was lost too often.
+    pub fn open(self) -> Result<(), NoWindow> {
+        let Opening { library, wishes, remembered, last, mut patience, mut each_frame, mut event_loop } = self;
+        let mut first = Some((library, wishes, remembered, last));
+        let (mut app, mut context) = (None::<App>, None::<egui::Context>);
+        let mut viewport = usual();
+        loop {
+            let known = context.clone();
+            let returns = known.is_some();
+            let options = eframe::NativeOptions {
+                viewport,
+                centered: !returns,
+                event_loop_builder: event_loop.take(),
+                ..eframe::NativeOptions::default()
+            };
+            let (shown, each_frame) = (&mut app, &mut each_frame);
+            let (first, used) = (&mut first, &mut context);
+            let create = move |creation: &eframe::CreationContext<'_>| {
+                let (shown, each_frame, context) = (shown, each_frame, &creation.egui_ctx);
+                if let Some((library, wishes, remembered, last)) = first.take() {
+                    let reopens = wishes.leaves_open();
+                    let app = shown.insert(App::wished(context, library, wishes, remembered));
+                    last.into_iter().for_each(|file| app.keep_in(file, reopens));
+                } else {
+                    device::upload_letters(context);
+                }
+                *used = Some(context.clone());
+                let app = shown.as_mut().ok_or("the window was never opened")?;
+                if let Some(state) = &creation.wgpu_render_state {
+                    app.draw_with(context, state);
+                }
+                let shown: Box<dyn eframe::App> = Box::new(Shown { app, each_frame, returns });
+                Ok(shown)
+            };
+            eframe::run_native_ext("Raystep", options, known, Box::new(create))?;
+            let (Some(app), Some(context)) = (&mut app, &context) else { return Ok(()) };
+            app.close();
+            let Some(lost) = app.take_lost() else { return Ok(()) };
+            if patience.ends(Instant::now()) {
+                return Err(NoWindow::Lost(lost.why));
+            }
+            files::say(&format!("the graphics device was lost ({}); the window opens again.", lost.why));
+            app.is_back(context);
+            viewport = again(&lost.window);
+        }
+    }
+}
+
+/// The window as it is opened first.
+fn usual() -> ViewportBuilder {
+    ViewportBuilder::default()
         .with_title("Raystep")
         .with_app_id("raystep")
         .with_inner_size([1440.0, 900.0])
         .with_min_inner_size([900.0, 600.0])
-        .with_drag_and_drop(true);
-    let options = eframe::NativeOptions { viewport, centered: true, ..eframe::NativeOptions::default() };
-    let create = move |context: &eframe::CreationContext<'_>| {
-        let mut app = App::wished(&context.egui_ctx, library, wishes, Remembered::of_user());
-        if let Some(state) = &context.wgpu_render_state {
-            app.draw_with(state);
+        .with_drag_and_drop(true)
+}
+
+/// The window where it stood.
+fn again(stood: &ViewportInfo) -> ViewportBuilder {
+    let is = |flag: Option<bool>| flag == Some(true);
+    let mut window = usual().with_fullscreen(is(stood.fullscreen)).with_maximized(is(stood.maximized));
+    if let Some(inner) = stood.inner_rect {
+        window = window.with_inner_size(inner.size());
+    }
+    if let Some(outer) = stood.outer_rect {
+        window = window.with_position(outer.min);
+    }
+    window
+}
+
+/// The app in a window of its own, which may be closed before it.
+struct Shown<'a> {
+    app: &'a mut App,
+    each_frame: &'a mut Option<EachFrame>,
+    /// Whether there was a window before, of which no frame has been drawn since.
+    returns: bool,
+}
+
+impl eframe::App for Shown<'_> {
+    fn logic(&mut self, context: &egui::Context, frame: &mut eframe::Frame) {
+        self.app.logic(context, frame);
+    }
+
+    fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
+        if std::mem::take(&mut self.returns) {
+            // What was held when the window went is let go: no event says so.
+            let held = context.input(|input| input.pointer.any_down());
+            let pos = context.input(|input| input.pointer.latest_pos()).unwrap_or_default();
+            let released = |button| PointerButton { pos, button, pressed: false, modifiers: egui::Modifiers::NONE };
+            let buttons = [egui::PointerButton::Primary, egui::PointerButton::Secondary, egui::PointerButton::Middle];
+            let releases = buttons.into_iter().filter(|_| held).map(released);
+            input.events.splice(0..0, releases.chain([WindowFocused(false), WindowFocused(true)]));
         }
-        let app: Box<dyn eframe::App> = Box::new(app);
-        Ok(app)
-    };
-    Ok(eframe::run_native("Raystep", options, Box::new(create))?)
+    }
+
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        if let Some(each) = self.each_frame {
+            each(self.app, ui, frame);
+        }
+        self.app.ui(ui, frame);
+    }
 }

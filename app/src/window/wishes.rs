@@ -22,6 +22,11 @@ pub struct Wishes {
 }
 
 impl Wishes {
+    /// Whether nothing is wished for that says where to open.
+    pub(super) fn leaves_open(&self) -> bool {
+        self.slide.is_none() && self.ray.is_none() && self.step.is_none() && self.mesh.is_none()
+    }
+
     /// The place of the slide in the library.
     pub(super) fn slide(&self, library: &Library) -> usize {
         let index = |id: &String| {

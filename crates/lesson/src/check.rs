@@ -9,7 +9,7 @@ use raystep_scene::Scene;
 use crate::problem::{listed, misspelt};
 use crate::{
     About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter, Slide,
-    Spot, Stage, StageKind, Tape, condition, names,
+    Spot, Stage, StageKind, Tape, Term, condition, names,
 };
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well. `setter` says what in
@@ -29,6 +29,7 @@ fn check_those(library: &Library, setter: Setter<'_>, wanted: impl Fn(&Slide) ->
     let mut checker =
         Checker { library, setter, problems: library.problems.clone(), built: HashMap::new(), told: HashMap::new() };
     checker.numbers();
+    checker.terms();
     for listing in &library.listings {
         checker.listing(listing);
     }
@@ -66,6 +67,38 @@ impl Checker<'_> {
             } else {
                 first.insert(slide.id(), slide);
             }
+        }
+    }
+
+    /// Every word that is explained stands in bold on the slide that teaches it.
+    fn terms(&mut self) {
+        let library = self.library;
+        let says = |slide: &Slide, term: &Term| {
+            slide.beats.iter().flat_map(|beat| &beat.paragraphs).any(|paragraph| term.is_bold_in(&paragraph.text))
+        };
+        for term in &library.terms {
+            let name = &term.names[0];
+            let mut wrong: Vec<(Spot, String)> = Vec::new();
+            if !library.slides.iter().any(|slide| says(slide, term)) {
+                wrong.push((term.spot, format!("no slide has `{name}` in bold: nobody can ask what it means")));
+            } else {
+                match library.slide(&term.slide) {
+                    None => {
+                        let known: Vec<String> = library.slides.iter().map(Slide::id).collect();
+                        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+                        wrong.push((term.slide_spot, misspelt("slide", &term.slide, &known)));
+                    }
+                    Some(slide) if !says(slide, term) => {
+                        let why =
+                            format!("slide {} does not have `{name}` in bold: it is taught on another", term.slide);
+                        wrong.push((term.slide_spot, why));
+                    }
+                    Some(_) => {}
+                }
+            }
+            wrong.extend((self.setter)(&term.means, Script::Plain).into_iter().map(|(_, why)| (term.spot, why)));
+            let problems = wrong.into_iter().map(|(spot, message)| Problem::new(crate::term::FILE, spot, message));
+            self.problems.extend(problems);
         }
     }
 

@@ -19,6 +19,9 @@ impl Library {
                 _ => {}
             }
         }
+        if self.terms.is_empty() {
+            self.terms.clone_from(&before.terms);
+        }
         // A listing is as good as gone while its file is empty or not there.
         for listing in &before.listings {
             let now = self.listings.iter().position(|own| own.name == listing.name);

@@ -1,10 +1,10 @@
-//! All slides and listings.
+//! All slides, listings and words.
 
 use include_dir::{Dir, include_dir};
 
 use crate::problem::misspelt;
 use crate::reading::Reading;
-use crate::{Listing, Problem, Slide, limits};
+use crate::{Listing, Problem, Slide, Term, limits, term};
 
 /// The lessons as they were when the program was built.
 static LESSONS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../lessons");
@@ -16,6 +16,8 @@ pub struct Library {
     pub slides: Vec<Slide>,
     /// The listings.
     pub listings: Vec<Listing>,
+    /// The words that are explained.
+    pub terms: Vec<Term>,
     /// What could not be read.
     pub problems: Vec<Problem>,
 }
@@ -45,7 +47,7 @@ impl Library {
         library
     }
 
-    /// Adds what one file holds: `section/slide.md` or `listings/name.txt`.
+    /// Adds what one file holds: `section/slide.md`, `listings/name.txt` or `terms.txt`.
     fn add(&mut self, path: &str, text: &str) {
         let (folder, file) = path.rsplit_once('/').unwrap_or(("", path));
         let problems = if let Some(name) = file.strip_suffix(".txt").filter(|_| folder == "listings") {
@@ -55,6 +57,10 @@ impl Library {
         } else if let Some(name) = file.strip_suffix(".md").filter(|_| !folder.is_empty()) {
             let (slide, problems) = Slide::read(folder, name, path, text);
             self.slides.extend(slide);
+            problems
+        } else if path == term::FILE {
+            let (terms, problems) = Term::read_all(path, text);
+            self.terms = terms;
             problems
         } else {
             Vec::new()
@@ -94,6 +100,11 @@ impl Library {
     /// The listing of that name.
     pub fn listing(&self, name: &str) -> Option<&Listing> {
         self.listings.iter().find(|listing| listing.name == name)
+    }
+
+    /// What a word means, if that is explained.
+    pub fn term(&self, word: &str) -> Option<&Term> {
+        self.terms.iter().find(|term| term.is(word))
     }
 
     /// The slide called `"5/33"`, `"05-kd-tree/33-which-child-first"` or `"33-which-child-first"`.

@@ -12,6 +12,8 @@ pub(crate) const ENTRIES: usize = 32;
 pub(crate) const BOARD: usize = 64;
 /// Letters of a title, of a name, of what a button says.
 pub(crate) const TITLE: usize = 120;
+/// Letters of what a word means.
+pub(crate) const MEANING: usize = 240;
 /// Problems that are told of one file.
 pub(crate) const PROBLEMS: usize = 50;
 /// Files in a folder of lessons, all together.

@@ -1,7 +1,7 @@
 //! The settings of the window, and what names a place in the lecture: slides, structures, sizes, scenes.
 
 use raystep::cli::{Size, read_rule};
-use raystep::window::Remembered;
+use raystep::window::{Last, Remembered};
 use raystep_lesson::Library;
 use raystep_scene::Scene;
 
@@ -17,6 +17,13 @@ pub(super) const TARGET: Target = Target {
         "lesson = 300.0\n",
         "walk = 300.0\n",
         "[heights]\n",
+        "slide = \"5/33\"\n",
+        "step = 7\n",
+        "grain = \"visit\"\n",
+        "[settings]\n",
+        "max_depth = \"3\"\n",
+        "[camera]\n",
+        "center = [1.0, 2.0]\n",
         "work = 100.0\n",
         "stack = 90.0\n",
         "tree = 200.0\n",
@@ -67,6 +74,8 @@ pub fn settings(bytes: &[u8]) {
     for size in heights.into_iter().chain([read.lesson, read.walk]).flatten() {
         assert!((1.0..1e5).contains(&size), "a pane of {size} points");
     }
+    let (last, _) = Last::read(&text);
+    assert_eq!(Last::read(&last.text()), (last.clone(), Vec::new()), "what is kept is read again");
     let word = text.lines().next().unwrap_or_default();
     thread_local!(static LIBRARY: Library = Library::embedded());
     LIBRARY.with(|library| {

@@ -25,6 +25,12 @@ impl State {
         self.wanted.as_ref().unwrap_or(&self.view)
     }
 
+    /// Opens a view that was kept from another time, at its step as far as its walk goes.
+    pub fn reopen(&mut self, view: View) {
+        self.wished = view.stage;
+        self.want(view, Landing::Named);
+    }
+
     /// Asks for another view; at once there if only the step or the camera differ.
     pub(super) fn want(&mut self, view: View, landing: Landing) {
         self.playing = false;

@@ -1,6 +1,7 @@
 //! The bar at the top: where we are in the lecture, which ray, which stage, and the modes.
 
 use egui::{Align, Button, ComboBox, Layout, RichText, Ui, Widget, vec2};
+use raystep_accel::Rule;
 use raystep_figure::{Face, Role, Theme};
 use raystep_lesson::{Plays, StageKind};
 
@@ -28,6 +29,9 @@ pub(crate) enum Asked {
     Theme(&'static Theme),
 }
 
+/// Stands behind the name of a structure whose parameters are not the slide's.
+const CHANGED: &str = " *";
+
 /// What has room in a bar of a width. The buttons at the right stand where they stand on every slide.
 struct Room {
     /// The program's name.
@@ -44,22 +48,29 @@ struct Room {
     padding: f32,
     /// The outline's width.
     outline: f32,
-    /// The structure's width: as wide as the longest name, where there is room, so that nothing moves.
+    /// The structure's width: as wide as the longest name that has been changed, so that nothing moves.
     structure: f32,
 }
 
 impl Room {
     fn of(width: f32) -> Room {
         let outline = if width > 1180.0 { (width * 0.235).clamp(180.0, 380.0) } else { width * 0.262 };
+        let padding = match width {
+            1540.0.. => 11.0,
+            1080.0.. => 9.0,
+            _ => 8.0,
+        };
+        let names = std::iter::once("slab").chain(Rule::KINDS).map(|kind| format!("{}{CHANGED}", kind_name(kind)));
+        let widths = names.map(|name| raystep_figure::text_width(&name, Face::Medium, 13.5));
         Room {
             name: width > 1260.0,
-            numbers: width > 1400.0,
+            numbers: width > 1540.0,
             breaks: width > 1240.0,
             export: width > 1080.0,
-            present: width > 940.0,
-            padding: if width > 1080.0 { 11.0 } else { 8.0 },
+            present: width > 1010.0,
+            padding,
             outline,
-            structure: if width > 1400.0 { 108.0 } else { 0.0 },
+            structure: widths.fold(0.0, f32::max).ceil() + 2.0 * padding,
         }
     }
 }
@@ -231,7 +242,7 @@ fn stages(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Option<Asked>) 
 /// The structure's name: a button that docks what can be set by hand below the lesson.
 fn structure(ui: &mut Ui, state: &State, width: f32, asked: &mut Option<Asked>) {
     let Some(rule) = state.rule() else { return };
-    let changed = if state.target().settings.is_empty() { "" } else { " *" };
+    let changed = if state.target().settings.is_empty() { "" } else { CHANGED };
     let button = Button::new(format!("{}{changed}", kind_name(rule.kind()))).selected(state.by_hand);
     let button = button.min_size(vec2(width, 0.0));
     let button = if state.by_hand { button.stroke(ui.visuals().selection.stroke) } else { button };

@@ -22,15 +22,15 @@ struct Key {
 #[derive(Default)]
 pub(crate) struct Formulas {
     pictures: HashMap<Key, Option<TextureHandle>>,
-    /// How wide each is with letters of size 1.
-    widths: HashMap<String, f32>,
+    /// How wide and high each is with letters of size 1.
+    extents: HashMap<String, Vec2>,
 }
 
 impl Formulas {
     /// Shows a formula with letters of this size, smaller if there is no room for it.
     pub(crate) fn show(&mut self, ui: &mut Ui, tex: &str, size: f32, color: Color) {
         let room = ui.available_width();
-        let width = self.width(tex) * size;
+        let width = self.extent(tex).x * size;
         let size = if width > room { size * room / width } else { size };
         match self.picture(ui, tex, size, color) {
             Some((texture, size)) => {
@@ -42,17 +42,29 @@ impl Formulas {
         }
     }
 
-    /// How wide a formula is with letters of size 1.
-    fn width(&mut self, tex: &str) -> f32 {
-        if let Some(width) = self.widths.get(tex) {
-            return *width;
+    /// How high a formula is with letters of this size, smaller if there is no room for it.
+    pub(crate) fn height(&mut self, tex: &str, size: f32, room: f32) -> f32 {
+        let extent = self.extent(tex);
+        extent.y * size.min(room / extent.x.max(1e-6))
+    }
+
+    /// Lets go of all pictures: they lie on a device that is gone.
+    pub(crate) fn clear(&mut self) {
+        self.pictures.clear();
+    }
+
+    /// How wide and high a formula is with letters of size 1.
+    fn extent(&mut self, tex: &str) -> Vec2 {
+        if let Some(extent) = self.extents.get(tex) {
+            return *extent;
         }
-        if self.widths.len() > MOST {
-            self.widths.clear();
+        if self.extents.len() > MOST {
+            self.extents.clear();
         }
-        let width = extent(tex, 1.0).width;
-        self.widths.insert(tex.to_owned(), width);
-        width
+        let extent = extent(tex, 1.0);
+        let extent = vec2(extent.width, extent.height + extent.depth);
+        self.extents.insert(tex.to_owned(), extent);
+        extent
     }
 
     /// The picture of a formula and its size in points.

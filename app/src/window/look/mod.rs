@@ -12,3 +12,4 @@ pub(super) mod prose;
 pub(super) mod remembered;
 pub(super) mod tex;
 pub(super) mod visuals;
+pub(super) mod words;

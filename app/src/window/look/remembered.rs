@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 
 use raystep_figure::Theme;
 use serde::Serialize;
-use toml::de::{DeTable, DeValue};
-use toml::{Spanned, Table, Value};
+use toml::{Table, Value};
 
 use crate::shown::pictures::Pane;
-use crate::{files, folders};
+use crate::{fields, files, folders};
 
 /// What is remembered.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -98,21 +97,8 @@ impl Remembered {
     /// What a text says, as far as it makes sense.
     pub fn read(text: &str) -> Remembered {
         let mut read = Remembered::default();
-        let mut wrong = Vec::new();
-        let whole = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let text = match DeTable::parse(whole) {
-            Ok(_) => whole.to_owned(),
-            Err(_) => without_broken_lines(whole, &mut wrong),
-        };
-        let table = DeTable::parse(&text).map(Spanned::into_inner).unwrap_or_default();
-        for (key, spelt, at) in fields(&text, &table, "") {
-            if let Err(why) = read.set(&key, spelt) {
-                wrong.push((line_of(&text, at), format!("{key} = {spelt}: {why}; it is left out")));
-            }
-        }
-        wrong.sort();
-        read.wrong = wrong.into_iter().map(|(line, sentence)| format!("{}: {sentence}", line + 1)).collect();
-        read
+        let wrong = fields::read(text, |key, spelt| read.set(key, spelt));
+        Remembered { wrong, ..read }
     }
 
     /// Remembers this zoom, and whether questions are asked.
@@ -123,13 +109,9 @@ impl Remembered {
 
     /// Sets one field as it is spelt, or says what would be right.
     fn set(&mut self, key: &str, spelt: &str) -> Result<(), String> {
-        let value = format!("value = {spelt}").parse::<Table>().ok().and_then(|mut table| table.remove("value"));
+        let value = fields::value(spelt);
         let number = |least: f32, most: f32| {
-            let number = match value {
-                Some(Value::Float(number)) => Some(number as f32),
-                Some(Value::Integer(number)) => Some(number as f32),
-                _ => None,
-            };
+            let number = value.as_ref().and_then(fields::number);
             let within = number.filter(|number| (least..=most).contains(number));
             within.ok_or_else(|| format!("a number from {least} to {most} is needed"))
         };
@@ -171,46 +153,6 @@ impl Remembered {
             self.written = said;
         }
     }
-}
-
-/// The most lines of a text with an error that are looked at.
-const MOST: usize = 400;
-
-/// The text with every line empty that does not go with those before it; says of each why.
-fn without_broken_lines(text: &str, wrong: &mut Vec<(usize, String)>) -> String {
-    let mut good = String::new();
-    for (number, line) in text.lines().take(MOST).enumerate() {
-        let before = good.len();
-        good.push_str(line);
-        if let Err(error) = DeTable::parse(&good) {
-            wrong.push((number, format!("{}; this line is left out", error.message())));
-            good.truncate(before);
-        }
-        good.push('\n');
-    }
-    good
-}
-
-/// The line of a byte, from 0.
-fn line_of(text: &str, at: usize) -> usize {
-    text.bytes().take(at).filter(|byte| *byte == b'\n').count()
-}
-
-/// The fields of a table and of those in it: the key, how its value is spelt, and where.
-fn fields<'a>(text: &'a str, table: &DeTable<'_>, around: &str) -> Vec<(String, &'a str, usize)> {
-    let mut all = Vec::new();
-    for (key, value) in table {
-        let name = format!("{around}{}", key.get_ref());
-        match value.get_ref() {
-            DeValue::Table(table) => all.extend(fields(text, table, &format!("{name}."))),
-            _ => all.push((name, spelt(text, value), key.span().start)),
-        }
-    }
-    all
-}
-
-fn spelt<'a>(text: &'a str, value: &Spanned<DeValue<'_>>) -> &'a str {
-    text.get(value.span()).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use egui::{Button, Frame, Margin, Panel, RichText, ScrollArea, Ui, UiBuilder};
 use raystep_figure::{Face, Role, Theme, sentence, veiled};
 use raystep_lesson::Medium;
 
+use super::page::Asked;
 use super::question;
 use crate::shown::command::Command;
 use crate::shown::reel::{beginning, said as said_by};
@@ -11,8 +12,9 @@ use crate::shown::state::State;
 use crate::window::look::fonts::font;
 use crate::window::look::formulas::Formulas;
 use crate::window::look::markdown::together;
-use crate::window::look::prose::Prose;
+use crate::window::look::prose::{LEADING, Prose};
 use crate::window::look::visuals::ink;
+use crate::window::look::words::Words;
 
 /// How high the sign is that says that there is more.
 const SIGN: f32 = 28.0;
@@ -38,9 +40,8 @@ fn stamp(state: &State) -> Stamp {
     (state.view.slide, state.view.step, state.question().is_some(), answered)
 }
 
-/// Shows the lesson; says which command was asked for. What does not fit is scrolled, and a sign at the foot says so.
-pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas) -> Option<Command> {
-    let mut asked = None;
+/// Shows the lesson. What does not fit is scrolled, and a sign at the foot says so.
+pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, asked: &mut Vec<Asked>) {
     let id = ui.scope_id().with("lesson scroll");
     let mut scroll: Scroll = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let room = ui.available_height();
@@ -64,7 +65,7 @@ pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
     let shown = area.show(ui, |ui| {
         Frame::new().inner_margin(Margin { left: 22, right: 20, top: 18, bottom: 18 }).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            asked = content(ui, state, theme, formulas, fresh);
+            content(ui, state, theme, formulas, fresh, asked);
         });
     });
     let seen = shown.state.clamped_offset().y + shown.inner_rect.height();
@@ -76,7 +77,6 @@ pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
     (scroll.long, scroll.at_end) = (long, at_end);
     ui.data_mut(|data| data.insert_temp(id, scroll));
     parent.advance_cursor_after_rect(rect);
-    asked
 }
 
 /// The sign that there is more than is seen; says whether it was clicked.
@@ -91,13 +91,13 @@ fn sign(ui: &mut Ui, theme: &Theme, at_end: bool) -> bool {
         .inner
 }
 
-fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, fresh: bool) -> Option<Command> {
+fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, fresh: bool, asked: &mut Vec<Asked>) {
     let Some(slide) = state.slide() else {
         ui.label("There are no slides.");
-        return None;
+        return;
     };
     ui.label(RichText::new(&slide.title).font(font(Face::Bold, 22.0)));
-    let prose = Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular };
+    let prose = Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular, leading: LEADING };
     if let Some(mesh) = &state.view.mesh {
         prose.show(ui, formulas, &format!("Your own mesh: {}, {} triangles.", mesh.title, prims(mesh)));
         let quiet = Prose { role: Role::Quiet, size: 13.0, ..prose };
@@ -118,7 +118,6 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
     // While a question is open nothing says what the numbers come to.
     let event = event.map(|event| if state.question().is_some() { veiled(&event) } else { event });
     let says = state.playback().zip(event).map(|(playback, event)| sentence(&event, playback.reel().volume()));
-    let mut asked = None;
     match state.beat() {
         Some((beat, step)) => {
             let later = state.view.step > step;
@@ -133,9 +132,12 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
                 });
             }
             if let Some(playback) = state.playback() {
-                prose.show(ui, formulas, &said_by(beat, &playback.play, step, Medium::Window));
+                let words = Words { library: &state.library, slide: state.view.slide, asked: None };
+                let text = said_by(beat, &playback.play, step, Medium::Window);
+                let words = prose.explain(ui, formulas, &text, words);
+                asked.extend(words.asked.map(Asked::Slide));
             }
-            asked = offers(ui, state, 14.5);
+            asked.extend(offers(ui, state, 14.5).map(Asked::Command));
             // Later events say what they do themselves.
             if later && let Some(says) = says {
                 said(ui, theme, &says);
@@ -148,13 +150,12 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
     }
     ui.add_space(8.0);
     let top = ui.cursor().top();
-    let asked = question::show(ui, state, theme, formulas).or(asked);
+    asked.extend(question::show(ui, state, theme, formulas).map(Asked::Command));
     if fresh && state.question().is_some() {
         // A question that has just opened is seen whole, and why an answer is wrong.
         let foot = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.min_rect().bottom() + 14.0);
         ui.scroll_to_rect(foot, None);
     }
-    asked
 }
 
 /// A button for each thing that the beat offers to do.

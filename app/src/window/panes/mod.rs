@@ -14,6 +14,7 @@ mod rival;
 mod sight;
 mod solid;
 mod space;
+mod speech;
 mod stage;
 pub(super) mod study;
 

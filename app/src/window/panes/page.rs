@@ -9,6 +9,7 @@ use raystep_paint::Mesh;
 
 use super::notices::Notices;
 use super::sight::Sight;
+use super::speech::Fitted;
 use crate::shown::beside::Pace;
 use crate::shown::camera::Seen;
 use crate::shown::command::Command;
@@ -37,6 +38,8 @@ pub(crate) struct Page<'a> {
 pub(crate) enum Asked {
     /// A command.
     Command(Command),
+    /// Another slide, by its place.
+    Slide(usize),
     /// A click on a place; beside everything, on none.
     Pick(Option<Place>),
     /// A click on a line of the listing.
@@ -72,10 +75,21 @@ pub(crate) struct Kept {
     pub(crate) notices: Notices,
     pub(super) formulas: Formulas,
     pub(super) tree: TreeView,
+    /// The presenter's column of words, as it was fitted last.
+    pub(super) column: Option<Fitted>,
     hovered: Option<Place>,
 }
 
 impl Kept {
+    /// Draws with egui's own device from now on, or with none. What lay on another one is gone.
+    pub(crate) fn draw_with(&mut self, state: Option<&egui_wgpu::RenderState>) {
+        self.formulas.clear();
+        match state {
+            Some(state) => self.sight.draw_with(state),
+            None => self.sight.draw_with_none(),
+        }
+    }
+
     /// The place under the pointer.
     pub(crate) fn hovered(&self) -> Option<Place> {
         self.hovered

@@ -1,26 +1,18 @@
-//! The presenter's page: title, space, the ruler, the question or what is said, and the stack in words.
+//! The presenter's page: title, space, the ruler, the question or what is said, what changed, and the stack in words.
 
-use egui::{Align2, Frame, Rect, RichText, Sense, Ui, pos2, vec2};
+use egui::{Align2, Rect, Sense, Ui, pos2, vec2};
 use raystep_accel::Place;
-use raystep_figure::{Face, Look, Role, Theme, sentence, stack_height};
-use raystep_lesson::Medium;
+use raystep_figure::{Face, Look, Role, changed_height, stack_height};
 
 use super::columns::bytes;
 use super::figure::figure;
-use super::lesson::offers;
 use super::page::{Asked, Kept, Page};
+use super::speech::{Column, Fitted, Speech};
 use super::stage;
 use crate::shown::command::Command;
 use crate::shown::pictures::{Pane, Pictures};
-use crate::shown::playback::Posed;
-use crate::shown::reel::{beginning, said as said_by};
-use crate::shown::words::{label, question_text, reason};
-use crate::window::look::fonts::font;
-use crate::window::look::formulas::Formulas;
-use crate::window::look::markdown::plain;
 use crate::window::look::painter::caption;
-use crate::window::look::prose::Prose;
-use crate::window::look::visuals::{fill, ink};
+use crate::window::look::visuals::fill;
 
 /// Shows the page in the whole window; says which place the pointer is on.
 pub(crate) fn page(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec<Asked>) -> Option<Place> {
@@ -42,19 +34,27 @@ pub(crate) fn page(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec
         Some(pictures) => pictures.ruler_line_height(&look),
         None => 0.0,
     };
-    let side = (inner.width() * 0.3).max(body * 11.0);
     let top = inner.top() + title_height;
     let bottom = inner.bottom() - foot - ruler;
+    let wide = |column: Column| (inner.width() * column.part).max(body * 11.0);
+    let floor = |column: Column| if column.tall { inner.bottom() - foot } else { bottom };
+    let room = |column: Column| vec2(wide(column), floor(column) - top - body * 0.5);
+    let fitted = Fitted::of(kept.column.take(), ui, page.state, &mut kept.formulas, page.theme, room, body);
+    let column = fitted.as_ref().map_or(Column::USUAL, |fitted| fitted.column);
+    kept.column = fitted;
+    let side = wide(column);
     let space = Rect::from_min_max(pos2(inner.left(), top), pos2(inner.right() - side - body, bottom));
-    let words = Rect::from_min_max(pos2(inner.right() - side, top + body * 0.4), pos2(inner.right(), bottom));
-    let line = Rect::from_min_max(pos2(inner.left(), bottom), pos2(inner.right(), bottom + ruler));
+    let words = pos2(inner.right() - side, top + body * 0.4);
+    let words = Rect::from_min_max(words, pos2(inner.right(), floor(column)));
+    let right = if column.tall { space.right() } else { inner.right() };
+    let line = Rect::from_min_max(pos2(inner.left(), bottom), pos2(right, bottom + ruler));
 
     let mut under = stage::stage(ui, page, kept, space, false, body / 19.0, asked);
     if ruler > 0.0 {
         let pane = if bytes { Pane::Bytes } else { Pane::RulerLine };
         under = figure(ui, page, kept, pane, line, &look, asked).or(under);
     }
-    under = side_page(ui, page, kept, words, body, asked).or(under);
+    under = side_page(ui, page, kept, words, body, column, asked).or(under);
     let foot = Rect::from_min_max(pos2(inner.left(), inner.bottom() - foot), inner.max);
     if let Some(pictures) = &kept.pictures
         && footer(ui, page, pictures, foot, body)
@@ -112,89 +112,60 @@ fn footer(ui: &mut Ui, page: Page<'_>, pictures: &Pictures, rect: Rect, body: f3
     back.clicked()
 }
 
-/// The question or what the beat says, then the stack.
+/// The question or what the beat says, then what changed, then the stack.
 fn side_page(
     ui: &mut Ui,
     page: Page<'_>,
     kept: &mut Kept,
     rect: Rect,
     body: f32,
+    column: Column,
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
-    let has_stack = kept.pictures.as_ref().is_some_and(|pictures| pictures.has(Pane::StackHere));
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     child.set_clip_rect(rect.expand(4.0));
+    let speech = Speech::of(page.state);
     let words = egui::ScrollArea::vertical()
         .id_salt("presented")
-        .show(&mut child, |ui| said(ui, page, &mut kept.formulas, body));
+        .show(&mut child, |ui| speech.show(ui, &mut kept.formulas, &column.set(page.theme, body)));
     asked.extend(words.inner.map(Asked::Command));
-    // The stack has what the words leave, up to four rows.
-    let look = Look { text: body * 0.62, titles: false };
-    let stack = (rect.height() - words.content_size.y - body * 0.4).min(stack_height(4, &look));
-    if !has_stack || stack < stack_height(1, &look) {
-        return None;
+    let look = Look { text: body * 0.62, titles: true };
+    let rest = rect.height() - words.content_size.y - body * 0.6;
+    let [stack, changed] = shares(kept.pictures.as_ref()?, &look, rest);
+    let bottom = rect.bottom();
+    let mut under = None;
+    if stack > 0.0 {
+        let rect = Rect::from_min_max(pos2(rect.left(), bottom - stack), pos2(rect.right(), bottom));
+        let look = Look { titles: false, ..look };
+        under = figure(ui, page, kept, Pane::StackHere, rect, &look, asked);
     }
-    let stack = Rect::from_min_max(pos2(rect.left(), rect.bottom() - stack), rect.max);
-    figure(ui, page, kept, Pane::StackHere, stack, &look, asked)
+    if changed > 0.0 {
+        let bottom = if stack > 0.0 { bottom - stack - body * 0.3 } else { bottom };
+        let rect = Rect::from_min_max(pos2(rect.left(), bottom - changed), pos2(rect.right(), bottom));
+        under = figure(ui, page, kept, Pane::Changed, rect, &look, asked).or(under);
+    }
+    under
 }
 
-fn said(ui: &mut Ui, page: Page<'_>, formulas: &mut Formulas, body: f32) -> Option<Command> {
-    let Page { state, theme, .. } = page;
-    let prose = Prose { theme, size: body, role: Role::Text, face: Face::Regular };
-    if let Some(posed) = state.question() {
-        let strong = Prose { face: Face::Medium, size: body * 1.1, ..prose };
-        strong.show(ui, formulas, &question_text(state, posed));
-        ui.add_space(body * 0.4);
-        let wrong = state.answered.filter(|answered| answered.beat == posed.beat && !answered.right);
-        let asked = big_answers(ui, theme, posed, wrong.map(|answered| answered.choice), body);
-        if let Some(answered) = wrong {
-            ui.add_space(body * 0.3);
-            let reason = reason(state, posed, &posed.choices[answered.choice]);
-            Prose { role: Role::Wrong, ..prose }.show(ui, formulas, &reason);
-        }
-        return asked;
+/// The heights of the stack and of what changed in the room that the words leave; 0 of what has none. The stack has four
+/// rows where there is room for both, else those that it needs.
+fn shares(pictures: &Pictures, look: &Look, rest: f32) -> [f32; 2] {
+    let bare = Look { titles: false, ..*look };
+    let (least, most) = (changed_height(2, look), changed_height(6, look));
+    let changes = pictures.has(Pane::Changed);
+    if !pictures.has(Pane::StackHere) {
+        let changed = if changes && rest >= least { rest.min(most) } else { 0.0 };
+        return [0.0, changed];
     }
-    if let Some((posed, answered)) = state.settled() {
-        let text = format!("**{}**", label(&posed.choices[answered.choice]));
-        Prose { role: Role::Hit, size: body * 1.1, ..prose }.show(ui, formulas, &text);
-    }
-    let event = state.playback().and_then(|playback| playback.event(state.view.step));
-    let opening = state.slide().map_or("", |slide| beginning(slide.plays));
-    match state.beat().filter(|(_, step)| *step == state.view.step) {
-        Some((beat, step)) => {
-            ui.label(RichText::new(&beat.title).font(font(Face::Medium, body * 1.1)).color(ink(theme, Role::Text)));
-            if let Some(playback) = state.playback() {
-                prose.show(ui, formulas, &said_by(beat, &playback.play, step, Medium::Window));
-            }
-            return offers(ui, state, body * 0.8);
-        }
-        None => {
-            let says = state.playback().zip(event);
-            let says = says.map(|(playback, event)| sentence(&event, playback.reel().volume()));
-            let says = says.unwrap_or_else(|| opening.to_owned());
-            Prose { size: body * 1.05, ..prose }.show(ui, formulas, &says);
-        }
-    }
-    None
-}
-
-/// The answers in large letters.
-fn big_answers(ui: &mut Ui, theme: &Theme, posed: &Posed, wrong: Option<usize>, body: f32) -> Option<Command> {
-    let mut asked = None;
-    for (index, choice) in posed.choices.iter().enumerate() {
-        let letter = char::from(b'A' + index.min(25) as u8);
-        let role = if wrong == Some(index) { Role::Wrong } else { Role::Here };
-        let name = plain(&label(choice));
-        let text =
-            RichText::new(format!("{letter}   {name}")).font(font(Face::Medium, body)).color(ink(theme, Role::Text));
-        let button = egui::Button::new(text)
-            .fill(fill(theme, Role::Panel))
-            .stroke(egui::Stroke::new(2.0, ink(theme, role)))
-            .corner_radius(body * 0.3)
-            .min_size(vec2(ui.available_width(), body * 1.65));
-        if Frame::new().show(ui, |ui| ui.add(button)).inner.clicked() {
-            asked = Some(Command::Answer(index as u8));
-        }
-    }
-    asked
+    let gap = look.text * 0.5;
+    let four = stack_height(4, &bare);
+    let needed = stack_height(pictures.stacked().clamp(1, 4), &bare);
+    let stack = match () {
+        () if changes && rest >= four + gap + least => four,
+        () if changes && rest >= needed + gap + least => needed,
+        () if rest >= stack_height(1, &bare) => rest.min(four),
+        () => 0.0,
+    };
+    let left = rest - stack - gap;
+    [stack, if changes && left >= least { left.min(most) } else { 0.0 }]
 }

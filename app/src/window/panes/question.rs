@@ -11,7 +11,7 @@ use crate::shown::words::{label, question_text, reason};
 use crate::window::look::fonts::font;
 use crate::window::look::formulas::Formulas;
 use crate::window::look::markdown::plain;
-use crate::window::look::prose::Prose;
+use crate::window::look::prose::{LEADING, Prose};
 use crate::window::look::visuals::{fill, ink, tinted};
 
 /// Shows the open question, or what became of the one just answered. Says which command was asked for.
@@ -21,7 +21,8 @@ pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
         boxed(ui, theme, Role::Hit, |ui| {
             ui.label(RichText::new("Right").font(font(Face::Bold, 13.0)).color(ink(theme, Role::Hit)));
             let text = format!("{} **{}**", question_text(state, posed), label(choice));
-            Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular }.show(ui, formulas, &text);
+            Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular, leading: LEADING }
+                .show(ui, formulas, &text);
         });
         return None;
     }
@@ -30,14 +31,15 @@ pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
     let mut asked = None;
     boxed(ui, theme, Role::Here, |ui| {
         ui.label(RichText::new("Before you step").font(font(Face::Bold, 12.5)).color(ink(theme, Role::Here)));
-        let question = Prose { theme, size: 16.0, role: Role::Text, face: Face::Medium };
+        let question = Prose { theme, size: 16.0, role: Role::Text, face: Face::Medium, leading: LEADING };
         question.show(ui, formulas, &question_text(state, posed));
         asked = answers(ui, posed, wrong.map(|answered| answered.choice), theme);
         if let Some(answered) = wrong {
             let choice = &posed.choices[answered.choice];
             ui.label(RichText::new("Not this").font(font(Face::Bold, 12.5)).color(ink(theme, Role::Wrong)));
             let reason = reason(state, posed, choice);
-            Prose { theme, size: 14.0, role: Role::Text, face: Face::Regular }.show(ui, formulas, &reason);
+            Prose { theme, size: 14.0, role: Role::Text, face: Face::Regular, leading: LEADING }
+                .show(ui, formulas, &reason);
         }
         let clickable = posed.choices.iter().any(|choice| choice.place.is_some());
         let hint = if clickable { "or click it in the picture · Enter skips" } else { "Enter skips" };

@@ -43,10 +43,15 @@ impl Default for Sight {
 
 impl Sight {
     /// Draws solid stages with egui's own device.
-    pub(crate) fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
+    pub(super) fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
         self.solid = Solid::new(state);
         self.solid_beside = self.solid.another();
         self.solid_inset = self.solid.another();
+    }
+
+    /// Lets go of egui's device.
+    pub(super) fn draw_with_none(&mut self) {
+        (self.solid, self.solid_beside, self.solid_inset) = Default::default();
     }
 
     /// Where the stage is seen from now, in a picture of this size.

@@ -34,10 +34,9 @@ pub(crate) fn page(
             let below = below.size_range(120.0..=height * 0.7);
             below.show(ui, |ui| by_hand::pane(ui, page.state, page.theme, asked));
         }
-        lesson::pane(ui, page.state, page.theme, &mut kept.formulas)
+        lesson::pane(ui, page.state, page.theme, &mut kept.formulas, asked);
     });
     columns::note(ui, &mut sizes.lesson, shown.response.rect.width(), usual);
-    asked.extend(shown.inner.map(Asked::Command));
     let under = columns::right(ui, page, kept, sizes, asked);
     let ground = Frame::new().fill(fill(page.theme, Role::Panel));
     let center = CentralPanel::no_frame().frame(ground);

@@ -20,8 +20,8 @@ use crate::report;
 pub(crate) enum News {
     /// The user has chosen a mesh.
     Chosen(PathBuf),
-    /// A mesh was read; a ray through its middle.
-    Mesh(Arc<Scene>, Ray),
+    /// A mesh was read; a ray through its middle, and where it lies.
+    Mesh(Arc<Scene>, Ray, PathBuf),
     /// Pictures were written, or a sentence why not.
     Written(String),
     /// A folder was chosen to write to.
@@ -132,8 +132,8 @@ fn read(path: &Path, name: &str, task: &Task) -> News {
     };
     match Scene::from_obj(&bytes, name, &mut progress) {
         Ok(scene) => match ray_through(&scene) {
-            Ok(ray) => News::Mesh(Arc::new(scene), ray),
-            Err(error) => News::Failed(format!("No ray can be shot at this mesh: {error}.")),
+            Ok(ray) => News::Mesh(Arc::new(scene), ray, path.to_path_buf()),
+            Err(error) => News::Failed(format!("{name}: no ray can be shot at this mesh: {error}.")),
         },
         Err(error) => News::Failed(error.to_string()),
     }

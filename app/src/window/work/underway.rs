@@ -31,9 +31,13 @@ impl Underway {
         }
     }
 
-    /// Uploads solid scenes to this device from now on.
-    pub(crate) fn upload_to(&mut self, device: &wgpu::Device) {
+    /// Uploads solid scenes to this device from now on, the one that is shown at once; or to none.
+    pub(crate) fn upload_to(&mut self, device: Option<wgpu::Device>, shown: Option<&Arc<Playback>>) {
+        self.mesh = None;
         self.workshop.upload_to(device);
+        if let Some(playback) = shown {
+            self.workshop.upload(&playback.play.scene);
+        }
     }
 
     /// The solid scene of the walk that is shown, on the GPU, where there is one.
@@ -58,6 +62,12 @@ impl Underway {
 
     /// Makes the walk that the state asks for, as far as it is not there. Says what went wrong.
     pub(crate) fn catch_up(&mut self, state: &mut State) -> Option<String> {
+        let is_shown = |scene| state.playback().is_some_and(|shown| Arc::ptr_eq(&shown.play.scene, scene));
+        if let Some((scene, mesh)) = self.workshop.uploaded()
+            && is_shown(&scene)
+        {
+            self.mesh = Some(mesh);
+        }
         let wrong = self.collect(state);
         match state.wanted() {
             Some(wanted) => {

@@ -64,9 +64,18 @@ impl<T> Broken for Result<T, Failure> {
     }
 }
 
+impl Broken for Option<Arc<Mesh>> {
+    /// The sentence stands on the standard error; the marks alone are drawn.
+    fn broken(_: String) -> Option<Arc<Mesh>> {
+        None
+    }
+}
+
 /// Makes walks of views.
 pub(crate) struct Workshop {
     bench: Bench<Wanted, Result<Made, Failure>>,
+    /// Where a scene that is shown already goes to another device.
+    uploads: Bench<Arc<Scene>, Option<Arc<Mesh>>>,
     kept: Vec<Stands>,
     device: Option<wgpu::Device>,
 }
@@ -80,12 +89,36 @@ struct Wanted {
 
 impl Workshop {
     pub(crate) fn new(context: egui::Context) -> Workshop {
-        Workshop { bench: Bench::new(context), kept: Vec::new(), device: None }
+        let (bench, uploads) = (Bench::new(context.clone()), Bench::new(context));
+        Workshop { bench, uploads, kept: Vec::new(), device: None }
     }
 
-    /// Uploads solid scenes to this device from now on.
-    pub(crate) fn upload_to(&mut self, device: &wgpu::Device) {
-        self.device = Some(device.clone());
+    /// Uploads solid scenes to this device from now on, or to none. What was uploaded to another one is gone, and what
+    /// is being made is asked for again.
+    pub(crate) fn upload_to(&mut self, device: Option<wgpu::Device>) {
+        self.bench.cancel();
+        self.uploads.cancel();
+        self.kept.iter_mut().for_each(|kept| kept.mesh = None);
+        self.device = device;
+    }
+
+    /// Uploads a scene whose walk is there already.
+    pub(crate) fn upload(&mut self, scene: &Arc<Scene>) {
+        let Some(device) = self.device.clone().filter(|_| !scene.flat) else { return };
+        let (key, scene) = (scene.clone(), scene.clone());
+        let quick = scene.prims.len() <= SHORT;
+        let work = move |task: &Task| Mesh::new(&device, &scene.prims, &|| !task.is_stopped()).map(Arc::new);
+        self.uploads.begin(key, Task::new("Uploading the scene", ""), quick, work);
+    }
+
+    /// The scene that was uploaded since the last call.
+    pub(crate) fn uploaded(&mut self) -> Option<(Arc<Scene>, Arc<Mesh>)> {
+        let (scene, mesh) = self.uploads.collect()?;
+        let mesh = mesh?;
+        for kept in self.kept.iter_mut().filter(|kept| Arc::ptr_eq(&kept.built.scene, &scene)) {
+            kept.mesh = Some(mesh.clone());
+        }
+        Some((scene, mesh))
     }
 
     /// Asks for the walk of a view. It may be there at once; else it arrives some frames later.
@@ -131,7 +164,7 @@ impl Workshop {
 
     /// Whether no thread is at work any more.
     pub(crate) fn is_idle(&self) -> bool {
-        self.bench.is_idle()
+        self.bench.is_idle() && self.uploads.is_idle()
     }
 
     /// Gives up what is being made. Returns whether there was anything.
@@ -197,8 +230,8 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
     let slide = library.slides.get(order.view.slide).ok_or_else(|| wrong("There is no such slide.".to_owned()))?;
     let stage = order.stage().cloned().ok_or_else(|| wrong("The slide has no stage.".to_owned()))?;
     let ray = ray_of(&order.view, slide, &stage).map_err(wrong)?;
-    let Stands { built, mesh } = match &order.stands {
-        Some(stands) => stands.clone(),
+    let built = match &order.stands {
+        Some(stands) => stands.built.clone(),
         None => {
             let scene = match (&order.scene, &order.view.mesh, order.view.example) {
                 (Some(stands), ..) => stands.built.scene.clone(),
@@ -207,11 +240,10 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
                 (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
-            let built = build(scene, rule, slide.plays, Some(&stage), task)?;
-            let mesh = mesh(&order, &built.scene, task);
-            Stands { built, mesh }
+            build(scene, rule, slide.plays, Some(&stage), task)?
         }
     };
+    let mesh = mesh(&order, &built.scene, task);
     if task.is_stopped() {
         return Err(Failure::Cancelled);
     }
@@ -223,7 +255,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
 /// A solid scene on the GPU; once for all structures over it.
 fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
     let device = order.device.as_ref().filter(|_| !scene.flat)?;
-    let known = order.scene.as_ref().and_then(|stands| stands.mesh.clone());
+    let known = [&order.stands, &order.scene].into_iter().flatten().find_map(|stands| stands.mesh.clone());
     known.or_else(|| Mesh::new(device, &scene.prims, &|| !task.is_stopped()).map(Arc::new))
 }
 

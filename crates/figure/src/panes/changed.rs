@@ -38,6 +38,11 @@ pub fn changed_of_build(before: &GrowMoment, now: &GrowMoment, size: Vec2, look:
     draw(before.step, now.step, &rows, size, look)
 }
 
+/// How high so many rows of what changed are, with their heading.
+pub fn changed_height(rows: usize, look: &Look) -> f32 {
+    look.heading(&mut Figure::default(), "", "") + look.line() * rows as f32
+}
+
 /// The values that are not what they were. One that is not known any more is no change to follow.
 fn compared(before: &[Watched], now: Vec<Watched>) -> Vec<Row> {
     let old = |name: &str| before.iter().find(|old| old.name == name).and_then(|old| old.says.clone());

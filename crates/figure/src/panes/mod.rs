@@ -22,7 +22,7 @@ pub(crate) use board::board;
 pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Picture, Pictures, Row, Scale, Table};
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
-pub use changed::{changed, changed_of_build};
+pub use changed::{changed, changed_height, changed_of_build};
 pub use costs::costs;
 pub use listing::{ListingLine, line_at, listing};
 pub use pane::{Ask, Pane};

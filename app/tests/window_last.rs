@@ -1,0 +1,188 @@
+//! A window opens where one was: the slide, the stage, the ray, the step, the view, whatever ended it.
+
+use std::path::{Path, PathBuf};
+
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use raystep::shown::state::State;
+use raystep::shown::{RayChoice, View, command::Command};
+use raystep::window::{App, Remembered, Wishes};
+use raystep_accel::{Grain, Ray};
+use raystep_figure::Camera;
+use raystep_lesson::{Library, StageKind};
+
+type Window = Harness<'static, App>;
+
+/// A folder of this test's own, empty.
+fn folder(name: &str) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("last").join(name);
+    let _ = std::fs::remove_dir_all(&path);
+    std::fs::create_dir_all(&path).unwrap();
+    path
+}
+
+fn window(file: &Path, wishes: Wishes) -> Window {
+    let reopens = wishes.slide.is_none();
+    let file = file.to_path_buf();
+    let mut harness = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(60).build_eframe(move |context| {
+        let mut app = App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default());
+        app.keep_in(file, reopens);
+        app
+    });
+    settle(&mut harness);
+    harness
+}
+
+/// Runs frames until everything that is asked for is there.
+fn settle(harness: &mut Window) {
+    for _ in 0..3000 {
+        harness.run_steps(3);
+        if harness.state().state.is_current() && harness.query_by_label_contains("Reading").is_none() {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    panic!("no walk arrives");
+}
+
+/// What a window opens at again.
+fn stands(state: &State) -> String {
+    let View { slide, stage, ray, settings, camera, step, mesh, .. } = &state.view;
+    let mesh = mesh.as_ref().map(|mesh| &mesh.name);
+    let (grain, speed, present, by_hand, beside) =
+        (state.grain, state.speed, state.present, state.by_hand, state.beside);
+    format!(
+        "{slide} {stage:?} {ray:?} {settings:?} {camera:?} step {step} {mesh:?} {grain:?} {speed} {present} {by_hand} {beside:?}"
+    )
+}
+
+fn solid() -> Camera {
+    let (eye, target, up) = (glam::Vec3::new(-6.1, -7.3, 4.4), glam::Vec3::new(0.1, 0.2, 1.0), glam::Vec3::Z);
+    Camera::Solid { eye, target, up, fov_degrees: 31.7 }
+}
+
+#[test]
+fn a_window_opens_where_one_was() {
+    let file = folder("where").join("last.toml");
+    let check = |slide: &str, change: &dyn Fn(&mut State)| {
+        let mut first = window(&file, Wishes { slide: Some(slide.to_owned()), ..Wishes::default() });
+        change(&mut first.state_mut().state);
+        settle(&mut first);
+        let stood = stands(&first.state().state);
+        first.state_mut().close();
+        drop(first);
+        let second = window(&file, Wishes::default());
+        assert_eq!(stands(&second.state().state), stood);
+        assert_eq!(second.state().state.undoable(), (false, false), "{stood}: nobody has done anything yet");
+    };
+    check("5/33", &|_| {});
+    check("5/33", &|state| state.open_at(9));
+    check("5/33", &|state| state.show_ray(RayChoice::Named(2), false));
+    check("5/33", &|state| state.show_stage(StageKind::Solid));
+    check("3/20", &|state| {
+        state.set("prune", "false");
+        state.grain = Grain::Arithmetic;
+        state.open_at(4);
+    });
+    check("7/56b", &|state| {
+        state.show_stage(StageKind::Solid);
+        state.look(Some(solid()));
+        state.present = true;
+    });
+    check("5/40", &|state| {
+        state.compare("grid");
+        state.by_hand = true;
+        state.apply(Command::Speed(7));
+    });
+    check("2/15", &|state| {
+        let ray = Ray::new(glam::Vec3::new(0.1, -0.7, 0.0), glam::Vec3::new(1.0, 0.3, 0.0)).unwrap();
+        state.show_ray(RayChoice::Own(ray), false);
+        state.look(Some(Camera::Flat { center: glam::Vec2::new(1.0, 2.0), half_height: 3.5 }));
+    });
+    check("5/30", &|state| state.apply(Command::Last));
+}
+
+#[test]
+fn a_window_that_was_not_closed_opens_again_as_well() {
+    let file = folder("killed").join("last.toml");
+    let mut first = window(&file, Wishes { slide: Some("5/33".to_owned()), ..Wishes::default() });
+    first.state_mut().state.open_at(7);
+    settle(&mut first);
+    std::thread::sleep(std::time::Duration::from_millis(1100));
+    first.run_steps(2);
+    drop(first);
+    let second = window(&file, Wishes::default());
+    assert_eq!(second.state().state.view.step, 7);
+    assert_eq!(second.state().state.slide().unwrap().id(), "5/33");
+}
+
+#[test]
+fn a_slide_that_is_asked_for_wins() {
+    let file = folder("asked").join("last.toml");
+    let mut first = window(&file, Wishes { slide: Some("5/33".to_owned()), ..Wishes::default() });
+    first.state_mut().state.present = true;
+    first.state_mut().close();
+    drop(first);
+    let second = window(&file, Wishes { slide: Some("3/20".to_owned()), ..Wishes::default() });
+    let state = &second.state().state;
+    assert_eq!((state.slide().unwrap().id().as_str(), state.present), ("3/20", false));
+}
+
+#[test]
+fn what_is_gone_or_makes_no_sense_is_left_out_and_said() {
+    let file = folder("gone").join("last.toml");
+    let good = "slide = \"5/33\"\nstage = \"flat\"\nstep = 7\n";
+    let check = |text: String, says: &str, slide: &str, step: usize| {
+        std::fs::write(&file, &text).unwrap();
+        let harness = window(&file, Wishes::default());
+        let state = &harness.state().state;
+        assert_eq!((state.slide().unwrap().id().as_str(), state.view.step), (slide, step), "{text}");
+        assert_eq!(
+            harness.query_all_by_label_contains("last.toml").count(),
+            usize::from(says == "last.toml"),
+            "{text}"
+        );
+        if !says.is_empty() {
+            assert!(harness.query_by_label_contains(says).is_some(), "{text}: nobody says {says}");
+        }
+    };
+    let opening = |slide: &str| {
+        let harness =
+            window(&folder("opening").join("last.toml"), Wishes { slide: Some(slide.to_owned()), ..Wishes::default() });
+        harness.state().state.view.step
+    };
+    let first = Library::embedded().slides[0].id();
+    check(good.to_owned(), "", "5/33", 7);
+    check(format!("zoom = 3\n{good}"), "last.toml", "5/33", 7);
+    check(format!("ray = \"of another lecture\"\n{good}"), "", "5/33", 7);
+    check(good.replace("step = 7", "step = 100000"), "", "5/33", opening_last("5/33"));
+    check(good.replace("5/33", "5/99"), "", &first, opening(&first));
+    check(format!("lessons = \"/nowhere\"\n{good}"), "", &first, opening(&first));
+    check(format!("mesh = \"/nowhere/gone.obj\"\n{good}"), "/nowhere/gone.obj", "5/33", 0);
+    check(format!("{good}[settings]\nmax_depth = \"9999999\"\nnx = \"3\"\n"), "last.toml", "5/33", 7);
+}
+
+/// The last step of a slide.
+fn opening_last(slide: &str) -> usize {
+    let file = folder("last step").join("last.toml");
+    let harness = window(&file, Wishes { slide: Some(slide.to_owned()), ..Wishes::default() });
+    harness.state().state.playback().unwrap().steps().last()
+}
+
+#[test]
+fn a_mesh_is_opened_again() {
+    let folder = folder("mesh");
+    let (file, mesh) = (folder.join("last.toml"), folder.join("two.obj"));
+    std::fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n").unwrap();
+    let wishes = Wishes { slide: Some("5/33".to_owned()), mesh: Some(mesh), ..Wishes::default() };
+    let mut first = window(&file, wishes);
+    first.state_mut().state.open_at(3);
+    first.state_mut().state.look(Some(solid()));
+    settle(&mut first);
+    let stood = stands(&first.state().state);
+    assert!(stood.contains("two.obj"), "{stood}");
+    first.state_mut().close();
+    drop(first);
+    let second = window(&file, Wishes::default());
+    assert_eq!(stands(&second.state().state), stood);
+}
