@@ -6,8 +6,9 @@ use glam::Vec2;
 use raystep_accel::Rule;
 use raystep_figure::{Camera, Nodes, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
+use raystep_scene::Scene;
 
-use super::names::{of_slide, slug};
+use super::names::{of_own_scene, of_slide, slug};
 use crate::fault::Fault;
 use crate::shown::camera::{self, Seen};
 
@@ -39,11 +40,13 @@ pub(crate) struct Ground<'a> {
 type Scenery = (Camera, [u32; 2], Arc<Shaded>);
 
 /// What differs from the slide's own stage.
-pub(crate) struct Changes {
+pub(crate) struct Changes<'a> {
     /// A scene that is not the stage's: its name.
     pub(crate) scene: Option<String>,
     /// Parameters of the structure.
     pub(crate) settings: Vec<(String, String)>,
+    /// The slide's scene as somebody has changed it by hand.
+    pub(crate) own: Option<&'a Scene>,
     /// The camera, once it was moved.
     pub(crate) seen: Option<Seen>,
     /// Whether the slide's beats are told.
@@ -57,7 +60,7 @@ impl<'a> Ground<'a> {
         let built = stage.build(slide.plays).map_err(|error| wrong(&error))?;
         let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
         let nodes = Arc::new(Nodes::of(&built.structure));
-        let own = Changes { scene: None, settings: Vec::new(), seen: None, told: true };
+        let own = Changes { scene: None, settings: Vec::new(), own: None, seen: None, told: true };
         Ok(Ground::new(library, slide, stage, built, rule, nodes, own, &|| true))
     }
 
@@ -69,10 +72,10 @@ impl<'a> Ground<'a> {
         built: Built,
         rule: Rule,
         nodes: Arc<Nodes>,
-        changes: Changes,
+        changes: Changes<'_>,
         go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Ground<'a> {
-        let Changes { scene: other, settings, seen, told } = changes;
+        let Changes { scene: other, settings, own, seen, told } = changes;
         let look = stage.camera.filter(|_| other.is_none());
         let (mut stem, mut about) = match other {
             Some(name) => (format!("{}-{}", slug(&name), rule.kind()), name),
@@ -82,6 +85,10 @@ impl<'a> Ground<'a> {
                 (format!("{}-{kind}", of_slide(library, slide)), about)
             }
         };
+        if let Some(own) = own {
+            stem.push_str(&of_own_scene(own));
+            about.push_str(" · scene changed by hand");
+        }
         for (key, value) in settings {
             stem.push_str(&format!("-{}-{}", slug(&key), slug(&value)));
             about.push_str(&format!(" · {}: {value}", key.replace('_', " ")));

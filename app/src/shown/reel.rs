@@ -2,19 +2,20 @@
 
 use std::borrow::Cow;
 
-use raystep_accel::{Mistake, Place, Value};
+use raystep_accel::{Grow, Mistake, Place, Value};
 use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, told};
 use raystep_lesson::{Beat, Facts, Listing, Medium, Play, Plays, Show, Tape};
 
-/// What a play is shown as: the only place that knows which kind that is.
-pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes) -> Reel<'a> {
+/// What a play is shown as: the only place that knows which kind that is. `instead` is what a builder weighed where
+/// another cut is tried.
+pub(crate) fn reel<'a>(play: &'a Play, nodes: &'a Nodes, instead: Option<Grow>) -> Reel<'a> {
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
         Tape::Walk(walk) => {
             Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, lost: walk.lost, flat })
         }
         Tape::Build(build) => {
-            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, flat })
+            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, instead, flat })
         }
     }
 }

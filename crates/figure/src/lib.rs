@@ -30,11 +30,12 @@ pub use moments::{
     Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
     Tested, Waiting, Walk, Weighed,
 };
-pub use page::{Anchor, Figure, Image, Ink, Look, Mark, nothing};
+pub use page::{Anchor, Figure, Image, Ink, Look, Mark, Motion, nothing};
 pub use panes::{
-    Ask, ListingLine, Pane, Track, TreeView, bytes, cells, cells_of_build, changed, changed_of_build, costs, ghost,
-    ghost_of_build, line_at, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build,
-    stack, stack_height, stack_of_build, tested, timeline, timeline_of_build, tree, tree_of_build, work, work_of_build,
+    Ask, CutLine, ListingLine, Pane, Track, TreeView, bytes, cells, cells_of_build, changed, changed_of_build, costs,
+    ghost, ghost_of_build, line_at, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space,
+    space_of_build, stack, stack_height, stack_of_build, tested, timeline, timeline_of_build, tree, tree_of_build,
+    work, work_of_build,
 };
 pub use stage::{Camera, Scenery, Shaded, axes, labels, shaded, stage};
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};

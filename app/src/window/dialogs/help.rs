@@ -31,7 +31,17 @@ const COLUMNS: [&[Group]; 2] = [
         ("Slides", &[Command::NextSlide, Command::PreviousSlide, Command::Restore, Command::Undo, Command::Redo]),
     ],
     &[
-        ("The picture", &[Command::Compare, Command::Frame, Command::ResetCamera, Command::Export, Command::Copy]),
+        (
+            "The picture",
+            &[
+                Command::Compare,
+                Command::Frame,
+                Command::ResetCamera,
+                Command::ResetScene,
+                Command::Export,
+                Command::Copy,
+            ],
+        ),
         (
             "The window",
             &[
@@ -57,6 +67,7 @@ const MOUSE: &[(&str, &str)] = &[
     ("Shift click", "to the time before"),
     ("Double click", "puts a node of the tree on top"),
     ("Ray's ends", "move the ray"),
+    ("A shape, a plane", "is taken in the hand; arrows too, once Tab is on it"),
     ("Shift drag", "shoots a ray of your own"),
     ("Drag", "turns the view, or shifts a flat one"),
     ("Right drag", "shifts the view, as does the middle"),

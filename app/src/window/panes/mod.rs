@@ -1,10 +1,15 @@
 //! The panes: the lesson, space, and the figures around it, as a study page or as the presenter's.
 
 mod by_hand;
+mod changes;
 mod columns;
 mod figure;
+mod grip;
+mod hold;
 mod inset;
+mod knob;
 mod lesson;
+mod moving;
 mod notices;
 mod page;
 pub(super) mod present;
@@ -15,5 +20,7 @@ mod solid;
 mod space;
 mod stage;
 pub(super) mod study;
+mod trial;
 
+pub(super) use hold::Moved;
 pub(super) use page::{Asked, Kept, Page};
