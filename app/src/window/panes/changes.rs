@@ -1,7 +1,7 @@
 //! What somebody has changed by hand, in words, with the way back: the scene, the cuts, a cut that is only tried.
 
 use egui::{RichText, Ui};
-use raystep_accel::{Event, Grow, HandCut};
+use raystep_accel::{ByHand, Event, Grow, HandCut};
 use raystep_figure::{Face, Role, Theme, number};
 
 use crate::shown::command::Command;
@@ -21,7 +21,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
         }
     };
     let cuts = state.rule().and_then(|rule| rule.by_hand().copied()).filter(|cuts| !cuts.is_empty());
-    let cuts: Vec<String> = cuts.iter().flat_map(|cuts| cuts.cuts()).map(cut_name).collect();
+    let cuts: Vec<String> = cuts.iter().flat_map(ByHand::cuts).map(cut_name).collect();
     if state.target().own.is_some() || !cuts.is_empty() {
         ui.add_space(6.0);
         if let Some(own) = &state.target().own {
