@@ -250,6 +250,8 @@ fn every_parameter_is_set_by_click_and_by_typing() {
                     let other = if now < max { now + 1 } else { now - 1 }.max(min).to_string();
                     (other.clone(), Some(other))
                 }
+                // Nobody has chosen any, so they are no parameter.
+                Allowed::Cuts => unreachable!("cuts are made in the picture"),
                 Allowed::Real { min, max } => {
                     kinds[3] += 1;
                     let other = if parameter.value.parse::<f32>().unwrap() == min { max } else { min }.to_string();

@@ -6,8 +6,9 @@ use glam::Vec2;
 use raystep_accel::Rule;
 use raystep_figure::{Camera, Depth, Shaded, Space, Theme, shaded};
 use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
+use raystep_scene::Scene;
 
-use super::names::{of_slide, slug};
+use super::names::{of_own_scene, of_slide, slug};
 use crate::fault::Fault;
 use crate::shown::all_nodes::AllNodes;
 use crate::shown::camera::{self, Seen};
@@ -42,11 +43,13 @@ pub(crate) struct Ground<'a> {
 type Scenery = (Camera, [u32; 2], Arc<Shaded>);
 
 /// What differs from the slide's own stage.
-pub(crate) struct Changes {
+pub(crate) struct Changes<'a> {
     /// A scene that is not the stage's: its name.
     pub(crate) scene: Option<String>,
     /// Parameters of the structure.
     pub(crate) settings: Vec<(String, String)>,
+    /// The slide's scene as somebody has changed it by hand.
+    pub(crate) own: Option<&'a Scene>,
     /// The camera, once it was moved.
     pub(crate) seen: Option<Seen>,
     /// How many boxes of a tree are drawn in space.
@@ -62,7 +65,7 @@ impl<'a> Ground<'a> {
         let built = stage.build(slide.plays).map_err(|error| wrong(&error))?;
         let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
         let nodes = Arc::new(AllNodes::of(&built.structure, built.told.as_ref()));
-        let own = Changes { scene: None, settings: Vec::new(), seen: None, depth: None, told: true };
+        let own = Changes { scene: None, settings: Vec::new(), own: None, seen: None, depth: None, told: true };
         Ok(Ground::new(library, slide, stage, built, rule, nodes, own, &|| true))
     }
 
@@ -74,10 +77,10 @@ impl<'a> Ground<'a> {
         built: Built,
         rule: Rule,
         nodes: Arc<AllNodes>,
-        changes: Changes,
+        changes: Changes<'_>,
         go_on: &'a (dyn Fn() -> bool + Sync),
     ) -> Ground<'a> {
-        let Changes { scene: other, settings, seen, depth, told } = changes;
+        let Changes { scene: other, settings, own, seen, depth, told } = changes;
         let depth = depth.unwrap_or(stage.levels.map_or(Depth::Path, Depth::Down));
         let look = stage.camera.filter(|_| other.is_none());
         let (mut stem, mut about) = match other {
@@ -90,6 +93,10 @@ impl<'a> Ground<'a> {
                 (format!("{}-{kind}", of_slide(library, slide)), about)
             }
         };
+        if let Some(own) = own {
+            stem.push_str(&of_own_scene(own));
+            about.push_str(" · scene changed by hand");
+        }
         for (key, value) in settings {
             stem.push_str(&format!("-{}-{}", slug(&key), slug(&value)));
             about.push_str(&format!(" · {}: {value}", key.replace('_', " ")));

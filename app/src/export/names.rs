@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
-use raystep_accel::Ray;
+use raystep_accel::{PrimId, Primitives, Ray};
 use raystep_lesson::{Library, Slide, Stage};
+use raystep_scene::Scene;
 
 /// The beginning of the names of a slide's files.
 pub(super) fn of_slide(library: &Library, slide: &Slide) -> String {
@@ -32,10 +33,18 @@ pub(super) fn of_ray(stage: &Stage, name: &str) -> String {
 /// What is put behind it for a ray that was drawn: another one gets another name.
 pub(super) fn of_own_ray(ray: &Ray) -> String {
     let numbers = ray.o.to_array().into_iter().chain(ray.d.to_array()).chain([ray.t_min, ray.t_max]);
-    // Fowler, Noll, Vo: every bit of every number counts.
-    let mixed = numbers.flat_map(|number| number.to_bits().to_le_bytes());
-    let mixed = mixed.fold(0x811c_9dc5_u32, |mixed, byte| (mixed ^ u32::from(byte)).wrapping_mul(0x0100_0193));
-    format!("-own-ray-{mixed:08x}")
+    format!("-own-ray-{:08x}", mixed(numbers.flat_map(|number| number.to_bits().to_le_bytes())))
+}
+
+/// What is put behind it for a scene that was changed by hand: another one gets another name.
+pub(super) fn of_own_scene(scene: &Scene) -> String {
+    let shapes = (0..scene.prims.len() as u32).map(|prim| format!("{:?}", scene.prims.shape(PrimId(prim))));
+    format!("-own-scene-{:08x}", mixed(shapes.flat_map(String::into_bytes)))
+}
+
+/// One number of many, in which every bit counts (Fowler, Noll, Vo).
+fn mixed(bytes: impl Iterator<Item = u8>) -> u32 {
+    bytes.fold(0x811c_9dc5_u32, |mixed, byte| (mixed ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
 /// A name as a part of a file's name: letters and digits, and signs in words.

@@ -110,7 +110,7 @@ impl<'a> Session<'a> {
         let larger = if *theme == Theme::PROJECTOR { PROJECTED } else { 1.0 };
         let scale = (pixels.x * pixels.y / (page.x * page.y)).sqrt() * larger;
         let size = pixels / scale;
-        let reel = reel(&self.play, &self.ground.nodes);
+        let reel = reel(&self.play, &self.ground.nodes, None);
         let instant = reel.at(step);
         let still = reel.still(&instant).to_depth(self.ground.depth);
         let figure = match view {

@@ -67,6 +67,12 @@ pub enum Command {
     Shallower,
     /// All of the ray on the ruler.
     WholeRay,
+    /// The slide's own scene, and the builder's cuts.
+    ResetScene,
+    /// Cut a node where a cut is tried.
+    CutHere,
+    /// Show how one step becomes the next.
+    Motion,
     /// Write pictures to files.
     Export,
     /// Copy the picture of space.
@@ -140,7 +146,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Skip, "Skip the question", &["Enter"]),
     entry(Command::Lock, "Next step waits at an open question", &[]),
     entry(Command::ByHand, "Set parameters and ray by hand", &["S"]),
-    entry(Command::Restore, "Back to the slide's own ray and view", &["Backspace"]),
+    entry(Command::Restore, "Back to the slide's own scene, ray and view", &["Backspace"]),
     entry(Command::Undo, "Undo", &["Ctrl+Z"]),
     entry(Command::Redo, "Redo", &["Ctrl+Shift+Z", "Ctrl+Y"]),
     entry(Command::Flat, "Flat", &[]),
@@ -154,6 +160,9 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Deeper, "Boxes of one level more", &["+", "="]),
     entry(Command::Shallower, "Boxes of one level less", &["−"]),
     entry(Command::WholeRay, "All of the ray on the ruler", &["T"]),
+    entry(Command::ResetScene, "Reset the scene and its cuts", &["Shift+R"]),
+    entry(Command::CutHere, "Cut where the plane is tried", &[]),
+    entry(Command::Motion, "Motion between steps", &[]),
     entry(Command::Export, "Export", &["Ctrl+E"]),
     entry(Command::Copy, "Copy the picture", &["Ctrl+C"]),
     entry(Command::Open, "Open a mesh", &["Ctrl+O"]),

@@ -37,6 +37,11 @@ impl History {
         Some(before)
     }
 
+    /// The view before a change that is under way, which is forgotten.
+    pub(crate) fn take_back(&mut self) -> Option<View> {
+        self.past.pop()
+    }
+
     /// The view after the change last taken back.
     pub(crate) fn redo(&mut self, now: &View) -> Option<View> {
         let after = self.future.pop()?;

@@ -8,6 +8,7 @@ pub(crate) mod camera;
 pub mod command;
 pub(crate) mod eye;
 pub(crate) mod history;
+pub(crate) mod own;
 pub(crate) mod pictures;
 pub(crate) mod playback;
 pub(crate) mod reel;
@@ -17,6 +18,7 @@ pub(crate) mod view;
 pub(crate) mod words;
 
 pub use beside::{Beside, Pace};
+pub use own::{OwnScene, Tried};
 pub use playback::{Playback, Posed};
 pub use steps::Steps;
 pub use view::{RayChoice, View};

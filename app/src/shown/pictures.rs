@@ -4,11 +4,11 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Event, Grain, Grow, Interval, Mistake, Place, Primitives};
+use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives};
 pub(crate) use raystep_figure::Pane;
 use raystep_figure::{
-    Ask, Camera, Depth, Figure, Guess, Instant, Look, RulerScale, Scenery, Space, SpaceMark, Symbol, TreeView, nothing,
-    stage,
+    Ask, Camera, CutLine, Depth, Figure, Guess, Instant, Look, RulerScale, Scenery, Space, SpaceMark, Symbol, TreeView,
+    nothing, stage,
 };
 use raystep_lesson::{About, Choice, Listing, Show};
 
@@ -34,7 +34,7 @@ pub(crate) struct Pictures {
     before: Instant,
     /// The part of the ray that the ruler shows, if not all of it.
     part: Option<Interval>,
-    figures: HashMap<PaneKey, Figure>,
+    figures: HashMap<PaneKey, Arc<Figure>>,
 }
 
 #[derive(Clone, PartialEq)]
@@ -99,7 +99,7 @@ impl Pictures {
         code: Option<&Listing>,
         view: &TreeView,
         beside: Option<(&str, u64)>,
-    ) -> &Figure {
+    ) -> Arc<Figure> {
         let extra =
             beside.map_or(0, |(_, tests)| tests + 1) ^ (view.focus.map_or(0, |node| u64::from(node.0) + 1) << 20);
         let sized = [size.x as u32, size.y as u32];
@@ -109,19 +109,20 @@ impl Pictures {
         let part = part.filter(|_| matches!(pane, Pane::Ruler | Pane::RulerLine));
         let bits = part.map_or([0; 2], |part| [part.near.to_bits(), part.far.to_bits()]);
         let key = PaneKey { pane, size: sized, text, extra, part: bits };
-        figures.entry(key).or_insert_with(|| {
+        let draw = || {
             let reel = playback.reel();
             let still = reel.still(instant).since(before);
             if pane == Pane::Work && asks.is_some_and(|(counts, _)| counts) {
-                return nothing("Work so far", WAITS, size, look);
+                return Arc::new(nothing("Work so far", WAITS, size, look));
             }
             // The bytes of a node tell of what is asked only where that is its plane.
             let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || coming == "plane");
             let lines = lines(code, &playback.play, still.step(), mistake);
             let space = space.as_deref();
             let ask = Ask { hide, view: Some(view), lines: &lines, beside, part, space, ..Ask::new(size, *look) };
-            still.draw(pane, &ask)
-        })
+            Arc::new(still.draw(pane, &ask))
+        };
+        figures.entry(key).or_insert_with(draw).clone()
     }
 
     /// The scale of the ruler in a pane of this size, if it can be stretched.
@@ -164,6 +165,18 @@ impl Pictures {
         let still = reel.still(&self.instant);
         let lines = lines(code, &self.playback.play, still.step(), self.key.mistake);
         still.line_at(&Ask { lines: &lines, ..Ask::new(size, *look) }, y)
+    }
+
+    /// The line of the cut that is weighed in a picture of this size, where it can be taken in the hand.
+    pub(crate) fn cut_line(&self, size: Vec2, look: &Look) -> Option<CutLine> {
+        let ask = Ask { hide: self.key.asks.is_some(), ..Ask::new(size, *look) };
+        self.playback.reel().still(&self.instant).cut_line(&ask)
+    }
+
+    /// The cut that stands where that line is moved to.
+    pub(crate) fn cut_to(&self, size: Vec2, look: &Look, point: Vec2) -> Option<HandCut> {
+        let ask = Ask { hide: self.key.asks.is_some(), ..Ask::new(size, *look) };
+        self.playback.reel().still(&self.instant).cut_to(&ask, point)
     }
 
     /// The symbol whose name stands at this point of the timeline.

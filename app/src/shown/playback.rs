@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Accel, Cost, Event, Hit, Mistake, Ray, Rule, Structure, Trace, Visit};
+use raystep_accel::{Accel, Cost, Event, Grow, Hit, Mistake, NodeId, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Reel};
-use raystep_lesson::{Choice, Play, Plays, Slide, Stage, Tape, WalkTape};
+use raystep_lesson::{BuildTape, Choice, Play, Plays, Slide, Stage, Tape, WalkTape};
 use raystep_scene::Scene;
 
 use super::all_nodes::AllNodes;
@@ -38,6 +38,8 @@ pub struct Playback {
     pub seconds: f32,
     film: Film,
     reached: Vec<f32>,
+    /// What the builder weighed, where another cut is tried instead.
+    instead: Option<Grow>,
 }
 
 /// A question and where it stands.
@@ -87,12 +89,14 @@ impl Playback {
                 }
             }
         }
-        let film = Film::new(&reel(&play, &nodes));
+        silence(&mut play, &rule, slide);
+        let film = Film::new(&reel(&play, &nodes, None));
         let reached = reached(&play.tape);
         // Only walks go wrong.
         let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.plays() == Plays::Walk).collect();
         let (kind, posed) = (Beside::Nothing, Vec::new());
-        let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached };
+        let instead = None;
+        let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached, instead };
         playback.posed = playback.questions(slide);
         Some(playback)
     }
@@ -126,10 +130,45 @@ impl Playback {
     }
 
     fn aside(&self, play: Play, rule: Rule, nodes: Arc<AllNodes>, kind: Beside) -> Playback {
-        let film = Film::new(&reel(&play, &nodes));
+        let film = Film::new(&reel(&play, &nodes, None));
         let reached = reached(&play.tape);
         let (view, mistakes, seconds) = (self.view.clone(), self.mistakes.clone(), self.seconds);
-        Playback { view, play, rule, nodes, posed: Vec::new(), mistakes, kind, seconds, film, reached }
+        let (posed, instead) = (Vec::new(), None);
+        Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached, instead }
+    }
+
+    /// The same build, but that at one step another cut is weighed than the builder's.
+    pub(crate) fn trying(&self, step: usize, weighed: Grow) -> Option<Playback> {
+        let Tape::Build(build) = &self.play.tape else { return None };
+        let mut build = BuildTape::clone(build);
+        let place = build.events.get_mut(step.checked_sub(1)?)?;
+        let instead = Some(std::mem::replace(place, weighed));
+        let (scene, structure) = (self.play.scene.clone(), self.play.structure.clone());
+        let (beats, beside) = (self.play.beats.clone(), self.play.beside.clone());
+        let play = Play { scene, structure, tape: Tape::Build(Arc::new(build)), beside, beats };
+        let made = self.aside(play, self.rule, self.nodes.clone(), Beside::Nothing);
+        Some(Playback { posed: self.posed.clone(), instead, ..made })
+    }
+
+    /// The step that stands at the same decision as a step of another walk: the same event at the same place, met as
+    /// often before; else one of the same family.
+    pub(crate) fn like(&self, other: &Playback, step: usize) -> Option<usize> {
+        let Some(event) = other.event(step) else { return Some(0) };
+        let family = |name: &'static str| name.split('.').next().unwrap_or(name);
+        let find = |same: &dyn Fn(&Event) -> bool| {
+            let before = other.play.tape.events().take(step).filter(|other| same(other)).count();
+            let events = self.play.tape.events().enumerate().filter(|(_, event)| same(event));
+            events.map(|(index, _)| index + 1).nth(before.saturating_sub(1))
+        };
+        let place = event.place();
+        find(&|other| other.name() == event.name() && other.place() == place)
+            .or_else(|| find(&|other| family(other.name()) == family(event.name()) && other.place() == place))
+    }
+
+    /// The step at which a node is divided.
+    pub(crate) fn split_of(&self, divided: NodeId) -> Option<usize> {
+        let splits = |event: &Event| matches!(event, Event::Build(Grow::Split { node, .. }) if *node == divided);
+        self.play.tape.events().position(|event| splits(&event)).map(|index| index + 1)
     }
 
     /// What is played, to be played again.
@@ -156,7 +195,7 @@ impl Playback {
 
     /// What the figures are drawn of.
     pub fn reel(&self) -> Reel<'_> {
-        reel(&self.play, &self.nodes)
+        reel(&self.play, &self.nodes, self.instead)
     }
 
     /// The state after so many events.
@@ -235,6 +274,19 @@ impl Playback {
         // One question at a time.
         posed.dedup_by_key(|posed| posed.step);
         posed
+    }
+}
+
+/// A beat that tells why a node is divided as it is says nothing of one that is cut by hand.
+fn silence(play: &mut Play, rule: &Rule, slide: &Slide) {
+    let Some(by_hand) = rule.by_hand().filter(|cuts| !cuts.is_empty()) else { return };
+    for beat in 0..play.beats.len().min(slide.beats.len()) {
+        let event = play.beats[beat].and_then(|step| play.event(step));
+        if let Some(Event::Build(Grow::Split { node, .. })) = event
+            && by_hand.of(node).is_some()
+        {
+            play.beats[beat] = None;
+        }
     }
 }
 

@@ -7,12 +7,13 @@ use super::board::board;
 use super::words::kind_name;
 use std::sync::Arc;
 
-use raystep_accel::{Mistake, Place, Prims, Structure, Value};
+use raystep_accel::{Grow, Mistake, Place, Prims, Structure, Value};
 use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, Walks, told};
 use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
-/// What a play is shown as: the only place that knows which kind that is.
-pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes) -> Reel<'a> {
+/// What a play is shown as: the only place that knows which kind that is. `instead` is what a builder weighed where
+/// another cut is tried.
+pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>) -> Reel<'a> {
     let nodes = &all.own;
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
@@ -20,7 +21,7 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes) -> Reel<'a> {
             Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, lost: walk.lost, flat })
         }
         Tape::Build(build) => {
-            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, flat })
+            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, instead, flat })
         }
         Tape::Board(filled) => Reel::new(board(filled)),
         Tape::Walks(walks) => Reel::new(side_by_side(walks, &all.abreast, prims, flat)),

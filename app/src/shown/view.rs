@@ -7,6 +7,8 @@ use raystep_figure::{Camera, Depth};
 use raystep_lesson::StageKind;
 use raystep_scene::Scene;
 
+use super::own::{OwnScene, Tried};
+
 /// Which walk is shown, how far, and from where.
 #[derive(Clone, Debug)]
 pub struct View {
@@ -26,6 +28,10 @@ pub struct View {
     pub part: Option<Interval>,
     /// A mesh opened instead of the slide's scene.
     pub mesh: Option<Arc<Scene>>,
+    /// The slide's scene as somebody has changed it by hand.
+    pub own: Option<OwnScene>,
+    /// A cut that is tried at this step.
+    pub tried: Option<Tried>,
     /// The mistake whose own scene and ray are shown instead of the slide's.
     pub example: Option<Mistake>,
     /// How many events have happened.
@@ -46,12 +52,13 @@ impl View {
     pub fn of_slide(slide: usize, stage: StageKind) -> View {
         let (ray, settings) = (RayChoice::Named(0), Vec::new());
         let (camera, depth, part) = (None, None, None);
-        View { slide, stage, ray, settings, camera, depth, part, mesh: None, example: None, step: 0 }
+        let (mesh, own, tried) = (None, None, None);
+        View { slide, stage, ray, settings, camera, depth, part, mesh, own, tried, example: None, step: 0 }
     }
 
     /// Whether both show the very same page.
     pub fn same_page(&self, other: &View) -> bool {
-        self.step == other.step && self.looks_as(other) && self.same_walk(other)
+        self.step == other.step && self.tried == other.tried && self.looks_as(other) && self.same_walk(other)
     }
 
     /// Whether both are looked at in the same way.
@@ -74,10 +81,15 @@ impl View {
         self.ray == other.ray && self.same_structure(other)
     }
 
-    /// Whether both show walks through the same structure, of rays that the user has drawn.
-    pub fn same_but_own_ray(&self, other: &View) -> bool {
-        let own = |view: &View| matches!(view.ray, RayChoice::Own(_));
-        own(self) && own(other) && self.same_structure(other)
+    /// Whether both show the same, but for what somebody may have in the hand: a ray that was drawn, shapes that were
+    /// moved, nodes that were cut.
+    pub fn same_but_held(&self, other: &View) -> bool {
+        let own_ray = |view: &View| matches!(view.ray, RayChoice::Own(_));
+        let kept = |view: &View| view.settings.iter().filter(|(key, _)| key != "cut").cloned().collect::<Vec<_>>();
+        self.same_place(other)
+            && (self.ray == other.ray || own_ray(self) && own_ray(other))
+            && self.own.is_some() == other.own.is_some()
+            && kept(self) == kept(other)
     }
 
     /// Whether the rays of both walk through the same structure.
@@ -87,6 +99,11 @@ impl View {
 
     /// Whether both show the same primitives on the same slide.
     pub fn same_scene(&self, other: &View) -> bool {
+        self.own == other.own && self.same_place(other)
+    }
+
+    /// Whether both show the same slide on the same stage, or the same scene instead.
+    fn same_place(&self, other: &View) -> bool {
         self.slide == other.slide
             && self.stage == other.stage
             && self.example == other.example

@@ -17,7 +17,7 @@ use super::last::{Around, Keeper, Last};
 use super::look::fonts;
 use super::look::remembered::Remembered;
 use super::look::visuals::{self, fill};
-use super::panes::{self, Kept, Page, present, study};
+use super::panes::{self, Kept, Moved, Page, present, study};
 use super::wishes::Wishes;
 use super::work::Underway;
 use super::work::errands::News;
@@ -73,6 +73,7 @@ impl App {
         context.set_fonts(fonts::definitions());
         let mut state = State::new(Arc::new(library), slide);
         state.predict = remembered.predict;
+        state.motion = remembered.moves();
         let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);
         context.set_zoom_factor(remembered.zoom);
         let mut kept = Kept::default();
@@ -449,6 +450,11 @@ impl App {
                 panes::Asked::Part(part) => self.state.show_part(part),
                 panes::Asked::Ray(ray) => self.state.show_ray(RayChoice::Own(ray), true),
                 panes::Asked::Set(key, value) => self.state.set(key, &value),
+                panes::Asked::Move(Moved { grasp, to }) => {
+                    self.state.move_part(&grasp.scene, grasp.prim, grasp.part, [grasp.from, to]);
+                }
+                panes::Asked::Cut(cut) => self.state.cut(cut),
+                panes::Asked::Try(cut) => self.state.try_cut(cut),
                 panes::Asked::Say(sentence) => self.say(ui, sentence),
                 panes::Asked::Compare(kind) => self.state.compare(kind),
                 panes::Asked::Pace(pace) => self.state.pace = pace,
@@ -493,12 +499,17 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
         let busy = self.overlay.is_open();
-        if !busy {
+        let escape = ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy;
+        // What is held goes back to where it was, and nothing else happens.
+        let takes_back = escape && self.kept.sight.let_go();
+        if takes_back {
+            self.state.take_back();
+        } else if !busy {
             for command in keys::pressed(ui) {
                 self.run(ui, command);
             }
         }
-        if ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy {
+        if escape && !takes_back {
             self.state.picked = None;
             if self.state.present {
                 self.state.apply(Command::Present);
@@ -511,12 +522,13 @@ impl eframe::App for App {
         if let Some(wait) = self.state.tick(seconds as f32) {
             ui.ctx().request_repaint_after_secs(wait.min(0.1));
         }
+        self.kept.moving.begin(ui, &self.state);
         self.kept.pictures = Pictures::of(self.kept.pictures.take(), &self.state);
         let drawn = self.state.stamp();
         self.panes(ui);
         self.overlay(ui);
         if ui.input(|input| !input.pointer.any_down()) {
-            self.remembered.keep(ui.ctx().zoom_factor(), self.state.predict);
+            self.remembered.keep(ui.ctx().zoom_factor(), self.state.predict, self.state.motion);
             self.keep_place(ui.ctx());
         }
         if self.state.stamp() != drawn {

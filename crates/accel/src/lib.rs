@@ -75,8 +75,8 @@ pub use one_box::OneBox;
 pub use packet::{Abreast, Fill, Found, Packet, PacketStep, PacketVisit, WalkPackets, Width};
 pub use prims::{Best, Hit, Mesh, Primitives, Want, test};
 pub use rule::{
-    Allowed, BspPlanes, BspRule, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, GridRule, KdRule, KdSplit,
-    NestedRule, OctreeRule, Parameter, Resolution, Rule, RuleError, Straddlers,
+    Allowed, BspPlanes, BspRule, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, ByHand, GridRule, HandCut, KdRule,
+    KdSplit, NestedRule, OctreeRule, Parameter, Resolution, Rule, RuleError, Straddlers,
 };
 pub use slab::slab;
 pub use structure::Structure;

@@ -1,9 +1,30 @@
 //! Any of the structures, with what views ask of them.
 
 use crate::{
-    Aabb, Accel, AnyBvh, AnyGrid, Bsp, Cancelled, Direction, Grid, Grow, HashedGrid, Hit, Kd, List, NestedGrid, NodeId,
-    Observer, Octree, OneBox, PlaneTest, PrimId, Primitives, Ray, Rule, Visit, Want,
+    Aabb, Accel, AnyBvh, AnyGrid, Bsp, Cancelled, Direction, Grid, Grow, HandCut, HashedGrid, Hit, Kd, List,
+    NestedGrid, NodeId, Observer, Octree, OneBox, PlaneTest, PrimId, Primitives, Ray, Rule, Visit, Want,
 };
+
+/// Hears what a builder weighs at a node, and the last of it.
+struct Weighing {
+    node: NodeId,
+    told: Option<Grow>,
+    over: bool,
+}
+
+impl Observer<Grow> for Weighing {
+    fn on(&mut self, event: Grow) {
+        match event {
+            Grow::Weigh { node, .. } if node == self.node => self.told = Some(event),
+            Grow::Split { node, .. } | Grow::Leaf { node, .. } if node == self.node => self.over = true,
+            _ => {}
+        }
+    }
+
+    fn cancelled(&self) -> bool {
+        self.over
+    }
+}
 
 /// A structure of any kind.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +70,22 @@ impl Structure {
             Rule::Bsp(rule) => Structure::Bsp(Bsp::build(prims, rule, watch)?),
             Rule::Bvh(rule) => Structure::Bvh(AnyBvh::build(prims, rule, watch)?),
         })
+    }
+
+    /// What a builder tells when it weighs a cut that somebody chose by hand, as the last one of its node. Nothing if
+    /// it does not come to weigh that node, or if the cut leaves nothing on one side.
+    pub fn weigh(prims: &impl Primitives, rule: &Rule, cut: HandCut) -> Option<Grow> {
+        let mut rule = *rule;
+        let cuts = rule.by_hand()?.with(cut)?;
+        rule.set("cut", &cuts.to_string()).ok()?;
+        let mut weighing = Weighing { node: cut.node, told: None, over: false };
+        // It gives up once the node is divided: nothing after that is asked for.
+        let _ = Structure::build(prims, &rule, &mut weighing);
+        let own = |event: &Grow| match *event {
+            Grow::Weigh { axis, plane, .. } => axis == cut.axis.into() && plane == cut.at,
+            _ => false,
+        };
+        weighing.told.filter(own)
     }
 
     /// The box around everything; empty for a list, which keeps none.

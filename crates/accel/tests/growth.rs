@@ -206,3 +206,64 @@ fn what_is_weighed_says_where_its_cost_comes_from() {
         }
     }
 }
+
+#[test]
+fn what_is_cut_by_hand_is_weighed_last_and_taken_whatever_it_costs() {
+    let check = |line: &str, cut: &str| {
+        let mesh = mesh(9, 60);
+        let built = |rule: &Rule| {
+            let mut events: Vec<Grow> = Vec::new();
+            let structure = Structure::build(&mesh, rule, &mut events).unwrap();
+            (structure, events)
+        };
+        let (plain, mut by_hand) = (rule(line), rule(line));
+        by_hand.set("cut", cut).unwrap();
+        let chosen = by_hand.by_hand().unwrap().cuts().next().unwrap();
+        let ((usual, before), (other, after)) = (built(&plain), built(&by_hand));
+        let of_node = |events: &[Grow]| {
+            let events = events.iter().filter(|event| event.place() == Place::Node(chosen.node));
+            events.copied().filter(|event| matches!(event, Grow::Weigh { .. } | Grow::Split { .. })).collect::<Vec<_>>()
+        };
+        let (before, after) = (of_node(&before), of_node(&after));
+        // All that was weighed is weighed again; then the cut that was chosen, and that one is taken.
+        let usual_weighed = before.iter().filter(|event| matches!(event, Grow::Weigh { .. })).count();
+        let alone = matches!(plain, Rule::Bvh(BvhRule { split: BvhSplit::Middle | BvhSplit::Median, .. }));
+        let usual_weighed = if alone { 0 } else { usual_weighed };
+        assert_eq!(after[..usual_weighed], before[..usual_weighed], "{line} {cut}");
+        let [weigh, Grow::Split { axis, plane, .. }] = after[usual_weighed..] else {
+            panic!("{line} {cut}: {:?}", &after[usual_weighed..])
+        };
+        assert_eq!((axis, plane), (chosen.axis.into(), chosen.at), "{line} {cut}");
+        // Asked for it alone, the builder tells the same.
+        assert_eq!(Structure::weigh(&mesh, &plain, chosen), Some(weigh), "{line} {cut}");
+        assert_eq!(Structure::weigh(&mesh, &by_hand, chosen), Some(weigh), "{line} {cut}");
+        // Rays do not care where nodes are cut.
+        assert_ne!(usual, other, "{line} {cut}");
+        let mut random = Random::new(3);
+        let mut point = |size: f32| Vec3::new(random.range(-size, size), random.range(-size, size), size);
+        for _ in 0..300 {
+            let ray = Ray::new(point(6.0), -point(3.0)).unwrap();
+            let hit = |structure: &Structure| structure.intersect(&mesh, &ray, &mut ());
+            assert_eq!(hit(&other), hit(&Structure::List(List)), "{line} {cut} {ray:?}");
+        }
+    };
+    for split in ["sah", "middle", "median"] {
+        check(&format!("kd split={split} max_depth=5"), "0:x=-4.5");
+        check(&format!("kd split={split} max_depth=5"), "2:y=1.25");
+    }
+    check("kd split=sah intersection_cost=0.1", "0:z=0.5");
+    for split in ["sweep", "binned", "middle", "median"] {
+        check(&format!("bvh split={split}"), "0:x=-3");
+        check(&format!("bvh split={split}"), "1:z=0.75");
+    }
+    // What leaves one side empty, or names no node that is weighed, is no cut.
+    let none = |line: &str, node, at| {
+        let cut = HandCut { node: NodeId(node), axis: Axis::X, at };
+        assert_eq!(Structure::weigh(&mesh(9, 60), &rule(line), cut), None, "{line} {cut}");
+    };
+    none("kd", 0, 100.0);
+    none("bvh", 0, -100.0);
+    none("kd", 4000, 0.0);
+    none("octree", 0, 0.0);
+    none("bvh builder=bottom-up", 0, 0.0);
+}

@@ -30,11 +30,11 @@ pub use moments::{
     Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
     Tested, Waiting, Walk, Weighed,
 };
-pub use page::{Anchor, Figure, Image, Ink, Look, Mark, nothing};
+pub use page::{Anchor, Figure, Image, Ink, Look, Mark, Motion, nothing};
 pub use panes::{
-    Ask, Chart, Column, Curve, Dot, Drawn, ListingLine, Map, Maps, Pane, Panel, Picture, Pictures, Row, RulerScale,
-    Scale, Table, Track, TreeView, bytes, cells, cells_of_build, changed, changed_height, changed_of_build, costs,
-    ghost, ghost_of_build, line_at, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space,
+    Ask, Chart, Column, Curve, CutLine, Dot, Drawn, ListingLine, Map, Maps, Pane, Panel, Picture, Pictures, Row,
+    RulerScale, Scale, Table, Track, TreeView, bytes, cells, cells_of_build, changed, changed_height, changed_of_build,
+    costs, ghost, ghost_of_build, line_at, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space,
     space_of_build, space_of_build_to, space_to, stack, stack_height, stack_of_build, tested, timeline,
     timeline_of_build, tree, tree_height, tree_of_build, work, work_of_build,
 };

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use glam::{Vec2, Vec3};
 use raystep_accel::{Accel, CellId, Grow, NestedRule, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Value};
 use raystep_figure::{
-    Anchor, Ask, Build, Face, Fact, Figure, Film, Ink, Instant, Kind, Look, Nodes, Pane, Reel, Role, Symbol,
+    Anchor, Ask, Build, Face, Fact, Figure, Film, Ink, Instant, Kind, Look, Motion, Nodes, Pane, Reel, Role, Symbol,
     VolumeName, Walk, told,
 };
 
@@ -14,6 +14,19 @@ const SIZE: Vec2 = Vec2::new(600.0, 200.0);
 
 fn ask() -> Ask<'static> {
     Ask::new(SIZE, Look::WINDOW)
+}
+
+/// Between two figures of a pane lies a way that begins with the one and ends with the other, to the byte.
+fn moves(old: &Figure, new: &Figure) {
+    let Some(motion) = Motion::between(old, new, &[]) else { return };
+    assert_eq!((&motion.at(0.0), &motion.at(1.0)), (old, new));
+    let half = motion.at(0.5);
+    // What is drawn on the way is what the new figure shows, elsewhere.
+    let look = |figure: &Figure| figure.marks.iter().map(|mark| (mark.role, mark.place)).collect::<Vec<_>>();
+    assert_eq!(look(&half), look(new));
+    assert!(half != *new && half != *old);
+    // The same way back.
+    assert!(Motion::between(new, old, &[]).is_some());
 }
 
 /// Draws every pane at every step: those that it names, and no other.
@@ -28,6 +41,9 @@ fn check(what: &str, kind: &dyn Kind) {
                 _ => kind.draw(&at, pane, &ask()),
             };
             assert_eq!(drawn.is_some(), panes.contains(&pane), "{what}, {pane:?} at step {step}");
+            if let (Some(new), Some(old)) = (drawn, kind.draw(&before, pane, &ask())) {
+                moves(&old, &new);
+            }
         }
         for pane in [kind.best()].into_iter().flatten() {
             assert!(panes.contains(&pane), "{what} is not best seen in {pane:?}");
@@ -55,7 +71,7 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
         check(&format!("a walk, {kind}"), &Walk { structure, prims, nodes, ray, events: &walked, lost: 0, flat });
         check(
             &format!("a build, {kind}"),
-            &Build { structure, nodes, prims, events: &grown, lost: &Default::default(), flat },
+            &Build { structure, nodes, prims, events: &grown, lost: &Default::default(), instead: None, flat },
         );
     }
 }

@@ -44,7 +44,7 @@ impl Stage {
 
     fn draw(&self, headless: &mut Headless) -> Picture {
         let marks = self.marks.iter().cloned().map(|(role, form)| SpaceMark { form, role, place: None }).collect();
-        let space = Space { marks, bounds: Aabb::EMPTY, flat: false };
+        let space = Space { marks, bounds: Aabb::EMPTY, flat: false, notes: Vec::new() };
         let mesh = headless.mesh(&self.prims);
         let pixels = headless.rgba(&Frame {
             prims: &self.prims,

@@ -135,7 +135,7 @@ fn exactly<const N: usize>(kind: &str, corners: &[Corner]) -> Result<[Vec2; N], 
     Ok(corners.map(|corner| corner.0))
 }
 
-fn disc(center: Vec2, radius: Option<f32>) -> Result<Shape<'static>, String> {
+pub(crate) fn disc(center: Vec2, radius: Option<f32>) -> Result<Shape<'static>, String> {
     let radius = radius.ok_or("a disc needs a radius: { disc = [x, y], radius = r }")?;
     if radius > 0.0 && radius <= FURTHEST {
         Ok(Shape::Sphere(Sphere { center: center.extend(0.0), radius }))
@@ -144,7 +144,7 @@ fn disc(center: Vec2, radius: Option<f32>) -> Result<Shape<'static>, String> {
     }
 }
 
-fn segment([from, to]: [Vec2; 2]) -> Result<Shape<'static>, String> {
+pub(crate) fn segment([from, to]: [Vec2; 2]) -> Result<Shape<'static>, String> {
     if from == to {
         return Err("the two ends of a segment differ".to_owned());
     }
@@ -159,7 +159,7 @@ fn rectangle([low, high]: [Vec2; 2]) -> Result<Shape<'static>, String> {
 }
 
 /// A closed polygon of at least three corners, none of which repeats its neighbour.
-fn outline(corners: &[Vec2]) -> Result<Shape<'static>, String> {
+pub(crate) fn outline(corners: &[Vec2]) -> Result<Shape<'static>, String> {
     if corners.len() < 3 {
         return Err(format!("a polygon has at least 3 corners; found {}", corners.len()));
     }

@@ -6,6 +6,7 @@
 mod decimal;
 mod error;
 mod flat;
+mod hand;
 mod obj;
 mod outdoors;
 mod scene;
@@ -18,6 +19,7 @@ mod view;
 
 pub use decimal::decimal;
 pub use error::SceneError;
+pub use hand::Part;
 pub use obj::{Loaded, ObjError, read_obj};
 pub use outdoors::MOST_TREES;
 pub use scene::Scene;

@@ -45,7 +45,7 @@ fn shown(state: &State) -> Shown {
     for pane in PANES {
         let figure =
             pictures.pane(pane, Vec2::new(900.0, 500.0), &Look::WINDOW, code.as_ref(), &TreeView::default(), None);
-        shown.texts.push((pane.name(), texts(figure)));
+        shown.texts.push((pane.name(), texts(&figure)));
         shown.roles.extend(figure.marks.iter().map(|mark| (pane.name(), mark.place, mark.role)));
     }
     let marks = pictures.space.as_ref().map_or(&[][..], |space| &space.marks);

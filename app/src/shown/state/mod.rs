@@ -3,12 +3,13 @@
 mod answering;
 #[cfg(test)]
 mod given_away;
+mod held;
 mod stepping;
 mod wanting;
 
 use std::sync::Arc;
 
-use raystep_accel::{Grain, Interval, Mistake, Place, Rule};
+use raystep_accel::{Grain, Interval, Mistake, NodeId, Place, Rule};
 use raystep_figure::{Camera, Depth};
 use raystep_lesson::{Act, Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
@@ -35,6 +36,8 @@ pub struct State {
     pub playing: bool,
     /// Whether questions are asked before the step that answers them.
     pub predict: bool,
+    /// Whether it is shown how one step becomes the next.
+    pub motion: bool,
     /// Whether the next step waits at an open question.
     pub locked: bool,
     /// What is shown beside the walk.
@@ -54,6 +57,10 @@ pub struct State {
     /// The place that was clicked on last; it stays lit.
     pub picked: Option<Place>,
     playback: Option<Arc<Playback>>,
+    /// The build with a cut that is tried weighed at this step.
+    trial: Option<Arc<Playback>>,
+    /// Where a change that is under way began: its walks stand at the same decision, as far as they come to it.
+    anchor: Option<(Arc<Playback>, usize)>,
     /// What shall be shown instead, as soon as its walk is there.
     wanted: Option<View>,
     landing: Landing,
@@ -101,10 +108,12 @@ pub(crate) struct Stamp {
 enum Landing {
     /// At its first decision.
     Opening,
-    /// At the step of before, as far as the walk goes.
+    /// At the decision of before; else at the step of before, as far as the walk goes.
     Keep,
     /// At the step that its view names.
     Named,
+    /// Where this node is divided.
+    Split(NodeId),
 }
 
 impl State {
@@ -121,6 +130,7 @@ impl State {
             speed: QUARTERS,
             playing: false,
             predict: true,
+            motion: false,
             locked: false,
             beside: Beside::Nothing,
             rival: "list",
@@ -131,6 +141,8 @@ impl State {
             answered: None,
             picked: None,
             playback: None,
+            trial: None,
+            anchor: None,
             landing: Landing::Opening,
             history: History::default(),
             before: None,
@@ -152,13 +164,18 @@ impl State {
 
     /// The walk shown, once it is there.
     pub fn playback(&self) -> Option<&Arc<Playback>> {
+        self.trial.as_ref().or(self.playback.as_ref())
+    }
+
+    /// The walk shown, without what is only tried in it.
+    pub fn made(&self) -> Option<&Arc<Playback>> {
         self.playback.as_ref()
     }
 
     /// What a frame that is drawn now shows.
     pub(crate) fn stamp(&self) -> Stamp {
         Stamp {
-            walk: self.playback.as_ref().map(Arc::as_ptr),
+            walk: self.playback().map(Arc::as_ptr),
             step: self.view.step,
             look: (self.view.camera, self.view.depth, self.view.part),
             waits: self.wanted.is_some(),
@@ -197,6 +214,7 @@ impl State {
             Command::Offer(offer) => self.take_up(usize::from(offer)),
             Command::Skip => self.skip(),
             Command::Lock => self.locked = !self.locked,
+            Command::Motion => self.motion = !self.motion,
             Command::Restore => self.restore(),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),
@@ -215,6 +233,8 @@ impl State {
                 self.keep();
                 self.show_part(None);
             }
+            Command::ResetScene => self.reset_scene(),
+            Command::CutHere => self.cut_here(),
             _ => {}
         }
     }
@@ -280,10 +300,14 @@ impl State {
 
     /// A parameter of the structure, as part of a change that is under way.
     pub fn set(&mut self, key: &str, value: &str) {
+        self.set_and_stand(key, value, Landing::Keep);
+    }
+
+    fn set_and_stand(&mut self, key: &str, value: &str, landing: Landing) {
         let mut view = self.target().clone();
         view.settings.retain(|(known, _)| known != key);
         view.settings.push((key.to_owned(), value.to_owned()));
-        self.want(view, Landing::Keep);
+        self.want(view, landing);
     }
 
     /// Does what the beat offers, if it does.
@@ -312,8 +336,8 @@ impl State {
     pub fn show_mesh(&mut self, mesh: Arc<Scene>, ray: raystep_accel::Ray) {
         self.keep();
         let (stage, ray) = (StageKind::Solid, RayChoice::Own(ray));
-        let (mesh, camera, part) = (Some(mesh), None, None);
-        let view = View { stage, ray, mesh, example: None, camera, part, ..self.target().clone() };
+        let (mesh, own, camera, part) = (Some(mesh), None, None, None);
+        let view = View { stage, ray, mesh, own, example: None, camera, part, ..self.target().clone() };
         self.want(view, Landing::Opening);
     }
 
@@ -390,6 +414,7 @@ impl State {
 
     /// Remembers the view before a change that undo shall take back in one.
     pub fn keep(&mut self) {
+        self.anchor = None;
         // What was asked for last counts, also where its walk is not there yet.
         self.history.keep(self.wanted.as_ref().unwrap_or(&self.view));
     }
@@ -409,6 +434,7 @@ impl State {
             self.keep();
             self.change_look(|view| *view = view.clone().looking_as(&own));
         }
+        (self.view.tried, self.trial) = (None, None);
         self.beside = Beside::Nothing;
     }
 

@@ -19,6 +19,9 @@ impl State {
     pub fn go(&mut self, step: usize) {
         if let Some(playback) = &self.playback {
             self.view.step = step.min(playback.steps().last());
+            self.anchor = None;
+            self.view.tried = None;
+            self.trial = None;
             self.answered = None;
             self.asking = false;
         }

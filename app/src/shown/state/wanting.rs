@@ -42,8 +42,12 @@ impl State {
                 let step = self.landed(&playback, view.step, landing);
                 self.view = View { step, ..view };
                 self.wanted = None;
+                self.renew_trial();
             }
             None => {
+                if landing == Landing::Keep && self.anchor.is_none() {
+                    self.anchor = self.playback.clone().map(|playback| (playback, self.view.step));
+                }
                 self.wanted = Some(view);
                 self.landing = landing;
             }
@@ -54,12 +58,14 @@ impl State {
     pub fn arrive(&mut self, playback: Arc<Playback>) -> bool {
         let Some(wanted) = &self.wanted else { return false };
         let exactly = playback.view.same_walk(wanted);
-        if !exactly && !playback.view.same_but_own_ray(wanted) {
+        if !exactly && !playback.view.same_but_held(wanted) {
             return false;
         }
+        let tried = wanted.tried;
         let step = self.landed(&playback, wanted.step, self.landing);
-        self.view = View { step, ..playback.view.clone() }.looking_as(wanted);
+        self.view = View { step, tried, ..playback.view.clone() }.looking_as(wanted);
         self.playback = Some(playback);
+        self.renew_trial();
         self.before = None;
         self.answered = None;
         self.asking = false;
@@ -72,8 +78,12 @@ impl State {
     fn landed(&self, playback: &Playback, named: usize, landing: Landing) -> usize {
         let step = match landing {
             Landing::Opening => playback.opening(self.predict),
-            Landing::Keep => self.view.step,
+            Landing::Keep => match &self.anchor {
+                Some((before, step)) => playback.like(before, *step).unwrap_or(*step),
+                None => self.view.step,
+            },
             Landing::Named => named,
+            Landing::Split(node) => playback.split_of(node).unwrap_or(self.view.step),
         };
         step.min(playback.steps().last())
     }
@@ -128,5 +138,5 @@ fn moved(view: &View, old: &Library, new: &Library) -> View {
         }
         RayChoice::Own(ray) => RayChoice::Own(ray),
     };
-    View { slide, stage, ray, ..view.clone() }
+    View { slide, stage, ray, tried: None, ..view.clone() }
 }

@@ -113,8 +113,8 @@ fn track(
     let figure = pictures.pane(Pane::Timeline, size, &Look::WINDOW, None, &TreeView::default(), None);
     let track = Track::new(playback.steps().last(), size, &Look::WINDOW);
     let step = state.view.step;
-    paint_figure(ui.painter(), rect.min, figure, theme, None);
-    paint_nearest_lit(ui.painter(), rect.min, figure, theme, hovered, track.x(step));
+    paint_figure(ui.painter(), rect.min, &figure, theme, None);
+    paint_nearest_lit(ui.painter(), rect.min, &figure, theme, hovered, track.x(step));
     response.widget_info(|| egui::WidgetInfo::slider(true, step as f64, "Timeline"));
 
     let local = |pointer: egui::Pos2| glam::Vec2::new(pointer.x - rect.left(), pointer.y - rect.top());
@@ -148,5 +148,5 @@ fn track(
         };
         response.on_hover_text_at_pointer(RichText::new(says));
     }
-    place_at(figure, rect.min, pointer)
+    place_at(&figure, rect.min, pointer)
 }

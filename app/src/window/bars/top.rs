@@ -269,6 +269,7 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, room: &Room, asked: &mut Opti
             (Command::Restore, true),
             (Command::Frame, true),
             (Command::ResetCamera, true),
+            (Command::ResetScene, true),
             (Command::Open, true),
             (Command::Copy, true),
             (Command::FullScreen, true),
@@ -283,13 +284,15 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, room: &Room, asked: &mut Opti
             }
         }
         ui.separator();
-        let mut locked = state.locked;
-        ui.horizontal(|ui| {
-            ui.set_style(style(theme));
-            if ui.checkbox(&mut locked, Command::Lock.name()).changed() {
-                *asked = Some(Asked::Command(Command::Lock));
-            }
-        });
+        for (command, on) in [(Command::Lock, state.locked), (Command::Motion, state.motion)] {
+            let mut on = on;
+            ui.horizontal(|ui| {
+                ui.set_style(style(theme));
+                if ui.checkbox(&mut on, command.name()).changed() {
+                    *asked = Some(Asked::Command(command));
+                }
+            });
+        }
         ui.separator();
         ui.label(RichText::new("Theme").color(ink(theme, Role::Quiet)));
         ui.horizontal(|ui| {

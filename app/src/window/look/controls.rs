@@ -90,6 +90,11 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<(String, C
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));
             change(&response).map(|change| (count.to_string(), change))
         }
+        // They are set where they are seen.
+        Allowed::Cuts => {
+            ui.label(&parameter.value);
+            None
+        }
         Allowed::Real { min, max } => {
             let mut number: f32 = parameter.value.parse().unwrap_or(min);
             let speed = (max - min) * 0.002;

@@ -1,6 +1,7 @@
 //! How the window looks: colours, letters, formulas, figures and controls, and what of that is remembered.
 
 pub(super) mod controls;
+mod desktop;
 pub(super) mod fonts;
 pub(super) mod formulas;
 pub(super) mod icons;

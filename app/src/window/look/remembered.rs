@@ -7,6 +7,7 @@ use raystep_figure::Theme;
 use serde::Serialize;
 use toml::{Table, Value};
 
+use super::desktop;
 use crate::shown::pictures::Pane;
 use crate::{fields, files, folders};
 
@@ -19,6 +20,8 @@ pub struct Remembered {
     pub zoom: f32,
     /// Whether questions are asked.
     pub predict: bool,
+    /// Whether pictures move between steps, once somebody has said so; else the desktop says it.
+    pub motion: Option<bool>,
     /// The width of the lesson, once it was dragged.
     pub lesson: Option<f32>,
     /// The width of the column at the right.
@@ -31,6 +34,9 @@ pub struct Remembered {
     /// What made no sense, a sentence each.
     #[serde(skip)]
     pub(crate) wrong: Vec<String>,
+    /// Whether the desktop wants motion. Nobody has asked it: then there is none.
+    #[serde(skip)]
+    desktop: bool,
     #[serde(skip)]
     file: Option<PathBuf>,
     /// What the file says, in other words: it is not written again before something else is to be said.
@@ -63,11 +69,13 @@ impl Default for Remembered {
             theme: "light".to_owned(),
             zoom: 1.0,
             predict: true,
+            motion: None,
             lesson: None,
             walk: None,
             heights: Heights::default(),
             tab: Pane::Changed,
             wrong: Vec::new(),
+            desktop: false,
             file: None,
             written: Table::new(),
         }
@@ -80,7 +88,7 @@ impl Remembered {
         let file = folders::settings().map(|folder| folder.join("window.toml"));
         let read = file.map_or_else(Remembered::default, |file| Remembered::of_file(&file));
         read.wrong.iter().for_each(|sentence| files::say(sentence));
-        read
+        Remembered { desktop: desktop::wants_motion(), ..read }
     }
 
     fn of_file(file: &Path) -> Remembered {
@@ -101,9 +109,17 @@ impl Remembered {
         Remembered { wrong, ..read }
     }
 
-    /// Remembers this zoom, and whether questions are asked.
-    pub(crate) fn keep(&mut self, zoom: f32, predict: bool) {
+    /// Whether pictures move between steps.
+    pub(crate) fn moves(&self) -> bool {
+        self.motion.unwrap_or(self.desktop)
+    }
+
+    /// Remembers this zoom, whether questions are asked, and whether pictures move.
+    pub(crate) fn keep(&mut self, zoom: f32, predict: bool, motion: bool) {
         (self.zoom, self.predict) = (zoom, predict);
+        if motion != self.moves() {
+            self.motion = Some(motion);
+        }
         self.write();
     }
 
@@ -125,6 +141,9 @@ impl Remembered {
             }
             "predict" => {
                 self.predict = value.as_ref().and_then(Value::as_bool).ok_or("true or false is needed")?;
+            }
+            "motion" => {
+                self.motion = Some(value.as_ref().and_then(Value::as_bool).ok_or("true or false is needed")?);
             }
             "zoom" => self.zoom = number(0.5, 3.0)?,
             "lesson" => self.lesson = size()?,

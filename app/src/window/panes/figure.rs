@@ -4,8 +4,10 @@ use egui::{Rect, Response, Sense, Ui};
 use raystep_accel::Place;
 use raystep_figure::{Look, RulerScale};
 
+use super::moving::Frame;
 use super::page::{Asked, Kept, Page};
 use super::space::{BORDER, glam_size};
+use super::trial;
 use crate::shown::beside::Beside;
 use crate::shown::pictures::Pane;
 use crate::window::look::painter::{paint_figure, place_at};
@@ -23,11 +25,12 @@ pub(super) fn figure(
     let Page { state, theme, lit, .. } = page;
     // The borders of the pane are for dragging them.
     let response = ui.allocate_rect(rect, Sense::hover());
-    let ruler = matches!(pane, Pane::Ruler | Pane::RulerLine);
-    let sense = if ruler { Sense::click_and_drag() } else { Sense::click() };
+    // A ruler can be stretched and shifted, a cut that is weighed taken in the hand.
+    let held = matches!(pane, Pane::Ruler | Pane::RulerLine | Pane::Picture);
+    let sense = if held { Sense::click_and_drag() } else { Sense::click() };
     let response = ui.interact(rect.shrink(BORDER), response.id.with("pane"), sense);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Image, true, pane.name()));
-    let Kept { pictures, tree, .. } = kept;
+    let Kept { pictures, tree, moving, sight, .. } = kept;
     let code = state.slide().and_then(|slide| state.library.listing(&slide.listing));
     let tests = page.beside.filter(|_| state.beside == Beside::Structure("list"));
     let tests = tests.map(|beside| {
@@ -50,8 +53,16 @@ pub(super) fn figure(
         stretch(ui, &response, rect, &scale, state.view.part.is_some(), asked);
     }
     let drawn = pictures.pane(pane, glam_size(rect), look, code, tree, tests);
-    paint_figure(&ui.painter_at(rect), rect.min, drawn, theme, lit);
-    let at = |pointer: egui::Pos2| place_at(drawn, rect.min, pointer);
+    let moved = moving.figure(ui, Frame::Pane(pane), rect, &drawn);
+    paint_figure(&ui.painter_at(rect), rect.min, &moved.figure, theme, lit);
+    if let Some(aloft) = moved.aloft.filter(|aloft| !aloft.marks.is_empty()) {
+        let above = egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("motion"));
+        paint_figure(&ui.ctx().layer_painter(above), rect.min, &aloft, theme, None);
+    }
+    if pane == Pane::Picture && state.holdable().is_some() {
+        trial::hold(ui, &response, rect, look, pictures, theme, &mut sight.hold, asked);
+    }
+    let at = |pointer: egui::Pos2| place_at(&drawn, rect.min, pointer);
     let under = response.hover_pos().and_then(at);
     let clicked = response.interact_pointer_pos().filter(|_| response.clicked()).map(at);
     let opened = response.double_clicked().then(|| response.interact_pointer_pos().and_then(at)).flatten();

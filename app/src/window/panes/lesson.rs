@@ -5,7 +5,7 @@ use raystep_figure::{Face, Role, Theme, sentence, veiled};
 use raystep_lesson::Medium;
 
 use super::page::Asked;
-use super::question;
+use super::{changes, question};
 use crate::shown::command::Command;
 use crate::shown::reel::{beginning, said as said_by};
 use crate::shown::state::State;
@@ -114,6 +114,8 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
         quiet.show(ui, formulas, "Backspace goes back to the slide.");
     }
 
+    let changed = changes::show(ui, state, theme, formulas);
+
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
     // While a question is open nothing says what the numbers come to.
     let event = event.map(|event| if state.question().is_some() { veiled(&event) } else { event });
@@ -150,7 +152,7 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
     }
     ui.add_space(8.0);
     let top = ui.cursor().top();
-    asked.extend(question::show(ui, state, theme, formulas).map(Asked::Command));
+    asked.extend(question::show(ui, state, theme, formulas).or(changed).map(Asked::Command));
     if fresh && state.question().is_some() {
         // A question that has just opened is seen whole, and why an answer is wrong.
         let foot = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.min_rect().bottom() + 14.0);

@@ -1,11 +1,16 @@
 //! The panes: the lesson, space, and the figures around it, as a study page or as the presenter's.
 
 mod by_hand;
+mod changes;
 mod columns;
 mod figure;
+mod grip;
+mod hold;
 mod inset;
+mod knob;
 mod lesson;
 mod levels;
+mod moving;
 mod notices;
 mod page;
 pub(super) mod present;
@@ -17,5 +22,7 @@ mod space;
 mod speech;
 mod stage;
 pub(super) mod study;
+mod trial;
 
+pub(super) use hold::Moved;
 pub(super) use page::{Asked, Kept, Page};

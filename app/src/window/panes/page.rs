@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use egui::Ui;
-use raystep_accel::{Interval, Place, Ray};
+use raystep_accel::{HandCut, Interval, Place, Ray};
 use raystep_figure::{Depth, Theme, TreeView};
 use raystep_paint::Mesh;
 
+use super::hold::Moved;
+use super::moving::Moving;
 use super::notices::Notices;
 use super::sight::Sight;
 use super::speech::Fitted;
@@ -54,6 +56,12 @@ pub(crate) enum Asked {
     Part(Option<Interval>),
     /// A ray of the user's own, as part of that change.
     Ray(Ray),
+    /// A part of a shape moved, as part of that change.
+    Move(Moved),
+    /// A node cut by hand, as part of that change.
+    Cut(HandCut),
+    /// A cut that is only tried, as part of that change.
+    Try(HandCut),
     /// A parameter of the structure, as part of that change.
     Set(&'static str, String),
     /// A sentence for the user.
@@ -77,6 +85,8 @@ pub(crate) struct Kept {
     pub(super) tree: TreeView,
     /// The presenter's column of words, as it was fitted last.
     pub(super) column: Option<Fitted>,
+    /// What moves from its old place to its new one.
+    pub(crate) moving: Moving,
     hovered: Option<Place>,
 }
 

@@ -2,8 +2,8 @@
 
 use raystep_figure::{Camera, Space};
 
+use super::hold::Hold;
 use super::solid::Solid;
-use super::space::Hold;
 use crate::shown::camera::Seen;
 use crate::shown::eye;
 use crate::shown::pictures::{Drawn, Pictures};
@@ -16,7 +16,7 @@ pub(crate) struct Sight {
     pub(super) solid_inset: Solid,
     /// What the pointer has hold of.
     pub(super) hold: Option<Hold>,
-    /// Where space is seen from while a ray is dragged.
+    /// Where space is seen from while something in it is dragged.
     pub(super) still: Option<Camera>,
     /// The walk beside, as it was drawn last.
     pub(super) beside: Option<Drawn>,
@@ -42,6 +42,11 @@ impl Default for Sight {
 }
 
 impl Sight {
+    /// Lets go of what is being changed; says whether there was anything.
+    pub(crate) fn let_go(&mut self) -> bool {
+        self.hold.take_if(|hold| !matches!(hold, Hold::Turn | Hold::Shift)).is_some()
+    }
+
     /// Draws solid stages with egui's own device.
     pub(super) fn draw_with(&mut self, state: &egui_wgpu::RenderState) {
         self.solid = Solid::new(state);

@@ -1,33 +1,20 @@
 //! The picture of space: drawn, hovered, clicked, turned, and its ray dragged.
 
-use egui::{CursorIcon, PointerButton, Pos2, Rect, Response, Sense, Ui};
-use glam::Vec3;
-use raystep_accel::{Place, Ray};
-use raystep_figure::{Camera, Figure, Form, Role, Space, Theme, pointed_at};
+use std::sync::Arc;
 
+use egui::{PointerButton, Pos2, Rect, Response, Sense, Ui};
+use glam::Vec3;
+use raystep_accel::{Axis, HandCut, Place, Ray};
+use raystep_figure::{Camera, Figure, Form, Role, Space, Theme, pointed_at};
+use raystep_scene::Scene;
+
+use super::hold::{Hold, Moved};
+use super::knob::ring;
 use crate::shown::eye;
 use crate::window::look::painter::{line_at, paint_figure, paint_labels, place_at};
 
 /// How near to its border a pane leaves the pointer to the border.
 pub(super) const BORDER: f32 = 5.0;
-
-/// How near to an end of the ray the pointer must be to take hold of it, in points.
-const GRIP: f32 = 13.0;
-
-/// What the pointer has hold of.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Hold {
-    /// The ray's origin; its head stays.
-    Origin,
-    /// The ray's head; its origin stays.
-    Head,
-    /// A new ray from here.
-    New(Vec3),
-    /// The camera.
-    Turn,
-    /// What the camera looks at.
-    Shift,
-}
 
 /// What happened in the picture.
 #[derive(Default)]
@@ -40,6 +27,10 @@ pub(crate) struct Happened {
     pub(crate) begins: bool,
     /// Another ray.
     pub(crate) ray: Option<Ray>,
+    /// A part of a shape, moved.
+    pub(crate) moved: Option<Moved>,
+    /// A node that is cut elsewhere.
+    pub(crate) cut: Option<HandCut>,
     /// Another camera.
     pub(crate) camera: Option<Camera>,
 }
@@ -55,6 +46,12 @@ pub(crate) struct Picture<'a> {
     pub(crate) hovered: Option<Place>,
     /// Whether the ray can be dragged, if there is one.
     pub(crate) live: bool,
+    /// The scene whose shapes can be taken in the hand.
+    pub(crate) scene: Option<&'a Arc<Scene>>,
+    /// Whether planes can be, too.
+    pub(crate) planes: bool,
+    /// What is drawn instead while it moves.
+    pub(crate) moving: Option<Arc<Figure>>,
     /// Whether all but the labels is painted already.
     pub(crate) painted: bool,
     /// The place whose surface a ray from the eye meets.
@@ -71,17 +68,19 @@ impl Picture<'_> {
         if self.painted {
             paint_labels(&painter, rect.min, self.figure, self.theme, self.hovered);
         } else {
-            paint_figure(&painter, rect.min, self.figure, self.theme, self.hovered);
+            let figure = self.moving.as_deref().unwrap_or(self.figure);
+            paint_figure(&painter, rect.min, figure, self.theme, self.hovered);
         }
         let mut happened = Happened::default();
         let pointer = response.hover_pos().or(response.interact_pointer_pos());
         let grip = pointer.filter(|_| self.live).and_then(|pointer| self.grip(rect, pointer));
+        if response.hovered() || response.dragged() {
+            ui.ctx().set_cursor_icon(Hold::cursor(hold.as_ref(), grip.as_ref()));
+            if let Some(at) = hold.is_none().then(|| self.knob(rect, grip.as_ref()?)).flatten() {
+                ring(ui, at, self.theme, Role::Here);
+            }
+        }
         if response.hovered() {
-            let over = match (*hold, grip) {
-                (Some(Hold::Origin | Hold::Head), _) | (None, Some(_)) => CursorIcon::Grab,
-                _ => CursorIcon::Default,
-            };
-            ui.ctx().set_cursor_icon(over);
             happened.hovered = pointer.and_then(|pointer| self.place(rect, pointer));
             if let (Some(pointer), Some(place)) = (pointer, happened.hovered.filter(|place| *place != Place::World)) {
                 let at = pointer - rect.min;
@@ -95,6 +94,9 @@ impl Picture<'_> {
         }
         self.drag(ui, &response, rect, hold, &mut happened);
         self.wheel(ui, &response, rect, &mut happened);
+        if self.live {
+            self.keys(ui, &response, rect, &mut happened);
+        }
         happened
     }
 
@@ -130,7 +132,7 @@ impl Picture<'_> {
             happened.begins = true;
         }
         if response.dragged()
-            && let (Some(holding), Some(pointer)) = (*hold, response.interact_pointer_pos())
+            && let (Some(holding), Some(pointer)) = (hold.as_ref(), response.interact_pointer_pos())
         {
             let moved = response.drag_delta();
             let moved = glam::Vec2::new(moved.x, moved.y);
@@ -145,7 +147,15 @@ impl Picture<'_> {
                     let ends = self.ends();
                     happened.ray = ends.and_then(|(origin, head)| self.drawn(origin, self.world(rect, pointer, head)));
                 }
-                Hold::New(from) => happened.ray = self.drawn(from, self.world(rect, pointer, from)),
+                Hold::New(from) => happened.ray = self.drawn(*from, self.world(rect, pointer, *from)),
+                Hold::Part(grasp) => {
+                    happened.moved = Some(Moved { grasp: grasp.clone(), to: self.plane_point(rect, pointer) });
+                }
+                Hold::Plane(node, axis) => {
+                    let at = self.plane_point(rect, pointer);
+                    happened.cut = self.cut_at(*node, *axis, if *axis == Axis::Y { at.y } else { at.x });
+                }
+                Hold::Cut => {}
             }
         }
         if response.drag_stopped() {
@@ -163,21 +173,8 @@ impl Picture<'_> {
         }
     }
 
-    /// The end of the ray under the pointer.
-    fn grip(&self, rect: Rect, pointer: Pos2) -> Option<Hold> {
-        let (origin, head) = self.ends()?;
-        let near = |world: Vec3| {
-            let (page, _) = self.camera.project(world, glam_size(rect))?;
-            Some((rect.min + egui::vec2(page.x, page.y)).distance(pointer) <= GRIP)
-        };
-        if near(origin) == Some(true) {
-            return Some(Hold::Origin);
-        }
-        (near(head) == Some(true)).then_some(Hold::Head)
-    }
-
     /// Where the ray is seen to begin and to end.
-    fn ends(&self) -> Option<(Vec3, Vec3)> {
+    pub(super) fn ends(&self) -> Option<(Vec3, Vec3)> {
         let ray = self.ray?;
         let arrow = self.space.marks.iter().find_map(|mark| match mark.form {
             Form::Arrow(_, tip) if matches!(mark.role, Role::Ray | Role::Live) => Some(tip),
@@ -194,7 +191,7 @@ impl Picture<'_> {
         Ray::new(from, along).ok()?.within(ray.t_min, ray.t_max).ok()
     }
 
-    fn world(&self, rect: Rect, pointer: Pos2, through: Vec3) -> Vec3 {
+    pub(super) fn world(&self, rect: Rect, pointer: Pos2, through: Vec3) -> Vec3 {
         let at = pointer - rect.min;
         eye::on_plane(&self.camera, glam::Vec2::new(at.x, at.y), glam_size(rect), through)
     }

@@ -7,12 +7,14 @@ use raystep_accel::{Aabb, Accel, Cost, Event, Place, Ray, Structure, Verdict, Vi
 use raystep_figure::{Camera, Face, Look, Role, Still, axes};
 
 use super::figure;
+use super::hold::Hold;
 use super::inset;
 use super::levels;
+use super::moving::Frame;
 use super::page::{Asked, Kept, Page};
 use super::rival;
 use super::sight::Sight;
-use super::space::{Happened, Hold, Picture, glam_size};
+use super::space::{Happened, Picture, glam_size};
 use crate::shown::beside::Beside;
 use crate::shown::camera::Seen;
 use crate::shown::eye;
@@ -101,7 +103,7 @@ pub(super) fn stage(
     scale: f32,
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
-    let Kept { pictures, sight, tree, .. } = kept;
+    let Kept { pictures, sight, tree, moving, .. } = kept;
     let Some(pictures) = pictures.as_mut().filter(|_| page.state.playback().is_some()) else {
         waiting(ui, page, rect);
         return None;
@@ -119,7 +121,8 @@ pub(super) fn stage(
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
     let camera = sight.camera(page.state, space, glam_size(picture));
     let solid = !space.flat && sight.solid.is_there();
-    let figure = scaled(pictures.stage(space, &camera, glam_size(picture) / scale, solid), scale);
+    let figure = Arc::new(scaled(pictures.stage(space, &camera, glam_size(picture) / scale, solid), scale));
+    let moved = (!solid).then(|| moving.figure(ui, Frame::Space, picture, &figure).figure);
     if solid {
         let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
         let (theme, lit) = (page.theme, pictures.lit(page.lit));
@@ -133,6 +136,9 @@ pub(super) fn stage(
         theme: page.theme,
         hovered: page.lit,
         live: true,
+        scene: page.state.holdable(),
+        planes: page.state.holds_planes(),
+        moving: moved,
         painted: solid,
         surface: &|ray| surface(&pictures.playback, ray),
     }
@@ -147,7 +153,7 @@ pub(super) fn stage(
     if legend > 0.0 {
         let at = Rect::from_min_max(pos2(rect.left() + 14.0, picture.bottom()), rect.max);
         let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, tree, None);
-        paint_figure(&ui.painter_at(at), at.min, drawn, page.theme, None);
+        paint_figure(&ui.painter_at(at), at.min, &drawn, page.theme, None);
     }
     sight.size = glam_size(picture);
     take(page.state, sight, &happened, camera, asked);
@@ -181,6 +187,9 @@ fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc
         theme: page.theme,
         hovered: page.lit,
         live: false,
+        scene: None,
+        planes: false,
+        moving: None,
         painted: solid,
         surface: &|ray| surface(beside, ray),
     };
@@ -273,15 +282,17 @@ fn take(state: &State, sight: &mut Sight, happened: &Happened, camera: Camera, a
         asked.push(Asked::Keep);
     }
     if happened.begins {
-        // The picture stands still under a ray that is dragged.
-        let ray = matches!(sight.hold, Some(Hold::Origin | Hold::Head | Hold::New(_)));
-        sight.still = ray.then_some(camera);
+        // The picture stands still under what is dragged.
+        let turns = matches!(sight.hold, None | Some(Hold::Turn | Hold::Shift));
+        sight.still = (!turns).then_some(camera);
     }
     let aspect = sight.size.x / sight.size.y.max(1.0);
     let around = state.playback().map_or(Aabb::EMPTY, |playback| playback.play.structure.bounds());
     let turned = happened.camera.map(|wanted| eye::bounded(&camera, wanted, &around));
     asked.extend(turned.map(|camera| Asked::Turn(Seen { camera, aspect })));
     asked.extend(happened.ray.map(Asked::Ray));
+    let moved = happened.moved.clone().map(Asked::Move);
+    asked.extend(moved.into_iter().chain(happened.cut.map(Asked::Cut)));
     asked.extend(happened.clicked.map(Asked::Pick));
 }
 

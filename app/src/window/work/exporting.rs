@@ -39,7 +39,8 @@ pub(crate) struct Window {
 impl Window {
     /// What is shown, as far as there is a walk; `aspect` is that of the picture in which the camera was moved.
     pub(crate) fn of(state: &State, aspect: f32) -> Result<Window, Fault> {
-        let playback = state.playback().cloned().ok_or_else(|| Fault::new("There is no walk yet."))?;
+        // A cut that is only tried is not in the build, nor in pictures of it.
+        let playback = state.made().cloned().ok_or_else(|| Fault::new("There is no walk yet."))?;
         let seen = state.view.camera.map(|camera| Seen { camera, aspect });
         Ok(Window { library: state.library.clone(), playback, seen, depth: state.view.depth })
     }
@@ -58,6 +59,7 @@ impl Window {
             settings: view.settings.clone(),
             seen: self.seen,
             depth: self.depth,
+            own: view.own.as_ref().map(|own| own.scene.as_ref()),
             told: view.example.is_none(),
         };
         Ok(Ground::new(&self.library, slide, stage, built, rule, nodes, changes, go_on))

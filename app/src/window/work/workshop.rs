@@ -123,8 +123,11 @@ impl Workshop {
 
     /// Asks for the walk of a view. It may be there at once; else it arrives some frames later.
     pub(crate) fn ask(&mut self, view: &View, library: &Arc<Library>) {
-        // A ray that is being dragged waits for the one before it to arrive: so it is seen to move.
-        let busy = |wanted: &Wanted| wanted.view.same_walk(view) || wanted.stands && wanted.view.same_but_own_ray(view);
+        // What is being dragged waits for what was asked for before it to arrive: so it is seen to move.
+        let busy = |wanted: &Wanted| {
+            let held = wanted.view.same_but_held(view) && (wanted.stands || wanted.view.ray == view.ray);
+            wanted.view.same_walk(view) || held
+        };
         if self.bench.wanted().is_some_and(busy) {
             return;
         }
@@ -233,9 +236,11 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
     let built = match &order.stands {
         Some(stands) => stands.built.clone(),
         None => {
-            let scene = match (&order.scene, &order.view.mesh, order.view.example) {
-                (Some(stands), ..) => stands.built.scene.clone(),
-                (None, _, Some(mistake)) => Arc::new(scene_of(mistake)),
+            let View { mesh: opened, example, own, .. } = &order.view;
+            let own = own.as_ref().map(|own| &own.scene);
+            let scene = match (order.scene.as_ref().map(|stands| &stands.built.scene).or(own), opened, example) {
+                (Some(scene), ..) => scene.clone(),
+                (None, _, Some(mistake)) => Arc::new(scene_of(*mistake)),
                 (None, Some(mesh), None) => mesh.clone(),
                 (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
@@ -321,6 +326,9 @@ fn is_of(told: Option<&Tape>, stage: &Stage) -> bool {
 
 /// Whether a kept structure stands over the scene that a view asks for.
 fn is_over(built: &Built, view: &View, library: &Library) -> bool {
+    if let Some(own) = &view.own {
+        return Arc::ptr_eq(&own.scene, &built.scene);
+    }
     match (&view.mesh, view.example) {
         (_, Some(mistake)) => built.scene.name == mistake.name(),
         (Some(mesh), None) => Arc::ptr_eq(mesh, &built.scene),

@@ -1,7 +1,7 @@
 //! Building a tree of planes, slides 29-32: take a node, stop or choose a plane, deal out what it holds.
 
 use super::{Node, Plane, PlaneTree};
-use crate::{Aabb, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, Place, PrimId, Primitives, around};
+use crate::{Aabb, ByHand, Cancelled, Grow, LeafReason, Margin, NodeId, Observer, Place, PrimId, Primitives, around};
 
 /// There is room for so many references for each primitive, and for [`SPARE`] more: primitives that lie
 /// on top of each other would be referred to from ever more leaves. Children share their parent's room.
@@ -17,6 +17,8 @@ pub(crate) struct Stops {
     pub(crate) min_objects: u32,
     /// If planes are chosen by cost: what a test costs. Nodes that no plane makes cheaper stay leaves.
     pub(crate) test_cost: Option<f32>,
+    /// The nodes that are cut by hand, whatever that costs.
+    pub(crate) by_hand: ByHand,
     /// Whether rays remember what they tested.
     pub(crate) mailbox: bool,
 }
@@ -127,7 +129,8 @@ impl<N: Node> PlaneTree<N> {
                 continue;
             };
             // Stop if testing everything here is cheaper.
-            if stops.test_cost.is_some_and(|test| cost >= test * refs.len() as f32) {
+            let by_hand = stops.by_hand.of(node).is_some_and(|cut| cut.divides(&C::bounds(&space)));
+            if !by_hand && stops.test_cost.is_some_and(|test| cost >= test * refs.len() as f32) {
                 tree.settle::<C>(node, &refs, LeafReason::Cheap, watch);
                 continue;
             }

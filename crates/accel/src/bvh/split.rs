@@ -15,6 +15,7 @@ impl Splitter<'_> {
         watch: &mut impl Observer<Grow>,
     ) -> Result<Cut, Cancelled> {
         self.measure_within(part);
+        let by_hand = self.by_hand(node, part).filter(|_| !halve);
         let choice = match self.rule.split {
             _ if halve => None,
             BvhSplit::Middle => self.middle(part, watch)?,
@@ -22,19 +23,27 @@ impl Splitter<'_> {
             BvhSplit::Binned => binned::choose(self, node, part, watch)?,
             BvhSplit::Sweep => sweep::choose(self, node, part, watch)?,
         };
-        // Halves always work, even if all centres coincide.
-        let choice = match choice {
+        // What was chosen by hand is taken whatever it costs. Halves always work, even if all centres coincide.
+        let choice = match by_hand.or(choice) {
             Some(choice) => choice,
             None => self.halves(part, watch)?,
         };
 
         let cut = self.divide(part, choice, watch)?;
-        if halve || matches!(self.rule.split, BvhSplit::Middle | BvhSplit::Median) {
+        if halve || by_hand.is_some() || matches!(self.rule.split, BvhSplit::Middle | BvhSplit::Median) {
             let side = |part: &Part| (self.measure(&part.bounds), part.len());
             let sides = [side(&cut.below), side(&cut.above)];
             self.weigh(node, part, (cut.axis, cut.plane), sides, watch);
         }
         Ok(cut)
+    }
+
+    /// Where the node's list was cut by hand, if that leaves something on both sides.
+    fn by_hand(&self, node: NodeId, part: &Part) -> Option<Choice> {
+        let cut = self.rule.cut.of(node).filter(|cut| self.rule.axes.list().contains(&cut.axis))?;
+        let (axis, plane) = (cut.axis, cut.at);
+        let below = self.ordered(part, axis).partition_point(|&prim| self.center(prim, axis) < plane);
+        (below > 0 && below < part.len()).then_some(Choice { axis, plane, below, cost: 0.0 })
     }
 
     /// The box around a node's centres.

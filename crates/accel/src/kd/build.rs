@@ -15,9 +15,9 @@ impl Kd {
     /// # Errors
     /// `watch` asked to give up.
     pub fn build(prims: &impl Primitives, rule: &KdRule, watch: &mut impl Observer<Grow>) -> Result<Kd, Cancelled> {
-        let &KdRule { max_depth, min_objects, mailbox, .. } = rule;
+        let &KdRule { max_depth, min_objects, mailbox, cut, .. } = rule;
         let test_cost = (rule.split == KdSplit::Sah).then_some(rule.intersection_cost);
-        let stops = Stops { max_depth, min_objects, test_cost, mailbox };
+        let stops = Stops { max_depth, min_objects, test_cost, by_hand: cut, mailbox };
         Kd::grow(prims, Boxes { prims, rule, pad: 0.0 }, stops, watch)
     }
 }

@@ -34,11 +34,29 @@ pub(super) struct Scale<'a, O> {
 impl<O: Observer<Grow>> Scale<'_, O> {
     /// The plane that the rule asks for; none if no plane separates the references.
     pub(super) fn best(&mut self) -> Result<Option<Cut>, Cancelled> {
-        match self.rule.split {
-            KdSplit::Middle => Ok(self.across_the_longest(|bounds, _, axis| bounds.center()[axis])),
-            KdSplit::Median => Ok(self.across_the_longest(|_, refs, axis| median(refs, axis))),
-            KdSplit::Sah => self.cheapest(),
+        let best = match self.rule.split {
+            KdSplit::Middle => self.across_the_longest(|bounds, _, axis| bounds.center()[axis]),
+            KdSplit::Median => self.across_the_longest(|_, refs, axis| median(refs, axis)),
+            KdSplit::Sah => self.cheapest()?,
+        };
+        Ok(self.by_hand().or(best))
+    }
+
+    /// The plane that was chosen by hand: weighed after all others, and taken whatever it costs.
+    fn by_hand(&mut self) -> Option<Cut> {
+        let cut = self.rule.cut.of(self.node).filter(|cut| cut.divides(self.bounds))?;
+        Some(self.weigh_at(cut.axis, cut.at))
+    }
+
+    /// Weighs one plane.
+    fn weigh_at(&mut self, axis: Axis, plane: f32) -> Cut {
+        let (mut below, mut above) = (0, 0);
+        for reference in self.refs {
+            let reaches = reference.sides(axis, plane);
+            below += u32::from(reaches.0);
+            above += u32::from(reaches.1);
         }
+        self.weigh(axis, plane, below, above)
     }
 
     /// One plane across the longest side; if it puts everything on both sides, across the next longest.
@@ -50,13 +68,7 @@ impl<O: Observer<Grow>> Scale<'_, O> {
             if !self.inside(axis, plane) {
                 return None;
             }
-            let (mut below, mut above) = (0, 0);
-            for reference in self.refs {
-                let reaches = reference.sides(axis, plane);
-                below += u32::from(reaches.0);
-                above += u32::from(reaches.1);
-            }
-            let cut = self.weigh(axis, plane, below, above);
+            let cut = self.weigh_at(axis, plane);
             self.separates(&cut).then_some(cut)
         })
     }

@@ -1,6 +1,7 @@
 //! How a hierarchy of volumes is to be built and walked.
 
 use super::parameter::{Field, Slot, choice};
+use super::{ByHand, shared};
 use crate::events::words;
 use crate::{Axes, Measure};
 
@@ -76,6 +77,8 @@ pub struct BvhRule {
     pub search: u32,
     /// In which order a walk opens the nodes.
     pub order: BvhOrder,
+    /// Cuts that are chosen by hand, whatever they cost.
+    pub cut: ByHand,
     /// The axes along which primitives are divided.
     pub axes: Axes,
     /// How boxes are measured.
@@ -92,6 +95,7 @@ impl Default for BvhRule {
             bins: 16,
             search: 14,
             order: BvhOrder::Ordered,
+            cut: ByHand::default(),
             axes: Axes::Xyz,
             measure: Measure::Area,
         }
@@ -124,6 +128,7 @@ impl BvhRule {
                 field: Field::Count(&mut self.search, 1, 100),
             },
             Slot { key: "order", about: "in which order nodes are opened", field: Field::Word(&mut self.order) },
+            shared::cut(&mut self.cut),
         ]
     }
 }

@@ -1,5 +1,6 @@
 //! How a kd-tree is to be built.
 
+use super::ByHand;
 use super::parameter::{Field, Slot, choice};
 use super::shared;
 use crate::events::words;
@@ -35,6 +36,8 @@ pub struct KdRule {
     pub traversal_cost: f32,
     /// What it costs to test a primitive.
     pub intersection_cost: f32,
+    /// Cuts that are chosen by hand, whatever they cost.
+    pub cut: ByHand,
     /// The axes to cut across: a flat scene is not cut across z.
     pub axes: Axes,
     /// How boxes are measured.
@@ -51,6 +54,7 @@ impl Default for KdRule {
             mailbox: true,
             traversal_cost: 1.0,
             intersection_cost: 4.0,
+            cut: ByHand::default(),
             axes: Axes::Xyz,
             measure: Measure::Area,
         }
@@ -74,6 +78,7 @@ impl KdRule {
             shared::mailbox(&mut self.mailbox),
             shared::traversal_cost(&mut self.traversal_cost),
             shared::intersection_cost(&mut self.intersection_cost),
+            shared::cut(&mut self.cut),
         ]
     }
 }

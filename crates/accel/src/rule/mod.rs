@@ -2,6 +2,7 @@
 
 mod bsp;
 mod bvh;
+mod by_hand;
 mod grid;
 mod kd;
 mod nested;
@@ -11,6 +12,7 @@ mod shared;
 
 pub use bsp::{BspPlanes, BspRule, Straddlers};
 pub use bvh::{BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume};
+pub use by_hand::{ByHand, HandCut};
 pub use grid::{GridRule, Resolution};
 pub use kd::{KdRule, KdSplit};
 pub use nested::NestedRule;
@@ -99,10 +101,20 @@ impl Rule {
         self
     }
 
+    /// The cuts that are chosen by hand, where a structure takes some: along the axes, from the top.
+    pub fn by_hand(&self) -> Option<&ByHand> {
+        match self {
+            Rule::Kd(rule) => Some(&rule.cut),
+            Rule::Bvh(rule) if rule.builder == BvhBuilder::TopDown => Some(&rule.cut),
+            _ => None,
+        }
+    }
+
     /// What can be set, with the values it has now.
     pub fn parameters(&self) -> Vec<Parameter> {
         let mut rule = *self;
-        rule.slots().into_iter().map(Slot::parameter).collect()
+        // Cuts that nobody has chosen are no parameter.
+        rule.slots().into_iter().filter(|slot| !slot.is_unset()).map(Slot::parameter).collect()
     }
 
     /// Sets the parameter called `key` to the value that `text` spells.
@@ -167,7 +179,7 @@ mod tests {
             "max_dept",
             "8",
             "kd has no parameter \"max_dept\"; did you mean \"max_depth\"? (split, max_depth, min_objects, \
-             empty_bonus, mailbox, traversal_cost or intersection_cost)",
+             empty_bonus, mailbox, traversal_cost, intersection_cost or cut)",
         );
         check(Rule::default_for("kd"), "max_depth", "-1", "max_depth = -1: allowed is a whole number from 0 to 64");
         check(
@@ -177,6 +189,12 @@ mod tests {
             "split = sahh: allowed is middle, median or sah; did you mean \"sah\"?",
         );
         check(Rule::default_for("kd"), "empty_bonus", "NaN", "empty_bonus = NaN: allowed is a number from 0 to 1");
+        check(
+            Rule::default_for("kd"),
+            "cut",
+            "x=2",
+            "cut = x=2: allowed is none, or cuts such as 0:x=2.5: the node, the axis, where",
+        );
         check(Rule::default_for("grid"), "mailbox", "yes", "mailbox = yes: allowed is true or false");
     }
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::ByHand;
+
 /// One parameter of a rule, as a control or a help page shows it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
@@ -36,6 +38,8 @@ pub enum Allowed {
     },
     /// `true` or `false`.
     Flag,
+    /// Cuts that are chosen by hand.
+    Cuts,
 }
 
 /// A rule that cannot be followed.
@@ -83,6 +87,7 @@ pub(super) enum Field<'a> {
     Count(&'a mut u32, u32, u32),
     Real(&'a mut f32, f32, f32),
     Flag(&'a mut bool),
+    Cuts(&'a mut ByHand),
 }
 
 /// An enum whose values are words.
@@ -113,6 +118,11 @@ macro_rules! choice {
 pub(super) use choice;
 
 impl Slot<'_> {
+    /// Whether it holds what nobody has chosen.
+    pub(super) fn is_unset(&self) -> bool {
+        matches!(&self.field, Field::Cuts(cuts) if cuts.is_empty())
+    }
+
     pub(super) fn parameter(self) -> Parameter {
         let allowed = self.allowed();
         let value = match self.field {
@@ -120,6 +130,7 @@ impl Slot<'_> {
             Field::Count(count, ..) => count.to_string(),
             Field::Real(real, ..) => real.to_string(),
             Field::Flag(flag) => flag.to_string(),
+            Field::Cuts(cuts) => cuts.to_string(),
         };
         Parameter { key: self.key, value, allowed, about: self.about }
     }
@@ -138,6 +149,7 @@ impl Slot<'_> {
                 *real = text.parse().ok().filter(|x| (min..=max).contains(x)).ok_or(wrong)?;
             }
             Field::Flag(flag) => *flag = text.parse().map_err(|_| wrong)?,
+            Field::Cuts(cuts) => *cuts = ByHand::read(text).ok_or(wrong)?,
         }
         Ok(())
     }
@@ -148,6 +160,7 @@ impl Slot<'_> {
             &Field::Count(_, min, max) => Allowed::Count { min, max },
             &Field::Real(_, min, max) => Allowed::Real { min, max },
             Field::Flag(_) => Allowed::Flag,
+            Field::Cuts(_) => Allowed::Cuts,
         }
     }
 }
@@ -159,6 +172,7 @@ impl fmt::Display for Allowed {
             Allowed::Count { min, max } => write!(f, "a whole number from {min} to {max}"),
             Allowed::Real { min, max } => write!(f, "a number from {min} to {max}"),
             Allowed::Flag => f.write_str("true or false"),
+            Allowed::Cuts => f.write_str("none, or cuts such as 0:x=2.5: the node, the axis, where"),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Parameters that several kinds of structure have: when a node stays a leaf, what work costs, the mailbox.
 
+use super::ByHand;
 use super::parameter::{Field, Slot};
 
 /// How deep a tree may become.
@@ -14,6 +15,11 @@ pub(super) fn min_objects(count: &mut u32, least: u32) -> Slot<'_> {
         about: "nodes with so few primitives stay leaves",
         field: Field::Count(count, least, 1000),
     }
+}
+
+/// Which nodes are cut where somebody wants it.
+pub(super) fn cut(cuts: &mut ByHand) -> Slot<'_> {
+    Slot { key: "cut", about: "where nodes are cut by hand", field: Field::Cuts(cuts) }
 }
 
 /// Whether rays keep a mailbox.

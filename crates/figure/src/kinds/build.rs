@@ -1,16 +1,16 @@
 //! The building of a structure.
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Grow, Place, Primitives, Prims, Structure};
+use raystep_accel::{Aabb, Grow, HandCut, Place, Primitives, Prims, Structure};
 
 use super::detail::small;
 use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, TreeView, cells_of_build, changed_of_build, costs, ghost_of_build, legend, listing, space_of_build_to,
-    stack_of_build, symbol_of_build_at, timeline_of_build, tree_height, tree_of_build, weighed, weighing,
-    work_of_build,
+    Ask, CutLine, Pane, TreeView, cells_of_build, changed_of_build, costs, cut_line, cut_to, ghost_of_build, legend,
+    listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build, tree_height, tree_of_build,
+    weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, counted};
@@ -180,6 +180,14 @@ impl Kind for Build<'_> {
         let moment: &GrowMoment = at.state();
         let stored = counted(moment.tally.stored, "reference stored", "references stored");
         weighed(self, moment).map_or_else(|| stored.clone(), |weighed| format!("{weighed} · {stored}"))
+    }
+
+    fn cut_line(&self, at: &Instant, ask: &Ask<'_>) -> Option<CutLine> {
+        cut_line(self, at.state(), ask).filter(|_| self.weighs_in_the_plane())
+    }
+
+    fn cut_to(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
+        cut_to(self, at.state(), ask, point).filter(|_| self.weighs_in_the_plane())
     }
 
     fn guess(&self, at: &mut Instant, guesses: &[Guess]) {

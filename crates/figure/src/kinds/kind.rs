@@ -1,11 +1,11 @@
 //! What a kind of picture says of itself.
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Cost, Direction, Place, Prims};
+use raystep_accel::{Aabb, Cost, Direction, HandCut, Place, Prims};
 
 use super::Instant;
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, Pane, RulerScale, symbol_on_track};
+use crate::panes::{Ask, CutLine, Pane, RulerScale, symbol_on_track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName};
 use crate::world::{Depth, Form, Space};
@@ -145,6 +145,18 @@ pub trait Kind {
     fn tally(&self, at: &Instant) -> String {
         let _ = at;
         String::new()
+    }
+
+    /// The line of the cut that is weighed, where it can be taken in the hand.
+    fn cut_line(&self, at: &Instant, ask: &Ask<'_>) -> Option<CutLine> {
+        let _ = (at, ask);
+        None
+    }
+
+    /// The cut that stands where its line is moved to.
+    fn cut_to(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
+        let _ = (at, ask, point);
+        None
     }
 
     /// Shows the answers of an open question where they lie. What happens knows nothing of them.

@@ -3,11 +3,11 @@
 use std::borrow::Cow;
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Cost, Place};
+use raystep_accel::{Aabb, Cost, HandCut, Place};
 
 use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, Pane, RulerScale, legend, line_at, track};
+use crate::panes::{Ask, CutLine, Pane, RulerScale, legend, line_at, track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol};
 use crate::world::{Depth, Form, Space, SpaceMark, edges};
@@ -129,6 +129,16 @@ impl<'a> Still<'a> {
     /// The symbol whose name stands at this point of the timeline that is asked for.
     pub fn symbol_at(&self, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {
         self.kind.symbol_at(self.at, ask, point)
+    }
+
+    /// The line of the cut that is weighed in the picture that is asked for, where it can be taken in the hand.
+    pub fn cut_line(&self, ask: &Ask<'_>) -> Option<CutLine> {
+        self.kind.cut_line(self.at, ask)
+    }
+
+    /// The cut that stands where its line is moved to.
+    pub fn cut_to(&self, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
+        self.kind.cut_to(self.at, ask, point)
     }
 
     /// How many rows its stack has.

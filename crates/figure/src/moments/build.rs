@@ -24,6 +24,8 @@ pub struct Build<'a> {
     pub events: &'a [Grow],
     /// How many more events there were than the recording holds, by their names.
     pub lost: &'a BTreeMap<&'static str, u64>,
+    /// What the builder weighed at the step that is shown, where another cut is tried instead of it.
+    pub instead: Option<Grow>,
     /// Whether the scene is flat.
     pub flat: bool,
 }
@@ -152,6 +154,13 @@ pub struct Weighed {
     pub cost: f32,
     /// In a BSP tree, how the plane stands.
     pub free: Option<FreePlane>,
+}
+
+impl Weighed {
+    /// The cheapest of some; the first of equals.
+    pub fn cheapest(weighed: &[Weighed]) -> Option<Weighed> {
+        weighed.iter().copied().reduce(|best, next| if next.cost < best.cost { next } else { best })
+    }
 }
 
 impl Default for GrowMoment {
@@ -312,7 +321,7 @@ impl GrowMoment {
 
     /// The cheapest split weighed so far; the first of equals.
     pub fn cheapest(&self) -> Option<Weighed> {
-        self.weighed.iter().copied().reduce(|best, next| if next.cost < best.cost { next } else { best })
+        Weighed::cheapest(&self.weighed)
     }
 
     /// The path from the root to the node under consideration.

@@ -141,6 +141,18 @@ impl Figure {
         Figure { size, marks: Vec::new() }
     }
 
+    /// The middle of what a place looks like here: of the smallest box, disc or text that is about it.
+    pub fn middle_of(&self, place: Place) -> Option<Vec2> {
+        let of_place = self.marks.iter().filter(|mark| mark.place == Some(place));
+        let middles = of_place.filter_map(|mark| match mark.ink {
+            Ink::Rect { min, max, .. } => Some(((min + max) * 0.5, (max - min).element_product().abs())),
+            Ink::Circle { center, radius } => Some((center, 4.0 * radius * radius)),
+            Ink::Text { at, .. } => Some((at, f32::MAX)),
+            _ => None,
+        });
+        middles.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(middle, _)| middle)
+    }
+
     /// Adds a mark on top.
     pub fn add(&mut self, role: Role, place: Option<Place>, ink: Ink) {
         self.marks.push(Mark { ink, role, place });

@@ -2,11 +2,13 @@
 
 mod figure;
 mod look;
+mod motion;
 mod table;
 mod ticks;
 
 pub use figure::{Anchor, Figure, Image, Ink, Mark};
 pub use look::{Look, nothing};
 pub(crate) use look::{block, line, wrapped, write};
+pub use motion::Motion;
 pub(crate) use table::{Entry, Table};
 pub(crate) use ticks::Ticks;

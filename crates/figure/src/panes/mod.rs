@@ -35,6 +35,7 @@ pub use timeline::{Track, timeline, timeline_of_build};
 pub(crate) use timeline::{symbol_at, symbol_of_build_at, symbol_on_track, track};
 pub use tree::{TreeView, tree, tree_height, tree_of_build};
 pub(crate) use walks::{Walker, walks};
-pub(crate) use weighing::weighing;
+pub use weighing::CutLine;
+pub(crate) use weighing::{cut_line, cut_to, weighing};
 pub(crate) use work::weighed;
 pub use work::{tested, work, work_of_build};

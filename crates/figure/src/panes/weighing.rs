@@ -1,12 +1,15 @@
 //! How a flat node may be divided, all in one picture: space with the two sides, under it the costs along x, beside it
 //! those along y, on the same axes; and what the chances of the two sides come from.
 
+mod held;
 mod plots;
 mod sides;
 
 use glam::Vec2;
 use raystep_accel::{Aabb, Axis, Grow, NodeId, Place};
 
+pub use self::held::CutLine;
+pub(crate) use self::held::{cut_line, cut_to};
 use self::plots::Plot;
 use self::sides::Sides;
 use super::Ask;
@@ -54,27 +57,8 @@ impl Candidate {
 pub(crate) fn weighing(build: &Build<'_>, moment: &GrowMoment, ask: &Ask<'_>) -> Figure {
     let Ask { size, ref look, hide, .. } = *ask;
     let mut figure = Figure::new(size);
-    let u = look.text;
     let now = moment.event.and_then(Candidate::of);
-    let node = moment.node.and_then(|id| moment.nodes.get_key_value(&id));
-
-    // Where everything stands: fixed, whatever is weighed. Where nothing is, space takes all of it.
-    let weighs = !moment.weighed.is_empty() || node.is_some_and(|(id, _)| !ahead(build, moment, *id).is_empty());
-    let chances = if weighs && size.y > u * 38.0 { u * 8.2 } else { 0.0 };
-    let costs = if weighs { (size.y * 0.27).clamp(u * 8.0, u * 16.0) + u * 3.0 } else { 0.0 };
-    let beside = if weighs { (size.x * 0.2).clamp(u * 9.0, u * 15.0) + u * 3.4 } else { 0.0 };
-    let (left, top) = (u * 3.6, u * 2.6);
-    let room = Vec2::new(size.x - left - beside - u * 2.2, size.y - top - costs - chances - u * 2.6);
-    let world = build.nodes.reach();
-    let small = |bounds: &Aabb| bounds.extent().length() < SMALL * world.extent().length();
-    let alone = node.map(|(_, node)| node.bounds).filter(small);
-    let seen = alone.map_or(world, |bounds| bounds.padded(bounds.extent().length() * 0.06));
-    let extent = seen.extent().truncate().max(Vec2::splat(1e-6));
-    let scale = (room / extent).min_element().max(1e-6);
-    let min = Vec2::new(left + (room.x - extent.x * scale) * 0.5, top);
-    let max = min + extent * scale;
-    let space = Area { min, max, seen };
-
+    let Layout { space, costs, beside, chances } = Layout::of(build, moment, size, look);
     let sides = now.map(|now| Sides::of(build, now.node, now.axis, now.plane, now.below));
     let known = ask.space.cloned().unwrap_or_else(|| space_of_build(build, moment));
     picture(&mut figure, build, moment, known, &space, sides.as_ref().filter(|_| !hide), look);
@@ -102,6 +86,39 @@ fn ahead(build: &Build<'_>, moment: &GrowMoment, node: NodeId) -> Vec<Weighed> {
     weighed.collect()
 }
 
+/// Where everything stands: fixed, whatever is weighed. Where nothing is, space takes all of it.
+struct Layout {
+    space: Area,
+    /// How high the plot of x is with its list.
+    costs: f32,
+    /// How wide the plot of y is with its list.
+    beside: f32,
+    /// How high the bars of the chances are.
+    chances: f32,
+}
+
+impl Layout {
+    fn of(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Layout {
+        let u = look.text;
+        let node = moment.node.and_then(|id| moment.nodes.get_key_value(&id));
+        let weighs = !moment.weighed.is_empty() || node.is_some_and(|(id, _)| !ahead(build, moment, *id).is_empty());
+        let chances = if weighs && size.y > u * 38.0 { u * 8.2 } else { 0.0 };
+        let costs = if weighs { (size.y * 0.27).clamp(u * 8.0, u * 16.0) + u * 3.0 } else { 0.0 };
+        let beside = if weighs { (size.x * 0.2).clamp(u * 9.0, u * 15.0) + u * 3.4 } else { 0.0 };
+        let (left, top) = (u * 3.6, u * 2.6);
+        let room = Vec2::new(size.x - left - beside - u * 2.2, size.y - top - costs - chances - u * 2.6);
+        let world = build.nodes.reach();
+        let small = |bounds: &Aabb| bounds.extent().length() < SMALL * world.extent().length();
+        let alone = node.map(|(_, node)| node.bounds).filter(small);
+        let seen = alone.map_or(world, |bounds| bounds.padded(bounds.extent().length() * 0.06));
+        let extent = seen.extent().truncate().max(Vec2::splat(1e-6));
+        let scale = (room / extent).min_element().max(1e-6);
+        let min = Vec2::new(left + (room.x - extent.x * scale) * 0.5, top);
+        let max = min + extent * scale;
+        Layout { space: Area { min, max, seen }, costs, beside, chances }
+    }
+}
+
 /// The part of the page that shows space, and what it shows.
 struct Area {
     min: Vec2,
@@ -114,6 +131,26 @@ impl Area {
     fn at(&self, axis: Axis, value: f32) -> f32 {
         let (low, high) = (self.seen.min[axis], self.seen.max[axis]);
         let share = ((value - low) / (high - low).max(1e-9)).clamp(-0.2, 1.2);
+        match axis {
+            Axis::Y => self.max.y + (self.min.y - self.max.y) * share,
+            _ => self.min.x + (self.max.x - self.min.x) * share,
+        }
+    }
+}
+
+impl Area {
+    /// The coordinate along an axis that lies there on the page.
+    fn value(&self, axis: Axis, at: f32) -> f32 {
+        let (low, high) = (self.seen.min[axis], self.seen.max[axis]);
+        let share = match axis {
+            Axis::Y => (at - self.max.y) / (self.min.y - self.max.y),
+            _ => (at - self.min.x) / (self.max.x - self.min.x),
+        };
+        low + (high - low) * share
+    }
+
+    /// Where a share of the picture's side lies on the page, along an axis.
+    fn along(&self, axis: Axis, share: f32) -> f32 {
         match axis {
             Axis::Y => self.max.y + (self.min.y - self.max.y) * share,
             _ => self.min.x + (self.max.x - self.min.x) * share,

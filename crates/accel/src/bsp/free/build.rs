@@ -6,7 +6,7 @@ use super::fragment::Fragment;
 use super::{Bsp, BspNode, ConvexCell, FreePlane};
 use crate::bsp::{Cutter, Half, Stops};
 use crate::events::patiently;
-use crate::{Aabb, BspRule, Cancelled, Grow, Margin, NodeId, Observer, PrimId, Primitives, Random, Straddlers};
+use crate::{Aabb, BspRule, ByHand, Cancelled, Grow, Margin, NodeId, Observer, PrimId, Primitives, Random, Straddlers};
 
 impl Bsp {
     /// Builds a BSP tree over `prims`.
@@ -15,7 +15,13 @@ impl Bsp {
     /// `watch` asked to give up.
     pub fn build(prims: &impl Primitives, rule: &BspRule, watch: &mut impl Observer<Grow>) -> Result<Bsp, Cancelled> {
         let &BspRule { max_depth, min_objects, mailbox, .. } = rule;
-        let stops = Stops { max_depth, min_objects, test_cost: Some(rule.intersection_cost), mailbox };
+        let stops = Stops {
+            max_depth,
+            min_objects,
+            test_cost: Some(rule.intersection_cost),
+            by_hand: ByHand::default(),
+            mailbox,
+        };
         let random = Random::new(rule.seed.into());
         Bsp::grow(prims, Cells { prims, rule, random, pad: 0.0 }, stops, watch)
     }

@@ -1,7 +1,7 @@
 //! The costs of the ways to divide a node: along x under the picture, along y beside it, on the picture's own axes.
 
 use glam::Vec2;
-use raystep_accel::{Axis, Direction, NodeId, Place, PrimId, Primitives, Structure};
+use raystep_accel::{Axis, Direction, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
 use super::sides::members;
 use super::{Area, Candidate, ROWS, ahead};
@@ -25,21 +25,54 @@ pub(super) struct Plot<'a> {
 }
 
 /// The node's primitives in the order of their centres, each with a place on the page: a hierarchy is cut between two.
-struct Order {
+pub(super) struct Order {
     prims: Vec<PrimId>,
+}
+
+impl Order {
+    /// The sorted primitives, where a hierarchy has few.
+    pub(super) fn of(build: &Build<'_>, node: NodeId, axis: Axis) -> Option<Order> {
+        let Structure::Bvh(_) = build.structure else { return None };
+        let mut prims = members(build, node);
+        let center = |prim: &PrimId| build.prims.bounds(*prim).center()[axis];
+        prims.sort_by(|a, b| center(a).total_cmp(&center(b)).then(a.cmp(b)));
+        (prims.len() <= ROWS).then_some(Order { prims })
+    }
+
+    /// How far along the list a cut lies with so many below it.
+    pub(super) fn share(&self, below: u32) -> f32 {
+        below as f32 / self.prims.len().max(1) as f32
+    }
+
+    /// The first primitive above the cut that lies nearest to a share of the list.
+    pub(super) fn after(&self, share: f32) -> Option<PrimId> {
+        let last = self.prims.len().checked_sub(1)?;
+        let below = (share * self.prims.len() as f32).round().clamp(1.0, last.max(1) as f32);
+        self.prims.get(below as usize).copied()
+    }
+}
+
+/// Where a cut lies along its axis: between two primitives of the list, or at its plane.
+pub(super) fn place_of(space: &Area, axis: Axis, order: Option<&Order>, plane: f32, below: u32) -> f32 {
+    match order {
+        Some(order) => space.along(axis, order.share(below)),
+        None => space.at(axis, plane),
+    }
 }
 
 impl Plot<'_> {
     pub(super) fn draw(&mut self, now: Option<Candidate>) {
         let u = self.look.text;
         // Where nothing is weighed no list is cut either.
-        let listed = self.costs > 0.0 && self.moment.node.is_some_and(|node| self.order(node, Axis::X).is_some());
+        let listed =
+            self.costs > 0.0 && self.moment.node.is_some_and(|node| Order::of(self.build, node, Axis::X).is_some());
         for axis in [Axis::X, Axis::Y] {
             self.axis(axis, listed);
         }
         let Some(node) = self.moment.node else { return };
         let ahead = ahead(self.build, self.moment, node);
-        let all: Vec<Weighed> = self.moment.weighed.iter().copied().chain(ahead.iter().copied()).collect();
+        let (weighed, tried) = self.weighed();
+        let all: Vec<Weighed> = weighed.iter().copied().chain(ahead.iter().copied()).collect();
         // One scale of costs for both, of all that are weighed here: nothing jumps while they come.
         let finite = all.iter().map(|weighed| weighed.cost).filter(|cost| cost.is_finite());
         let (least, most) = finite.fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), cost| (a.min(cost), b.max(cost)));
@@ -58,12 +91,25 @@ impl Plot<'_> {
             self.scale(Axis::Y, &right);
         }
         for axis in [Axis::X, Axis::Y] {
-            let order = self.order(node, axis);
+            let order = Order::of(self.build, node, axis);
             self.list(axis, order.as_ref(), now);
             let scale = if axis == Axis::X { up } else { right };
-            self.curve(node, axis, order.as_ref(), &ahead, &scale, whole.as_ref(), now);
+            self.curve(node, axis, order.as_ref(), &weighed, tried, &ahead, &scale, whole.as_ref(), now);
         }
         self.legend(bottom);
+    }
+
+    /// What the builder has weighed at this node, and what somebody tries instead of the last of it.
+    fn weighed(&self) -> (Vec<Weighed>, Option<Weighed>) {
+        let mut weighed = self.moment.weighed.clone();
+        let own = self.build.instead.and_then(Candidate::of).filter(|_| !weighed.is_empty());
+        let Some(Grow::Weigh { axis, plane, below, above, cost, .. }) = self.build.instead.filter(|_| own.is_some())
+        else {
+            return (weighed, None);
+        };
+        let tried = weighed.pop();
+        weighed.push(Weighed { axis, plane, below, above, cost, free: None });
+        (weighed, tried)
     }
 
     /// Where the plot of x begins, under the picture and a list.
@@ -174,30 +220,6 @@ impl Plot<'_> {
         Some((format!("not divided: {} · {prims} = {}", number(test), number(cost)), cost))
     }
 
-    /// The sorted primitives, where a hierarchy has few.
-    fn order(&self, node: NodeId, axis: Axis) -> Option<Order> {
-        let Structure::Bvh(_) = self.build.structure else { return None };
-        let mut prims = members(self.build, node);
-        let center = |prim: &PrimId| self.build.prims.bounds(*prim).center()[axis];
-        prims.sort_by(|a, b| center(a).total_cmp(&center(b)).then(a.cmp(b)));
-        (prims.len() <= ROWS).then_some(Order { prims })
-    }
-
-    /// Where a cut lies along its axis: between two primitives of the list, or at its plane.
-    fn place_of(&self, axis: Axis, order: Option<&Order>, weighed: &Weighed) -> f32 {
-        let space = self.space;
-        match order {
-            Some(order) => {
-                let share = weighed.below as f32 / order.prims.len().max(1) as f32;
-                match axis {
-                    Axis::Y => space.max.y + (space.min.y - space.max.y) * share,
-                    _ => space.min.x + (space.max.x - space.min.x) * share,
-                }
-            }
-            None => space.at(axis, weighed.plane),
-        }
-    }
-
     /// The list of primitives along an axis, each joined to its centre.
     fn list(&mut self, axis: Axis, order: Option<&Order>, now: Option<Candidate>) {
         let Some(order) = order else { return };
@@ -248,6 +270,8 @@ impl Plot<'_> {
         node: NodeId,
         axis: Axis,
         order: Option<&Order>,
+        weighed: &[Weighed],
+        tried: Option<Weighed>,
         ahead: &[Weighed],
         scale: &Ticks,
         whole: Option<&(String, f32)>,
@@ -260,19 +284,27 @@ impl Plot<'_> {
         let edge = if order.is_some() { edge + u * 2.5 } else { edge };
         let point =
             |across: f32, along: f32| if axis == Axis::Y { Vec2::new(along, across) } else { Vec2::new(across, along) };
-        let cost_at = |weighed: &Weighed| point(self.place_of(axis, order, weighed), scale.x(weighed.cost));
+        let (low, high) = (scale.left.min(scale.right), scale.left.max(scale.right));
+        let cost_at = |weighed: &Weighed| {
+            let across = place_of(space, axis, order, weighed.plane, weighed.below);
+            point(across, scale.x(weighed.cost).clamp(low, high))
+        };
         let tick = |weighed: &Weighed, length: f32| {
-            let across = self.place_of(axis, order, weighed);
+            let across = place_of(space, axis, order, weighed.plane, weighed.below);
             line(point(across, edge), point(across, edge + length))
         };
         let waits: Vec<Ink> = ahead.iter().filter(own).map(|weighed| tick(weighed, u * 0.5)).collect();
-        let done: Vec<Weighed> = self.moment.weighed.iter().filter(own).copied().collect();
+        let done: Vec<Weighed> = weighed.iter().filter(own).copied().collect();
         let ticks: Vec<Ink> = done.iter().map(|weighed| tick(weighed, u * 0.6)).collect();
         let mut points: Vec<Vec2> = done.iter().map(cost_at).collect();
-        let least = self.moment.cheapest().filter(|least| own(&least));
-        let least = least.map(|least| (cost_at(&least), tick(&least, u * 0.7), least.cost));
-        let here = now.filter(|now| now.axis == axis).and_then(|_| done.last()).map(|last| (cost_at(last), *last));
+        let cheapest = Weighed::cheapest(weighed).filter(|least| own(&least));
+        let least = cheapest.map(|least| (cost_at(&least), tick(&least, u * 0.7), least.cost));
+        let last = tried.or(done.last().copied());
+        let here = now.filter(|now| now.axis == axis).and(last).map(|last| (cost_at(&last), last));
         let taken = self.moment.nodes.get(&node).and_then(|node| node.split);
+        let is_taken = |weighed: &Weighed| taken.is_some_and(|t| (t.axis, t.plane) == (weighed.axis, weighed.plane));
+        let by_hand = done.iter().rfind(|weighed| is_taken(weighed) && cheapest != Some(**weighed));
+        let by_hand = by_hand.map(|weighed| (cost_at(weighed), weighed.cost));
         self.figure.marks.extend(waits.into_iter().map(|ink| crate::page::Mark { ink, role: Role::Hidden, place }));
         if self.hide {
             for ink in ticks {
@@ -307,15 +339,19 @@ impl Plot<'_> {
         if let Some((at, ink, cost)) = least {
             self.figure.add(Role::Best, place, ink);
             self.figure.add(Role::Best, place, Ink::Circle { center: at, radius: u * 0.34 });
-            let says = if taken.is_some() {
-                format!("taken: {}", number(cost))
-            } else {
-                format!("least so far: {}", number(cost))
+            let says = match taken {
+                Some(_) if cheapest.is_some_and(|least| is_taken(&least)) => format!("taken: {}", number(cost)),
+                Some(_) => format!("least: {}", number(cost)),
+                None => format!("least so far: {}", number(cost)),
             };
             self.beside_dot(axis, at, &says, Role::Best, u * 1.3);
         }
+        if let Some((center, cost)) = by_hand {
+            self.figure.add(Role::Tick, place, Ink::Circle { center, radius: u * 0.5 });
+            self.beside_dot(axis, center, &format!("taken by hand: {}", number(cost)), Role::Value, -u * 1.3);
+        }
         if let Some((at, last)) = here {
-            let across = self.place_of(axis, order, &last);
+            let across = place_of(space, axis, order, last.plane, last.below);
             let cut = match axis {
                 Axis::Y => line(Vec2::new(space.min.x, across), at),
                 _ => line(Vec2::new(across, space.min.y), at),
@@ -324,7 +360,9 @@ impl Plot<'_> {
             let cut = if order.is_some() { line(point(across, edge - u * 1.6), at) } else { cut };
             self.figure.add(Role::Value, place, cut);
             self.figure.add(Role::Tick, place, Ink::Circle { center: at, radius: u * 0.5 });
-            self.beside_dot(axis, at, &format!("cost {}", number(last.cost)), Role::Value, -u * 1.3);
+            let cut = VolumeName::of(self.build.structure).cut;
+            let whose = if tried.is_some() { format!("your {cut}:") } else { "cost".to_owned() };
+            self.beside_dot(axis, at, &format!("{whose} {}", number(last.cost)), Role::Value, -u * 1.3);
             let says = match order {
                 Some(_) => format!("{} | {}", last.below, last.above),
                 None => format!("{axis} = {}", number(last.plane)),

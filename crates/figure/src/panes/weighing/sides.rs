@@ -93,8 +93,15 @@ mod tests {
             let structure = Structure::build(&prims, &rule.flat(), &mut events).unwrap();
             let nodes = Nodes::of(&structure);
             let lost = std::collections::BTreeMap::new();
-            let build =
-                Build { structure: &structure, nodes: &nodes, prims: &prims, events: &events, lost: &lost, flat: true };
+            let build = Build {
+                structure: &structure,
+                nodes: &nodes,
+                prims: &prims,
+                events: &events,
+                lost: &lost,
+                instead: None,
+                flat: true,
+            };
             let mut weighed = 0;
             for event in &events {
                 let Grow::Weigh { node, axis, plane, below, above, .. } = *event else { continue };
