@@ -7,7 +7,7 @@ use raystep::shown::{RayChoice, command::Command};
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::Grain;
 use raystep_figure::{Face, text_width};
-use raystep_lesson::{Facts, Library, Slide};
+use raystep_lesson::{Facts, Library, Plays, Slide};
 
 type Window = Harness<'static, App>;
 
@@ -22,7 +22,7 @@ fn window(slide: Option<&str>, size: [f32; 2]) -> Window {
 
 /// Runs frames until the walk that is asked for is there.
 fn settle(harness: &mut Window) {
-    for _ in 0..2000 {
+    for _ in 0..6000 {
         harness.run_steps(3);
         if harness.state().state.is_current() {
             return;
@@ -152,7 +152,7 @@ fn structure(harness: &Window) -> Rect {
 #[test]
 fn the_buttons_stand_still_from_slide_to_slide() {
     for size in [[1600.0, 1000.0], [1440.0, 900.0], [1390.0, 800.0], [1280.0, 800.0], [1024.0, 768.0], [900.0, 600.0]] {
-        let mut harness = window(None, size);
+        let mut harness = window(Some("5/33"), size);
         let names = ["Predict", "Present", "Compare", "Flat", "Solid", "More", "Next slide", "Previous slide"];
         let first: Vec<(&str, Rect)> =
             names.into_iter().filter_map(|name| Some((name, rect(&harness, name)?))).collect();
@@ -174,6 +174,10 @@ fn the_buttons_stand_still_from_slide_to_slide() {
         for index in 0..ids().len() {
             harness.state_mut().state.show_slide(index);
             settle(&mut harness);
+            // A board has neither stages nor a structure to choose.
+            if harness.state().state.slide().unwrap().plays == Plays::Board {
+                continue;
+            }
             check(&harness, &format!("slide {index}"));
         }
         // Nor when a parameter is changed, where there is one of that name.

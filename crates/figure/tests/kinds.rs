@@ -94,6 +94,7 @@ fn a_build_has_stored_at_its_end_what_the_structure_refers_to() {
             prims: &prims,
             events: &grown,
             lost: &Default::default(),
+            instead: None,
             flat: true,
         };
         let mut at = build.start();

@@ -134,6 +134,9 @@ fn distance(shape: &Shape<'_>, part: Part, at: Vec2) -> f32 {
 
 /// The shape with a part of it moved.
 fn moved(shape: &Shape<'_>, part: Part, from: Vec2, to: Vec2, step: f32) -> Option<Shape<'static>> {
+    if !parts(shape).contains(&part) {
+        return None;
+    }
     let number = |value: f32| on_grid(value.into(), step);
     let on = |at: Vec2| Vec2::new(number(at.x), number(at.y));
     let by = to - from;

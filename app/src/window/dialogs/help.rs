@@ -29,8 +29,6 @@ const COLUMNS: [&[Group]; 2] = [
         ),
         ("Questions", &[Command::Predict, Command::Answer(0), Command::Skip]),
         ("Slides", &[Command::NextSlide, Command::PreviousSlide, Command::Restore, Command::Undo, Command::Redo]),
-    ],
-    &[
         (
             "The picture",
             &[
@@ -45,22 +43,22 @@ const COLUMNS: [&[Group]; 2] = [
                 Command::Copy,
             ],
         ),
-        (
-            "The window",
-            &[
-                Command::ByHand,
-                Command::Present,
-                Command::FullScreen,
-                Command::Open,
-                Command::Cancel,
-                Command::Palette,
-                Command::ZoomIn,
-                Command::ZoomOut,
-                Command::ZoomReset,
-                Command::Help,
-            ],
-        ),
     ],
+    &[(
+        "The window",
+        &[
+            Command::ByHand,
+            Command::Present,
+            Command::FullScreen,
+            Command::Open,
+            Command::Cancel,
+            Command::Palette,
+            Command::ZoomIn,
+            Command::ZoomOut,
+            Command::ZoomReset,
+            Command::Help,
+        ],
+    )],
 ];
 
 /// What the mouse does.

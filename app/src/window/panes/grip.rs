@@ -107,16 +107,20 @@ impl Picture<'_> {
         for (prim, part, at) in parts {
             let Some(place) = self.on_page(rect, at).filter(|place| rect.contains(*place)) else { continue };
             let name = part_name(scene, prim, part);
-            let knob = response.id.with((0, prim.0, part));
+            let knob = response.id.with(("shape", prim.0, part));
             let Some((by, first)) = self.knocked(ui, knob, place, &name, scene.step()) else { continue };
             happened.begins |= first;
             let grasp = Grasp { prim, part, from: at, scene: scene.clone() };
             happened.moved = Some(Moved { grasp, to: at + by });
         }
-        for (node, axis, sheet) in self.sheets().collect::<Vec<_>>() {
+        // A plane may be drawn in parts: the focus takes it as one.
+        let mut sheets: Vec<_> = self.sheets().collect();
+        sheets.sort_by_key(|(node, ..)| *node);
+        sheets.dedup_by_key(|(node, ..)| *node);
+        for (node, axis, sheet) in sheets {
             let middle = sheet.center().truncate();
             let Some(place) = self.on_page(rect, middle).filter(|place| rect.contains(*place)) else { continue };
-            let (knob, name) = (response.id.with((1, node.0)), format!("Plane of node {node}, across {axis}"));
+            let (knob, name) = (response.id.with(("plane", node.0)), format!("Plane of node {node}, across {axis}"));
             let Some((by, first)) = self.knocked(ui, knob, place, &name, scene.step()) else { continue };
             let (from, by) = if axis == Axis::Y { (middle.y, by.y) } else { (middle.x, by.x) };
             happened.cut = self.cut_at(node, axis, from + by).filter(|_| by != 0.0);

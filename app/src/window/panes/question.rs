@@ -82,7 +82,13 @@ fn answer(ui: &mut Ui, choice: &Choice, index: usize, wrong: bool, width: f32, t
         .stroke(Stroke::new(1.5, ink(theme, role)))
         .corner_radius(6.0)
         .min_size(vec2(width, 40.0));
-    let response = ui.add_sized(vec2(width, 40.0), button);
+    // A long answer runs on in a second line.
+    let response = ui
+        .scope(|ui| {
+            ui.set_max_width(width);
+            ui.add(button.wrap())
+        })
+        .inner;
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Answer {letter}: {name}")));
     response
 }

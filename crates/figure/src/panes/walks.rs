@@ -25,13 +25,15 @@ pub(crate) struct Walker<'a> {
 pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
     let Ask { size, look, .. } = *ask;
-    let u = look.text;
     if walkers.len() > ABREAST {
         return map(walkers, ask);
     }
-    let ruler = Vec2::new(size.x, u * (6.0 + 1.9 * walkers.len() as f32));
-    let high = (size.y - ruler.y).max(u * 10.0);
     let wide = size.x / walkers.len().max(1) as f32;
+    // In a small window letters are smaller before anything is covered.
+    let look = Look { text: look.text.min(wide / 26.0).min(size.y / 44.0).max(7.0), ..look };
+    let u = look.text;
+    let ruler = Vec2::new(size.x, u * (6.6 + 1.9 * walkers.len() as f32));
+    let high = (size.y - ruler.y).max(u * 10.0);
     let waits = walkers.iter().any(|walker| walker.walk.structure.node_count() > 0);
     for (index, walker) in walkers.iter().enumerate() {
         let mut column = column(walker, waits, Vec2::new(wide, high), &look);
@@ -45,6 +47,8 @@ pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     figure.add(Role::Panel, None, line(Vec2::new(0.0, high), Vec2::new(size.x, high)));
     let shared = shared(walkers, t, ruler, &look);
     figure.marks.extend(shared.marks.into_iter().map(|mark| mark.moved(Vec2::new(0.0, high))));
+    // Nodes of different trees share their numbers: what lights up in one is another place in the next.
+    figure.marks.iter_mut().for_each(|mark| mark.place = None);
     figure
 }
 

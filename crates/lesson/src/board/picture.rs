@@ -60,8 +60,10 @@ pub struct Rendered {
 /// Pixels of a picture.
 const SIZE: [u32; 2] = [400, 250];
 
-/// Rays for a pixel of a scene without leaves: a grid of so many by so many.
-const FINE: u32 = 2;
+/// Rays for a pixel at an edge: a grid of so many by so many.
+const FINE: u32 = 3;
+/// Neighbours that differ by more than this lie at an edge.
+const EDGE: f32 = 0.03;
 
 /// Longer than any leaf or blade, in metres.
 const LONG: f32 = 0.7;
@@ -157,29 +159,28 @@ impl Camera<'_> {
         let [width, height] = SIZE;
         let size = Vec2::new(width as f32, height as f32);
         let (mut cost, mut rays) = (Cost::default(), 0_u64);
-        let mut rgba = Vec::with_capacity((width * height * 4) as usize);
-        // Leaves are smaller than a pixel anyhow; smooth things get smooth edges.
-        let fine = if matches!(self.scene.prims, Prims::Instances(_)) { 1 } else { FINE };
+        let mut colors: Vec<Vec3> = Vec::with_capacity((width * height) as usize);
         for y in 0..height {
             if watch.cancelled() {
                 return Err(Cancelled);
             }
-            for x in 0..width {
-                let mut color = Vec3::ZERO;
-                for sample in 0..fine * fine {
-                    let within = (Vec2::new((sample % fine) as f32, (sample / fine) as f32) + 0.5) / fine as f32;
-                    let at = ((Vec2::new(x as f32, y as f32) + within) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
-                    let View { eye, target, up, fov_degrees } = self.view;
-                    color += match pinhole(eye, target, up, fov_degrees, at, size.x / size.y) {
-                        Ok(ray) => self.color(&ray, &mut cost, &mut rays),
-                        Err(_) => Vec3::ONE,
-                    };
-                }
-                color /= (fine * fine) as f32;
-                // Bytes as screens have them: twice the square root is near enough, and the same everywhere.
-                let byte = |channel: f32| (channel.clamp(0.0, 1.0).sqrt() * 255.0 + 0.5) as u8;
-                rgba.extend([byte(color.x), byte(color.y), byte(color.z), 255]);
+            let middle = |x: u32| Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size;
+            colors.extend((0..width).map(|x| self.through(middle(x), &mut cost, &mut rays)));
+        }
+        // Leaves are smaller than a pixel anyhow; smooth things get smooth edges.
+        let smooth = !matches!(self.scene.prims, Prims::Instances(_));
+        let mut rgba = Vec::with_capacity(colors.len() * 4);
+        for (index, &color) in colors.iter().enumerate() {
+            let (x, y) = (index as u32 % width, index as u32 / width);
+            if x == 0 && watch.cancelled() {
+                return Err(Cancelled);
             }
+            let beside = [(x + 1 < width).then(|| index + 1), (y + 1 < height).then(|| index + width as usize)];
+            let edge = beside.into_iter().flatten().any(|other| (colors[other] - color).abs().max_element() > EDGE);
+            let color = if smooth && edge { self.averaged(x, y, size, &mut cost, &mut rays) } else { color };
+            // Bytes as screens have them: the square root is near enough, and the same everywhere.
+            let byte = |channel: f32| (channel.clamp(0.0, 1.0).sqrt() * 255.0 + 0.5) as u8;
+            rgba.extend([byte(color.x), byte(color.y), byte(color.z), 255]);
         }
         let triangles = match &self.scene.prims {
             Prims::Instances(instances) => instances.triangles(),
@@ -187,6 +188,26 @@ impl Camera<'_> {
         };
         let tests = cost.prim_tests as f64 / rays.max(1) as f64;
         Ok(Rendered { size: SIZE, rgba: rgba.into(), triangles, rays, tests })
+    }
+
+    /// The light that comes through a point of the page: (0, 0) is its upper left corner, (1, 1) its lower right one.
+    fn through(&self, at: Vec2, cost: &mut Cost, rays: &mut u64) -> Vec3 {
+        let at = (at * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+        let View { eye, target, up, fov_degrees } = self.view;
+        match pinhole(eye, target, up, fov_degrees, at, SIZE[0] as f32 / SIZE[1] as f32) {
+            Ok(ray) => self.color(&ray, cost, rays),
+            Err(_) => Vec3::ONE,
+        }
+    }
+
+    /// The mean of several rays through a pixel.
+    fn averaged(&self, x: u32, y: u32, size: Vec2, cost: &mut Cost, rays: &mut u64) -> Vec3 {
+        let mut sum = Vec3::ZERO;
+        for sample in 0..FINE * FINE {
+            let within = (Vec2::new((sample % FINE) as f32, (sample / FINE) as f32) + 0.5) / FINE as f32;
+            sum += self.through((Vec2::new(x as f32, y as f32) + within) / size, cost, rays);
+        }
+        sum / (FINE * FINE) as f32
     }
 
     /// The light that comes along a ray, red, green and blue, 1 being white.

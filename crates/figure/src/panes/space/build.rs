@@ -224,7 +224,9 @@ impl Drawing<'_> {
             // What a leaf refers to tints it; the volumes of a hierarchy are never empty.
             let filled = node.leaf.is_some() && node.prims > 0 && !matches!(self.build.structure, Structure::Bvh(_));
             if self.build.flat && filled {
-                self.add(Role::Filled, Some(Place::Node(id)), Form::Box(node.bounds));
+                for form in self.build.nodes.look(self.build.structure, id, node.bounds, true) {
+                    self.add(Role::Filled, Some(Place::Node(id)), form);
+                }
             }
             // Nodes that are not yet in the tree have numbers beyond its own, and only a box.
             for form in self.build.nodes.look(self.build.structure, id, node.bounds, self.build.flat) {

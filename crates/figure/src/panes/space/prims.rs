@@ -25,6 +25,8 @@ impl Drawing<'_> {
             return self.instances(all);
         }
         let mut roles = BTreeMap::new();
+        // A cell that holds thousands of primitives is no news.
+        let crowded = self.held().len() > SPECKLES;
         // What the current leaf or cell holds stands out from a mesh.
         if !self.walk.flat {
             let held = self.held();
@@ -33,7 +35,8 @@ impl Drawing<'_> {
         let first = moment.tested.len().saturating_sub(TRAIL);
         let speckled = self.speckled();
         for (index, test) in moment.tested.iter().enumerate() {
-            let marked = if speckled { self.is_news(test.prim) } else { index >= first && !self.shouts(test.prim) };
+            let marked =
+                if speckled { self.is_news(test.prim, crowded) } else { index >= first && !self.shouts(test.prim) };
             match test.t {
                 Some(_) => roles.insert(test.prim, Role::Hit),
                 None if marked => roles.insert(test.prim, Role::Missed),
@@ -59,8 +62,8 @@ impl Drawing<'_> {
     }
 
     /// Whether a primitive was just tested, or belongs to where the walk stands.
-    fn is_news(&self, prim: PrimId) -> bool {
-        self.is_tested_now(prim) || self.held().contains(&prim) && !self.shouts(prim)
+    fn is_news(&self, prim: PrimId, crowded: bool) -> bool {
+        self.is_tested_now(prim) || !crowded && self.held().contains(&prim) && !self.shouts(prim)
     }
 
     fn is_tested_now(&self, prim: PrimId) -> bool {

@@ -302,7 +302,10 @@ impl Plot<'_> {
         let last = tried.or(done.last().copied());
         let here = now.filter(|now| now.axis == axis).and(last).map(|last| (cost_at(&last), last));
         let taken = self.moment.nodes.get(&node).and_then(|node| node.split);
-        let is_taken = |weighed: &Weighed| taken.is_some_and(|t| (t.axis, t.plane) == (weighed.axis, weighed.plane));
+        // Several ways to share out a list may end at one coordinate: the cost tells them apart.
+        let is_taken = |weighed: &Weighed| {
+            taken.is_some_and(|t| (t.axis, t.plane, t.cost) == (weighed.axis, weighed.plane, weighed.cost))
+        };
         let by_hand = done.iter().rfind(|weighed| is_taken(weighed) && cheapest != Some(**weighed));
         let by_hand = by_hand.map(|weighed| (cost_at(weighed), weighed.cost));
         self.figure.marks.extend(waits.into_iter().map(|ink| crate::page::Mark { ink, role: Role::Hidden, place }));
