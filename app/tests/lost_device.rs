@@ -127,7 +127,7 @@ impl Looker {
             return;
         }
         let Some(picture) = self.picture.lock().expect("a picture").take() else { return };
-        self.compare(app, ui, picture);
+        self.compare(app, ui, &picture);
         if self.lost == self.losses {
             ui.ctx().send_viewport_cmd(ViewportCommand::Close);
             return;
@@ -138,7 +138,7 @@ impl Looker {
         drawn.device.destroy();
     }
 
-    fn compare(&mut self, app: &App, ui: &Ui, picture: Arc<ColorImage>) {
+    fn compare(&mut self, app: &App, ui: &Ui, picture: &Arc<ColorImage>) {
         let kept = Kept::of(app, ui);
         let lost = self.lost;
         if let Some(before) = &self.kept {
@@ -147,10 +147,10 @@ impl Looker {
         }
         self.kept = Some(kept);
         let first = self.first.get_or_insert_with(|| picture.clone());
-        let different = different(first, &picture);
+        let different = different(first, picture);
         if different > 0 {
             save(first, "lost-before.png");
-            save(&picture, "lost-after.png");
+            save(picture, "lost-after.png");
         }
         assert_eq!(different, 0, "pixels that look otherwise after {lost} losses, see the folder of temporary files");
         self.memory.push(resident());
@@ -196,7 +196,7 @@ fn save(image: &ColorImage, name: &str) {
     let [width, height] = image.size.map(|side| side as u32);
     let mut encoder = png::Encoder::new(file, width, height);
     encoder.set_color(png::ColorType::Rgba);
-    let bytes: Vec<u8> = image.pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
+    let bytes: Vec<u8> = image.pixels.iter().flat_map(egui::Color32::to_array).collect();
     encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes)).expect("a picture");
 }
 

@@ -169,6 +169,7 @@ impl egui::Plugin for Sieve {
 
 /// Lets the letters that were set so far be uploaded to a device that knows none of them.
 pub(super) fn upload_letters(context: &egui::Context) {
+    #[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general enough")]
     let letters = context.fonts(|fonts| fonts.image());
     let whole = epaint::ImageDelta::full(letters, epaint::TextureAtlas::texture_options());
     context.tex_manager().write().set(TextureId::default(), whole);

@@ -187,7 +187,7 @@ impl Last {
             "camera.fov_degrees" => self.camera.get_or_insert_default().fov_degrees = Some(number(0.01, 179.0)?),
             "camera.center" => self.camera.get_or_insert_default().center = Some(numbers(&value, LARGEST)?),
             "camera.half_height" => {
-                self.camera.get_or_insert_default().half_height = Some(number(1.0 / LARGEST, LARGEST)?)
+                self.camera.get_or_insert_default().half_height = Some(number(1.0 / LARGEST, LARGEST)?);
             }
             _ => return Err("nothing of that name is kept".to_owned()),
         }

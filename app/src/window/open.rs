@@ -91,7 +91,9 @@ impl Opening {
                 if let Some((library, wishes, remembered, last)) = first.take() {
                     let reopens = wishes.leaves_open();
                     let app = shown.insert(App::wished(context, library, wishes, remembered));
-                    last.into_iter().for_each(|file| app.keep_in(file, reopens));
+                    if let Some(file) = last {
+                        app.keep_in(file, reopens);
+                    }
                 } else {
                     device::upload_letters(context);
                 }
