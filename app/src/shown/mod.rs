@@ -8,6 +8,7 @@ pub(crate) mod camera;
 pub mod command;
 pub(crate) mod eye;
 pub(crate) mod history;
+pub(crate) mod kind_name;
 pub(crate) mod own;
 pub(crate) mod pictures;
 pub(crate) mod playback;

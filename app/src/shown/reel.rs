@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::all_nodes::AllNodes;
 use super::board::board;
-use super::words::kind_name;
+use super::kind_name::kind_name;
 use std::sync::Arc;
 
 use raystep_accel::{Grow, Mistake, Place, Prims, Structure, Value};

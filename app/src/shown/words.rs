@@ -34,19 +34,3 @@ pub(crate) fn label(choice: &Choice) -> String {
     };
     choice.label.clone().or(cut).unwrap_or_else(|| value(&choice.value))
 }
-
-/// What a kind of structure is called on a button.
-pub(crate) fn kind_name(kind: &str) -> &str {
-    match kind {
-        "list" => "Brute force",
-        "slab" => "Box",
-        "grid" => "Grid",
-        "nested-grid" => "Nested grids",
-        "hashed-grid" => "Hashed grid",
-        "kd" => "kd-tree",
-        "octree" => "Octree",
-        "bsp" => "BSP tree",
-        "bvh" => "BVH",
-        other => other,
-    }
-}

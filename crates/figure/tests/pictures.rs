@@ -95,7 +95,9 @@ fn solid_pictures_are_no_tangles_and_say_what_they_show() {
                 _ => None,
             });
             let labels: Vec<&str> = labels.collect();
-            assert!(labels.len() <= LABELS, "{what}: {labels:?}");
+            // In an instance two walks are under way at once.
+            let most = if play.scene.name.starts_with("forest") { LABELS + 2 } else { LABELS };
+            assert!(labels.len() <= most, "{what}: {labels:?}");
             let missed =
                 space.marks.iter().filter(|mark| mark.role == Role::Missed && matches!(mark.form, Form::Prim(_)));
             assert!(missed.count() <= 70, "{what}: speckles");

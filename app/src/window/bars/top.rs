@@ -7,9 +7,9 @@ use raystep_lesson::{Plays, StageKind};
 
 use crate::shown::beside::Beside;
 use crate::shown::command::{Command, Entry};
+use crate::shown::kind_name::kind_name;
 use crate::shown::state::State;
 use crate::shown::view::RayChoice;
-use crate::shown::words::kind_name;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::icons::{Icon, icon_button};

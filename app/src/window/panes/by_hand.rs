@@ -6,9 +6,9 @@ use raystep_figure::{Face, Role, Theme};
 
 use super::page::Asked;
 use crate::shown::command::Command;
+use crate::shown::kind_name::kind_name;
 use crate::shown::state::State;
 use crate::shown::view::RayChoice;
-use crate::shown::words::kind_name;
 use crate::window::look::controls::{self, Change};
 use crate::window::look::fonts::font;
 use crate::window::look::icons::{Icon, icon_button};

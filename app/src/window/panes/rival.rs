@@ -6,8 +6,8 @@ use raystep_figure::Face;
 
 use super::page::{Asked, Page};
 use crate::shown::beside::{Beside, Pace};
+use crate::shown::kind_name::kind_name;
 use crate::shown::state::State;
-use crate::shown::words::kind_name;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 

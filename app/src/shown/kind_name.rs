@@ -1,0 +1,17 @@
+//! What the kinds of structures are called.
+
+/// What a kind of structure is called on a button.
+pub(crate) fn kind_name(kind: &str) -> &str {
+    match kind {
+        "list" => "Brute force",
+        "slab" => "Box",
+        "grid" => "Grid",
+        "nested-grid" => "Nested grids",
+        "hashed-grid" => "Hashed grid",
+        "kd" => "kd-tree",
+        "octree" => "Octree",
+        "bsp" => "BSP tree",
+        "bvh" => "BVH",
+        other => other,
+    }
+}
