@@ -300,6 +300,8 @@ impl Drawing<'_> {
     fn depth(&self) -> Depth {
         let finished = matches!(self.moment.event, Some(Grow::End { .. }));
         match self.depth {
+            // A node of an octree has as many children as three levels of two have leaves.
+            Depth::Path if finished && matches!(self.build.structure, Structure::Octree(_)) => Depth::Down(1),
             Depth::Path if finished => Depth::Down(UPPER.min(self.build.nodes.levels().deepest() as u32)),
             depth => depth,
         }
