@@ -1,6 +1,7 @@
 //! Every structure answers exactly as brute force does: the same t, bit for bit, and the same primitive.
 
 use glam::{Vec2, Vec3};
+use rayon::prelude::*;
 use raystep_accel::{Accel, Hit, List, PrimId, Primitives, Prims, Random, Ray, Rule, Shape, Structure, Wall};
 use raystep_scene::Scene;
 use raystep_tests::rays::Targets;
@@ -63,11 +64,8 @@ fn agrees(structure: &Structure, prims: &Prims, ray: &Ray, right: Option<Hit>, w
 fn a_million_rays_ask_every_kind_of_structure() {
     let cases = cases();
     let each = 1_050_000 / cases.len() as u32;
-    let [mut shot, mut hits] = [0, 0];
-    for (case, seed) in cases.iter().zip(1..) {
-        let [of_case, of_them] = check(case, seed, each, Asked::InTurn);
-        (shot, hits) = (shot + of_case, hits + of_them);
-    }
+    let counts = cases.par_iter().enumerate().map(|(i, case)| check(case, i as u64 + 1, each, Asked::InTurn));
+    let [shot, hits] = counts.reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]]);
     assert!(shot >= 1_000_000, "too few rays: {shot}");
     assert!(hits > shot / 5, "too few rays hit anything: {hits}");
 }

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;
+use rayon::prelude::*;
 use raystep_accel::{
     Aabb, Cancelled, CellId, Direction, FreePlane, Grow, Mesh, NodeId, Observer, Place, PrimId, Primitives, Prims,
     Rule, Structure,
@@ -145,23 +146,38 @@ impl Told {
 
 #[test]
 fn folding_what_a_builder_tells_gives_its_structure() {
-    for case in cases() {
+    cases().par_iter().for_each(|case| {
         for (line, rule) in rules() {
             let rule = if case.flat { rule.flat() } else { rule };
             let mut told = Told::default();
             let structure = Structure::build(&case.prims, &rule, &mut told).unwrap();
-            println!("{}, {line}", case.name);
+            let of = Of { scene: &case.name, line };
             told.settle_down();
             told.matches(&structure);
             // Who watches changes nothing.
             assert_eq!(Structure::build(&case.prims, &rule, &mut ()).unwrap(), structure);
+            drop(of);
+        }
+    });
+}
+
+/// Says of which build something is not so.
+struct Of<'a> {
+    scene: &'a str,
+    line: &'a str,
+}
+
+impl Drop for Of<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("{}, {}: not so", self.scene, self.line);
         }
     }
 }
 
 #[test]
 fn every_primitive_is_referred_to() {
-    for case in cases() {
+    cases().par_iter().for_each(|case| {
         for (line, rule) in rules() {
             let structure = Structure::build(&case.prims, &rule, &mut ()).unwrap();
             let mut referred = vec![0; case.prims.len()];
@@ -176,7 +192,7 @@ fn every_primitive_is_referred_to() {
                 assert!(referred.iter().all(|&n| n == 1), "{}, {line}: {referred:?}", case.name);
             }
         }
-    }
+    });
 }
 
 /// The same triangle, many times.
@@ -200,7 +216,7 @@ fn speck(n: usize) -> Prims {
 #[test]
 fn triangles_on_top_of_each_other_give_a_bounded_structure() {
     for (n, prims) in [(100_000, pile(100_000)), (100_000, speck(100_000)), (3000, fan(3000))] {
-        for line in [
+        let lines = [
             "grid",
             "nested-grid levels=6",
             "hashed-grid",
@@ -220,11 +236,12 @@ fn triangles_on_top_of_each_other_give_a_bounded_structure() {
             "bvh builder=ploc",
             "bvh builder=insertion",
             "bvh builder=ploc volume=sphere",
-        ] {
+        ];
+        lines.par_iter().for_each(|line| {
             let structure = Structure::build(&prims, &rule(line), &mut ()).unwrap();
             let bytes = structure.bytes() / n;
             assert!(bytes < 2000, "{line}: {bytes} bytes a triangle");
-        }
+        });
     }
 }
 

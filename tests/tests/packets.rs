@@ -1,5 +1,6 @@
 //! Packets: every lane finds what its ray finds alone, whatever the other lanes are.
 
+use rayon::prelude::*;
 use raystep_accel::{
     Abreast, Accel, Fill, Hit, Lanes, List, NodeId, Packet, PacketStep, PrimId, Prims, Random, Ray, Structure, Visit,
     Want, Width,
@@ -9,8 +10,9 @@ use raystep_tests::rules::rules;
 use raystep_tests::scenes::cases;
 
 /// Calls `law` with packets of rays that have nothing to do with each other, in every tree over every scene.
-fn check(count: u32, law: impl Fn(&Structure, &Prims, Packet<'_>, Want, &str)) {
-    for (case, seed) in cases().iter().zip(1..) {
+fn check(count: u32, law: impl Fn(&Structure, &Prims, Packet<'_>, Want, &str) + Sync) {
+    cases().par_iter().enumerate().for_each(|(i, case)| {
+        let seed = i as u64 + 1;
         for (line, rule) in rules() {
             if !["kd", "bsp", "bvh"].iter().any(|kind| line.starts_with(kind)) {
                 continue;
@@ -27,7 +29,7 @@ fn check(count: u32, law: impl Fn(&Structure, &Prims, Packet<'_>, Want, &str)) {
                 }
             }
         }
-    }
+    });
 }
 
 #[test]

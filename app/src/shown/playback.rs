@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use raystep_accel::{Accel, Cost, Event, Grow, Hit, Mistake, NodeId, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Reel};
-use raystep_lesson::{BuildTape, Choice, Play, Plays, Slide, Stage, Tape, WalkTape};
+use raystep_lesson::{BuildTape, Care, Choice, Play, Plays, Slide, Stage, Tape, WalkTape};
 use raystep_scene::Scene;
 
 use super::all_nodes::AllNodes;
@@ -99,6 +99,11 @@ impl Playback {
         let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached, instead };
         playback.posed = playback.questions(slide);
         Some(playback)
+    }
+
+    /// Whether it is a board that was filled coarsely, to be refined.
+    pub fn is_draft(&self) -> bool {
+        self.play.tape.care() == Care::Draft
     }
 
     /// The same ray through the same structure with a mistake made.

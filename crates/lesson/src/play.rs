@@ -6,7 +6,7 @@ use raystep_accel::{Cancelled, Event, Ray, Rule, RuleError, Structure};
 use raystep_scene::{Scene, UnknownScene};
 use thiserror::Error;
 
-use crate::{Beat, Plan, Plays, Stage, Tape};
+use crate::{Beat, Care, Plan, Plays, Stage, Tape};
 
 /// The walk of one ray through a structure, the building of one, or a board, beside the beats of a slide.
 #[derive(Clone, Debug)]
@@ -68,7 +68,15 @@ impl Stage {
     /// # Errors
     /// An unknown scene, or a rule that cannot be followed.
     pub fn build(&self, plays: Plays) -> Result<Built, PlayError> {
-        self.plan.build(self, &Arc::new(Scene::named(&self.scene)?), plays)
+        self.plan.build(self, &Arc::new(Scene::named(&self.scene)?), plays, Care::Full)
+    }
+
+    /// The same, but a board is filled coarsely: enough to see whether it is right, and not yet to be quoted.
+    ///
+    /// # Errors
+    /// An unknown scene, or a rule that cannot be followed.
+    pub fn draft(&self, plays: Plays) -> Result<Built, PlayError> {
+        self.plan.build(self, &Arc::new(Scene::named(&self.scene)?), plays, Care::Draft)
     }
 
     /// The structure beside, over the same scene, if the stage has one.
@@ -76,15 +84,15 @@ impl Stage {
     /// # Errors
     /// A rule that cannot be followed.
     pub fn build_beside(&self, scene: &Arc<Scene>, plays: Plays) -> Result<Option<Built>, PlayError> {
-        self.beside.as_ref().map(|plan| plan.build(self, scene, plays)).transpose()
+        self.beside.as_ref().map(|plan| plan.build(self, scene, plays, Care::Full)).transpose()
     }
 }
 
 impl Plan {
     /// The structure over a scene, with how it was built if that is to be played.
-    fn build(&self, stage: &Stage, scene: &Arc<Scene>, plays: Plays) -> Result<Built, PlayError> {
+    fn build(&self, stage: &Stage, scene: &Arc<Scene>, plays: Plays, care: Care) -> Result<Built, PlayError> {
         let rule = self.rule(scene.flat)?;
-        let (structure, told) = Tape::record(plays, Some(stage), scene, &rule, &mut ())?;
+        let (structure, told) = Tape::record(plays, Some(stage), scene, &rule, care, &mut ())?;
         Ok(Built { scene: scene.clone(), structure: Arc::new(structure), told })
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Visit};
 use raystep_scene::Scene;
 
-use crate::{BoardTape, Plays, Stage, WalksTape, names};
+use crate::{BoardTape, Care, Plays, Stage, WalksTape, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -160,6 +160,14 @@ impl Tape {
 }
 
 impl Tape {
+    /// How carefully it was measured; only a board can be a draft.
+    pub fn care(&self) -> Care {
+        match self {
+            Tape::Board(filled) => filled.care,
+            Tape::Walk(_) | Tape::Walks(_) | Tape::Build(_) => Care::Full,
+        }
+    }
+
     /// Builds what `rule` says over a scene. Keeps what happens, if that is to be played, builds the other structures of
     /// `stage` and fills its board: nothing is kept for a ray that is still to walk.
     ///
@@ -170,6 +178,7 @@ impl Tape {
         stage: Option<&Stage>,
         scene: &Scene,
         rule: &Rule,
+        care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<(Structure, Option<Tape>), Cancelled> {
         match (plays, stage) {
@@ -183,7 +192,7 @@ impl Tape {
                 Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Walks(Arc::new(walks)))))
             }
             (Plays::Board, Some(Stage { board: Some(board), .. })) => {
-                let filled = BoardTape::fill(board, scene, watch)?;
+                let filled = BoardTape::fill(board, scene, care, watch)?;
                 Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Board(Arc::new(filled)))))
             }
             (Plays::Walk | Plays::Walks | Plays::Board, _) => Ok((Structure::build(&scene.prims, rule, watch)?, None)),

@@ -135,7 +135,7 @@ fn an_open_question_gives_nothing_away() {
     let (mut found, mut asked) = (Vec::new(), 0);
     for (index, slide) in library.slides.iter().enumerate() {
         for stage in &slide.stages {
-            let built = stage.build(slide.plays).expect("a shipped stage");
+            let built = stage.draft(slide.plays).expect("a shipped stage");
             let rule = stage.plan.rule(built.scene.flat).expect("a shipped rule");
             let nodes = Arc::new(AllNodes::of(&built.structure, built.told.as_ref()));
             let raystep_lesson::Built { scene, structure, told } = built;

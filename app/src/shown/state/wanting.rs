@@ -75,6 +75,16 @@ impl State {
         true
     }
 
+    /// A draft that is shown was refined: it takes its place, at the same step. Says whether it does.
+    pub fn refine(&mut self, playback: &Arc<Playback>) -> bool {
+        let draft = self.playback.as_ref().filter(|shown| self.wanted.is_none() && shown.is_draft());
+        let refined = draft.is_some_and(|draft| playback.view.same_walk(&draft.view) && !playback.is_draft());
+        if refined {
+            self.playback = Some(playback.clone());
+        }
+        refined
+    }
+
     fn landed(&self, playback: &Playback, named: usize, landing: Landing) -> usize {
         let step = match landing {
             Landing::Opening => playback.opening(self.predict),

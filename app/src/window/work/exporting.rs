@@ -3,8 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use raystep_accel::{Cancelled, Grow, Observer};
 use raystep_figure::{Depth, Theme};
-use raystep_lesson::Library;
+use raystep_lesson::{Library, Tape};
 
 use super::errands::{Errands, News};
 use super::task::Task;
@@ -53,6 +54,14 @@ impl Window {
         let stage = slide.stage(view.stage).or(slide.stages.first()).ok_or_else(gone)?;
         let Built { scene, rule, structure, nodes, told, .. } = self.playback.built();
         let title = scene.title.clone();
+        // Nobody writes down what is still to be measured with more rays.
+        let told = match told {
+            Some(Tape::Board(filled)) => {
+                let filled = filled.in_full(&scene, &mut GoesOn(go_on));
+                Some(Tape::Board(filled.map_err(|Cancelled| Fault::new("the export was cancelled"))?))
+            }
+            other => other,
+        };
         let built = raystep_lesson::Built { scene, structure, told };
         let changes = Changes {
             scene: view.is_elsewhere().then_some(title),
@@ -92,6 +101,17 @@ impl Window {
             !task.is_stopped()
         })?;
         Ok(written(&files, folder))
+    }
+}
+
+/// Asks the measuring of a board to give up.
+struct GoesOn<'a>(&'a (dyn Fn() -> bool + Sync));
+
+impl Observer<Grow> for GoesOn<'_> {
+    fn on(&mut self, _: Grow) {}
+
+    fn cancelled(&self) -> bool {
+        !(self.0)()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use raystep_accel::{Cancelled, Primitives, Ray, Rule};
-use raystep_lesson::Plays;
+use raystep_lesson::{Care, Plays};
 
 use super::bench::{Bench, Broken};
 use super::task::Task;
@@ -157,7 +157,7 @@ fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task)
                     let rule = Rule::default_for(kind).map_err(|error| Failure::Wrong(error.to_string()))?;
                     let scene = playback.play.scene.clone();
                     let rule = if scene.flat { rule.flat() } else { rule };
-                    build(scene, rule, Plays::Walk, None, task)?
+                    build(scene, rule, Plays::Walk, None, Care::Full, task)?
                 }
             };
             let none = || Failure::Wrong("A build has no ray to compare: go to a slide on which one walks.".to_owned());

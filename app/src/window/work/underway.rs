@@ -17,6 +17,8 @@ pub(crate) struct Underway {
     workshop: Workshop,
     second: Second,
     mesh: Option<Arc<Mesh>>,
+    /// The draft that is not to be refined.
+    left: Option<Arc<Playback>>,
     /// What happens outside the window.
     pub(crate) errands: Errands,
 }
@@ -27,6 +29,7 @@ impl Underway {
             workshop: Workshop::new(context.clone()),
             second: Second::new(context),
             mesh: None,
+            left: None,
             errands: Errands::new(context.clone()),
         }
     }
@@ -75,23 +78,32 @@ impl Underway {
                 self.collect(state)
             }
             None => {
-                self.workshop.cancel();
+                match state.playback().filter(|shown| shown.is_draft() && !self.is_left_so(shown)) {
+                    Some(draft) => self.workshop.refine(&draft.view, &state.library),
+                    None => _ = self.workshop.cancel(),
+                }
                 wrong
             }
         }
+    }
+
+    /// Whether somebody has given up to refine a draft.
+    fn is_left_so(&self, draft: &Arc<Playback>) -> bool {
+        self.left.as_ref().is_some_and(|left| Arc::ptr_eq(left, draft))
     }
 
     /// Takes the walk that was made. Says what went wrong.
     fn collect(&mut self, state: &mut State) -> Option<String> {
         match self.workshop.collect()? {
             Ok(Made { playback, mesh }) => {
-                if state.arrive(Arc::new(playback)) {
+                let playback = Arc::new(playback);
+                if state.refine(&playback) || state.arrive(playback) {
                     self.mesh = mesh;
                 }
                 None
             }
             Err(failure) => {
-                state.refuse();
+                self.give_up(state);
                 match failure {
                     Failure::Wrong(sentence) => Some(sentence),
                     Failure::Cancelled => None,
@@ -141,7 +153,15 @@ impl Underway {
 
     fn stop_making(&mut self, state: &mut State) {
         if self.workshop.cancel() {
-            state.refuse();
+            self.give_up(state);
+        }
+    }
+
+    /// What was wanted is not; what was to be refined stays a draft.
+    fn give_up(&mut self, state: &mut State) {
+        match state.wanted() {
+            Some(_) => state.refuse(),
+            None => self.left = state.playback().cloned(),
         }
     }
 

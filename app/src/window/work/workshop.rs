@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
-use raystep_lesson::{Board, Library, Plan, Plays, Slide, Stage, Tape};
+use raystep_lesson::{Board, Care, Library, Plan, Plays, Slide, Stage, Tape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
@@ -31,6 +31,8 @@ struct Order {
     stands: Option<Stands>,
     /// What was built before over the same scene.
     scene: Option<Stands>,
+    /// How carefully a board is filled.
+    care: Care,
     device: Option<wgpu::Device>,
 }
 
@@ -85,6 +87,8 @@ struct Wanted {
     view: View,
     /// Whether its structure stands already, so that only a ray walks.
     stands: bool,
+    /// How carefully a board is filled.
+    care: Care,
 }
 
 impl Workshop {
@@ -121,24 +125,36 @@ impl Workshop {
         Some((scene, mesh))
     }
 
-    /// Asks for the walk of a view. It may be there at once; else it arrives some frames later.
+    /// Asks for the walk of a view. It may be there at once; else it arrives some frames later. A board comes as a draft.
     pub(crate) fn ask(&mut self, view: &View, library: &Arc<Library>) {
+        self.ask_for(view, library, Care::Draft);
+    }
+
+    /// Asks for the board of a view that is there as a draft, filled in full.
+    pub(crate) fn refine(&mut self, view: &View, library: &Arc<Library>) {
+        self.ask_for(view, library, Care::Full);
+    }
+
+    fn ask_for(&mut self, view: &View, library: &Arc<Library>, care: Care) {
         // What is being dragged waits for what was asked for before it to arrive: so it is seen to move.
         let busy = |wanted: &Wanted| {
             let held = wanted.view.same_but_held(view) && (wanted.stands || wanted.view.ray == view.ray);
-            wanted.view.same_walk(view) || held
+            wanted.care >= care && (wanted.view.same_walk(view) || held)
         };
         if self.bench.wanted().is_some_and(busy) {
             return;
         }
-        let stands = self.kept.iter().find(|kept| fits(&kept.built, view, library)).cloned();
-        let wanted = Wanted { view: view.clone(), stands: stands.is_some() };
-        let task = match wanted.stands {
-            true => Task::new("Walking the ray", ""),
-            false => Task::new("Building the structure", "references"),
+        let enough = |kept: &&Stands| fits(&kept.built, view, library) && care_of(&kept.built) >= care;
+        let stands = self.kept.iter().find(enough).cloned();
+        let wanted = Wanted { view: view.clone(), stands: stands.is_some(), care };
+        let task = match (wanted.stands, care) {
+            (true, _) => Task::new("Walking the ray", ""),
+            (false, Care::Draft) => Task::new("Building the structure", "references"),
+            (false, Care::Full) => Task::new("Measuring with more rays", ""),
         };
         let scene = self.kept.iter().find(|kept| is_over(&kept.built, view, library)).cloned();
-        let order = Order { view: view.clone(), library: library.clone(), stands, scene, device: self.device.clone() };
+        let (view, library) = (view.clone(), library.clone());
+        let order = Order { view, library, stands, scene, care, device: self.device.clone() };
         let quick = is_quick(&order);
         self.bench.begin(wanted, task, quick, move |task| make(order, task));
     }
@@ -245,7 +261,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
                 (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
-            build(scene, rule, slide.plays, Some(&stage), task)?
+            build(scene, rule, slide.plays, Some(&stage), order.care, task)?
         }
     };
     let mesh = mesh(&order, &built.scene, task);
@@ -271,10 +287,11 @@ pub(crate) fn build(
     rule: Rule,
     plays: Plays,
     stage: Option<&Stage>,
+    care: Care,
     task: &Task,
 ) -> Result<Built, Failure> {
     let start = Instant::now();
-    let built = Tape::record(plays, stage, &scene, &rule, &mut Watch(task));
+    let built = Tape::record(plays, stage, &scene, &rule, care, &mut Watch(task));
     let (structure, told) = built.map_err(|Cancelled| Failure::Cancelled)?;
     let seconds = start.elapsed().as_secs_f32();
     let nodes = Arc::new(AllNodes::of(&structure, told.as_ref()));
@@ -339,6 +356,11 @@ fn is_over(built: &Built, view: &View, library: &Library) -> bool {
 fn slide_and_stage<'a>(view: &View, library: &'a Library) -> Option<(&'a Slide, &'a Stage)> {
     let slide = library.slides.get(view.slide)?;
     Some((slide, slide.stage(view.stage).or(slide.stages.first())?))
+}
+
+/// How carefully the board beside a structure was filled; where there is none, there is nothing to refine.
+fn care_of(built: &Built) -> Care {
+    built.told.as_ref().map_or(Care::Full, Tape::care)
 }
 
 /// What a kept structure has beside it: the board that it fills, the structures that are walked with it.

@@ -48,6 +48,10 @@ pub fn bytes(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
     figure
 }
 
+/// Captions, in parts of the letters beside the rows, and how small a narrow field may make them.
+const SMALL: f32 = 0.85;
+const LEAST: f32 = 0.7;
+
 /// One layout of a node.
 struct Row {
     node: NodeId,
@@ -72,7 +76,7 @@ impl Row {
         };
         label(0.85, &format!("{printed} bytes"), Role::Text, Face::Bold, u);
         // What a compiler makes of it where pointers have 64 bits.
-        label(2.15, &format!("64 bit: {compiled}"), Role::Quiet, Face::Regular, u * 0.75);
+        label(2.15, &format!("64 bit: {compiled}"), Role::Quiet, Face::Regular, u * SMALL);
 
         let mut x = self.left;
         for (field, word) in fields {
@@ -144,10 +148,10 @@ impl Row {
             let value = word >> low & (1_u64 << count).wrapping_sub(1) as u32;
             figure.add(Role::Seen, None, block(Vec2::new(end - width, self.y), Vec2::new(width, height), 0.0));
             let says = format!("{}: {value}", self.named(name));
-            let long = text_width(&says, Face::Regular, u * 0.75);
+            let long = text_width(&says, Face::Regular, u * SMALL);
             let x = (end - (width + long) / 2.0).min(free - long).max(left);
             let at = Vec2::new(x, self.y + u * 2.2);
-            write(figure, Role::Quiet, None, at, &says, u * 0.75, Face::Regular, Anchor::Start);
+            write(figure, Role::Quiet, None, at, &says, u * SMALL, Face::Regular, Anchor::Start);
             free = x - u * 0.7;
             end -= width;
             low += count;
@@ -158,9 +162,9 @@ impl Row {
     fn fitted(&self, figure: &mut Figure, role: Role, middle: Vec2, text: &str, width: f32) {
         let (face, largest) = match role {
             Role::Value => (Face::Mono, self.u * 0.95),
-            _ => (Face::Regular, self.u * 0.75),
+            _ => (Face::Regular, self.u * SMALL),
         };
-        let size = largest.min((width - self.u * 0.2) / text_width(text, face, 1.0).max(0.01)).max(self.u * 0.62);
+        let size = largest.min((width - self.u * 0.2) / text_width(text, face, 1.0).max(0.01)).max(self.u * LEAST);
         write(figure, role, None, middle, text, size, face, Anchor::Middle);
     }
 }

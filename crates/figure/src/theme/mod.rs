@@ -227,7 +227,7 @@ impl Theme {
             Role::Here => look(stroke(self.here, 3.2, Solid), tint(self.here), self.here),
             Role::Seen => look(stroke(self.here, 1.3, Solid), None, self.here),
             Role::Waiting => look(stroke(self.waiting, 2.2, Dashed), tint(self.waiting), self.waiting),
-            Role::Dropped => look(stroke(self.edge, 1.8, Dotted), Some(self.page.alpha(150)), self.quiet),
+            Role::Dropped => look(stroke(self.edge, 1.8, Dotted), Some(self.page.alpha(96)), self.quiet),
             Role::Missed => hatched(stroke(self.test, 1.5, Solid), tint(self.test), self.test),
             Role::Hit => look(stroke(self.hit, 1.8, Solid), Some(self.hit.alpha(96)), self.hit),
             Role::Best => look(stroke(self.hit, 3.0, Solid), Some(self.hit.alpha(200)), self.hit),

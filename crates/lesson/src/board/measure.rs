@@ -6,7 +6,7 @@ use raystep_scene::Scene;
 
 use crate::Plan;
 
-use super::Column;
+use super::{Care, Column, rows};
 
 /// Counts of one structure over the rays of one picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -62,15 +62,16 @@ impl Measured {
     pub(crate) fn of(
         plan: &Plan,
         scene: &Scene,
+        care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Measured>, Cancelled> {
         let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
         let all = matches!(structure, Structure::List(_));
         let (mut cost, mut rays) = (Cost::default(), 0_u32);
-        shoot(&structure, scene, if all { SMALL_PICTURE } else { PICTURE }, watch, &mut |own| {
+        for own in shoot(&structure, scene, care.of(if all { SMALL_PICTURE } else { PICTURE }), watch)? {
             cost += own;
             rays += 1;
-        })?;
+        }
         let each = |count: u64| count as f64 / f64::from(rays.max(1));
         let cells = structure.grid().map_or(0, |grid| grid.cell_count() as u64);
         Ok(Some(Measured {
@@ -102,11 +103,12 @@ impl Measured {
         plan: &Plan,
         of: Column,
         scenes: &[String],
+        care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Vec<[f64; 2]>, Cancelled> {
         let mut dots = Vec::new();
         for scene in scenes.iter().filter_map(|name| Scene::named(name).ok()) {
-            if let Some(measured) = Measured::of(plan, &scene, watch)? {
+            if let Some(measured) = Measured::of(plan, &scene, care, watch)? {
                 dots.push([scene.prims.len() as f64, measured.count(of)]);
             }
         }
@@ -123,17 +125,18 @@ impl Counted {
         plan: &Plan,
         of: Column,
         scene: &Scene,
+        care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Counted>, Cancelled> {
         let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
-        let mut counts = Vec::with_capacity((MAP[0] * MAP[1]) as usize);
         let count = |cost: Cost| match of {
             Column::Visits => entered(&cost),
             Column::Boxes => cost.box_tests,
             _ => cost.prim_tests,
         };
-        shoot(&structure, scene, MAP, watch, &mut |own| counts.push(count(own) as u32))?;
-        Ok(Some(Counted { size: MAP, counts }))
+        let size = care.of(MAP);
+        let counts = shoot(&structure, scene, size, watch)?.map(|own| count(own) as u32).collect();
+        Ok(Some(Counted { size, counts }))
     }
 }
 
@@ -149,30 +152,25 @@ fn built(plan: &Plan, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<
     }
 }
 
-/// Tells what each ray of a picture costs, rows from above.
+/// What each ray of a picture costs, rows from above.
 fn shoot(
     structure: &Structure,
     scene: &Scene,
     [width, height]: [u32; 2],
     watch: &impl Observer<Grow>,
-    tell: &mut dyn FnMut(Cost),
-) -> Result<(), Cancelled> {
+) -> Result<impl Iterator<Item = Cost>, Cancelled> {
     let view = scene.close_view();
     let size = Vec2::new(width as f32, height as f32);
-    for y in 0..height {
-        if watch.cancelled() {
-            return Err(Cancelled);
+    let cost = |x: u32, y: u32| {
+        let at = (Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+        let ray = pinhole(view.eye, view.target, view.up, view.fov_degrees, at, size.x / size.y);
+        let mut cost = Cost::default();
+        // A camera that sees nothing shoots rays that cost nothing.
+        if let Ok(ray) = ray {
+            structure.intersect(&scene.prims, &ray, &mut cost);
         }
-        for x in 0..width {
-            let at = (Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
-            let ray = pinhole(view.eye, view.target, view.up, view.fov_degrees, at, size.x / size.y);
-            let mut cost = Cost::default();
-            // A camera that sees nothing shoots rays that cost nothing.
-            if let Ok(ray) = ray {
-                structure.intersect(&scene.prims, &ray, &mut cost);
-            }
-            tell(cost);
-        }
-    }
-    Ok(())
+        cost
+    };
+    let rows = rows::each(height, watch, |y| (0..width).map(|x| cost(x, y)).collect::<Vec<_>>())?;
+    Ok(rows.into_iter().flatten())
 }

@@ -1,15 +1,19 @@
 //! Boards: tables, charts, heat maps and pictures that a slide fills row by row and point by point, printed numbers beside those that
 //! follow from them and those that are measured here.
 
+mod care;
 mod chart;
 mod formula;
 mod maps;
 mod measure;
 mod panel;
 mod picture;
+mod rows;
+mod smooth;
 mod table;
 mod tape;
 
+pub use care::Care;
 pub use chart::{Chart, Drawn, Scale, Stroke};
 pub use formula::Formula;
 pub use maps::{Map, Maps};

@@ -9,6 +9,9 @@ use raystep_accel::{
 };
 use raystep_scene::{Scene, View};
 
+use super::care::Care;
+use super::rows;
+use super::smooth::Smooth;
 use crate::keys::Keys;
 use crate::reading::Reading;
 use crate::{Plan, head};
@@ -36,6 +39,8 @@ pub struct Picture {
     /// Where it is seen from: the eye, what lies in the middle, the vertical angle in degrees. As the scene says,
     /// if it does not.
     pub view: Option<(Vec3, Vec3, f32)>,
+    /// Its pixels across and down: fewer, the more pictures stand side by side.
+    pub size: [u32; 2],
     /// When it comes to be seen, among everything on the board.
     pub(crate) step: Option<f32>,
     /// Where it stands.
@@ -57,8 +62,8 @@ pub struct Rendered {
     pub tests: f64,
 }
 
-/// Pixels of a picture.
-const SIZE: [u32; 2] = [400, 250];
+/// Pixels of one picture, of each of two, of each of three.
+const SIZES: [[u32; 2]; 3] = [[720, 450], [480, 300], [400, 250]];
 
 /// Rays for a pixel at an edge: a grid of so many by so many.
 const FINE: u32 = 3;
@@ -91,12 +96,15 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pic
         };
         if let Some((_, name)) = name {
             let plan = plan.unwrap_or_else(Plan::boxes);
-            pictures.push(Picture { name, scene, plan, view, step: step.map(|(_, step)| step), spot });
+            let (size, step) = (SIZES[0], step.map(|(_, step)| step));
+            pictures.push(Picture { name, scene, plan, view, size, step, spot });
         }
     }
     if pictures.is_empty() || pictures.len() > 3 {
         reading.problem(keys.at(), "from one to three `pictures` stand beside each other");
     }
+    let size = SIZES[pictures.len().clamp(1, SIZES.len()) - 1];
+    pictures.iter_mut().for_each(|picture| picture.size = size);
     Some(Pictures { title: title?.1, about: about.unwrap_or_default().1, pictures })
 }
 
@@ -111,6 +119,7 @@ impl Rendered {
     pub(crate) fn of(
         picture: &Picture,
         board: &Scene,
+        care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Rendered>, Cancelled> {
         let named = match &picture.scene {
@@ -122,7 +131,8 @@ impl Rendered {
         };
         let scene = named.as_ref().unwrap_or(board);
         let settings: Vec<_> = picture.plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
-        let key = format!("{} {} {settings:?} {:?}", scene.name, picture.plan.kind, picture.view);
+        let key =
+            format!("{} {} {settings:?} {:?} {:?} {care:?}", scene.name, picture.plan.kind, picture.view, picture.size);
         let known = || MADE.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(made) = known().get(&key) {
             return Ok(Some(made.clone()));
@@ -133,7 +143,9 @@ impl Rendered {
         if let Some((eye, target, fov_degrees)) = picture.view {
             view = View { eye, target, up: scene.view.up, fov_degrees };
         }
-        let made = Camera { scene, structure: &structure, view, sun: sun(&view) }.render(watch)?;
+        let (sun, smooth) = (sun(&view), Smooth::of(&scene.prims));
+        let made = Camera { scene, structure: &structure, view, sun, smooth, size: care.of(picture.size), care }
+            .render(watch)?;
         known().insert(key, made.clone());
         Ok(Some(made))
     }
@@ -152,49 +164,67 @@ struct Camera<'a> {
     structure: &'a Structure,
     view: View,
     sun: Vec3,
+    smooth: Smooth,
+    size: [u32; 2],
+    care: Care,
+}
+
+/// What a row of pixels shows, and what its rays cost.
+struct Line {
+    colors: Vec<Vec3>,
+    cost: Cost,
+    rays: u64,
 }
 
 impl Camera<'_> {
     fn render(&self, watch: &impl Observer<Grow>) -> Result<Rendered, Cancelled> {
-        let [width, height] = SIZE;
+        let [width, height] = self.size;
         let size = Vec2::new(width as f32, height as f32);
-        let (mut cost, mut rays) = (Cost::default(), 0_u64);
-        let mut colors: Vec<Vec3> = Vec::with_capacity((width * height) as usize);
-        for y in 0..height {
-            if watch.cancelled() {
-                return Err(Cancelled);
+        let first = rows::each(height, watch, |y| {
+            let mut line = Line { colors: Vec::with_capacity(width as usize), cost: Cost::default(), rays: 0 };
+            for x in 0..width {
+                let middle = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size;
+                let color = self.through(middle, &mut line.cost, &mut line.rays);
+                line.colors.push(color);
             }
-            let middle = |x: u32| Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size;
-            colors.extend((0..width).map(|x| self.through(middle(x), &mut cost, &mut rays)));
-        }
+            line
+        })?;
         // Leaves are smaller than a pixel anyhow; smooth things get smooth edges.
-        let smooth = !matches!(self.scene.prims, Prims::Instances(_));
-        let mut rgba = Vec::with_capacity(colors.len() * 4);
-        for (index, &color) in colors.iter().enumerate() {
-            let (x, y) = (index as u32 % width, index as u32 / width);
-            if x == 0 && watch.cancelled() {
-                return Err(Cancelled);
+        let edges = self.care == Care::Full && !matches!(self.scene.prims, Prims::Instances(_));
+        let color_at = |x: u32, y: u32| first.get(y as usize)?.colors.get(x as usize).copied();
+        let lines = rows::each(height, watch, |y| {
+            let mut line = Line { colors: first[y as usize].colors.clone(), cost: Cost::default(), rays: 0 };
+            for x in (0..width).filter(|_| edges) {
+                let own = first[y as usize].colors[x as usize];
+                let beside = [color_at(x + 1, y), color_at(x, y + 1)];
+                if beside.into_iter().flatten().any(|other| (other - own).abs().max_element() > EDGE) {
+                    line.colors[x as usize] = self.averaged(x, y, size, &mut line.cost, &mut line.rays);
+                }
             }
-            let beside = [(x + 1 < width).then(|| index + 1), (y + 1 < height).then(|| index + width as usize)];
-            let edge = beside.into_iter().flatten().any(|other| (colors[other] - color).abs().max_element() > EDGE);
-            let color = if smooth && edge { self.averaged(x, y, size, &mut cost, &mut rays) } else { color };
-            // Bytes as screens have them: the square root is near enough, and the same everywhere.
-            let byte = |channel: f32| (channel.clamp(0.0, 1.0).sqrt() * 255.0 + 0.5) as u8;
-            rgba.extend([byte(color.x), byte(color.y), byte(color.z), 255]);
+            line
+        })?;
+        let (mut cost, mut rays) = (Cost::default(), 0);
+        for line in first.iter().chain(&lines) {
+            cost += line.cost;
+            rays += line.rays;
         }
+        // Bytes as screens have them: the square root is near enough, and the same everywhere.
+        let byte = |channel: f32| (channel.clamp(0.0, 1.0).sqrt() * 255.0 + 0.5) as u8;
+        let colors = lines.iter().flat_map(|line| &line.colors);
+        let rgba: Vec<u8> = colors.flat_map(|color| [byte(color.x), byte(color.y), byte(color.z), 255]).collect();
         let triangles = match &self.scene.prims {
             Prims::Instances(instances) => instances.triangles(),
             prims => prims.len() as u64,
         };
         let tests = cost.prim_tests as f64 / rays.max(1) as f64;
-        Ok(Rendered { size: SIZE, rgba: rgba.into(), triangles, rays, tests })
+        Ok(Rendered { size: self.size, rgba: rgba.into(), triangles, rays, tests })
     }
 
     /// The light that comes through a point of the page: (0, 0) is its upper left corner, (1, 1) its lower right one.
     fn through(&self, at: Vec2, cost: &mut Cost, rays: &mut u64) -> Vec3 {
         let at = (at * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
         let View { eye, target, up, fov_degrees } = self.view;
-        match pinhole(eye, target, up, fov_degrees, at, SIZE[0] as f32 / SIZE[1] as f32) {
+        match pinhole(eye, target, up, fov_degrees, at, self.size[0] as f32 / self.size[1] as f32) {
             Ok(ray) => self.color(&ray, cost, rays),
             Err(_) => Vec3::ONE,
         }
@@ -216,10 +246,11 @@ impl Camera<'_> {
         let sky = sky(ray.d.dot(self.view.up));
         let Some(hit) = self.structure.intersect(&self.scene.prims, ray, cost) else { return sky };
         let shape = self.scene.prims.met(&hit);
-        let normal = normal(&shape, ray);
-        let facing = if normal.dot(ray.d) > 0.0 { -normal } else { normal };
-        let surface = self.surface(&hit, facing);
         let from = ray.at(hit.t);
+        let flat = normal(&shape, ray);
+        let side = if flat.dot(ray.d) > 0.0 { -1.0 } else { 1.0 };
+        let facing = side * self.smooth.normal(&shape, from).unwrap_or(flat);
+        let surface = self.surface(&hit, facing);
         let lit = facing.dot(self.sun).max(0.0);
         let shadow = Ray::new(from, self.sun).and_then(|ray| ray.within(hit.t.max(1.0) * 1e-3, f32::INFINITY));
         let dark = lit > 0.0

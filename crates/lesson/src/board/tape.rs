@@ -6,7 +6,7 @@ use raystep_accel::{Cancelled, Grow, Observer, Reveal};
 use raystep_scene::Scene;
 
 use super::panel::Entry;
-use super::{Board, Column, Counted, Drawn, Measured, Rendered, Stroke};
+use super::{Board, Care, Column, Counted, Drawn, Measured, Rendered, Stroke};
 
 /// A board, and what comes to be seen on it, in order.
 #[derive(Clone, Debug)]
@@ -25,6 +25,8 @@ pub struct BoardTape {
     pub grown: Vec<Vec<[f64; 2]>>,
     /// The pictures that were made for it.
     pub rendered: Vec<Option<Rendered>>,
+    /// How carefully it was filled.
+    pub care: Care,
 }
 
 impl BoardTape {
@@ -32,35 +34,40 @@ impl BoardTape {
     ///
     /// # Errors
     /// `watch` asked to give up.
-    pub fn fill(board: &Arc<Board>, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<BoardTape, Cancelled> {
+    pub fn fill(
+        board: &Arc<Board>,
+        scene: &Scene,
+        care: Care,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<BoardTape, Cancelled> {
         let (events, places, measured) = (Vec::new(), Vec::new(), Vec::new());
         let (counted, grown, rendered) = (Vec::new(), Vec::new(), Vec::new());
-        let mut tape = BoardTape { board: board.clone(), events, places, measured, counted, grown, rendered };
+        let mut tape = BoardTape { board: board.clone(), events, places, measured, counted, grown, rendered, care };
         for (index, place) in board.order().into_iter().enumerate() {
             let Some(entry) = board.entry(place) else { continue };
             let measured = match entry {
                 Entry::Row(row) => match &row.plan {
                     Some(plan) => match row.scene.as_deref().map(Scene::named) {
-                        Some(Ok(own)) => Measured::of(plan, &own, watch)?,
+                        Some(Ok(own)) => Measured::of(plan, &own, care, watch)?,
                         Some(Err(_)) => None,
-                        None => Measured::of(plan, scene, watch)?,
+                        None => Measured::of(plan, scene, care, watch)?,
                     },
                     None => None,
                 },
                 Entry::Drawn(_) | Entry::Map(..) | Entry::Picture(_) => None,
             };
             let counted = match entry {
-                Entry::Map(map, of) => Counted::of(&map.plan, of, scene, watch)?,
+                Entry::Map(map, of) => Counted::of(&map.plan, of, scene, care, watch)?,
                 Entry::Row(_) | Entry::Drawn(_) | Entry::Picture(_) => None,
             };
             let grown = match entry {
                 Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, of, scenes }, .. }) => {
-                    Measured::growth(plan, *of, scenes, watch)?
+                    Measured::growth(plan, *of, scenes, care, watch)?
                 }
                 _ => Vec::new(),
             };
             let rendered = match entry {
-                Entry::Picture(picture) => Rendered::of(picture, scene, watch)?,
+                Entry::Picture(picture) => Rendered::of(picture, scene, care, watch)?,
                 Entry::Row(_) | Entry::Drawn(_) | Entry::Map(..) => None,
             };
             tape.events.push(reveal(
@@ -78,6 +85,21 @@ impl BoardTape {
             tape.rendered.push(rendered);
         }
         Ok(tape)
+    }
+
+    /// The same board over the same scene with all that is measured measured in full.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub fn in_full(
+        self: Arc<BoardTape>,
+        scene: &Scene,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Arc<BoardTape>, Cancelled> {
+        match self.care {
+            Care::Full => Ok(self),
+            Care::Draft => BoardTape::fill(&self.board, scene, Care::Full, watch).map(Arc::new),
+        }
     }
 }
 

@@ -190,7 +190,7 @@ impl Page<'_> {
         let usual = match pane {
             Pane::Cells => 232.0,
             Pane::Slabs => 190.0,
-            Pane::Bytes => 220.0,
+            Pane::Bytes => 300.0,
             _ => 200.0,
         };
         self.plate.still.height(pane, &self.look).map_or(usual, |height| height + 14.0)

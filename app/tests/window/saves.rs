@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use egui_kittest::Harness;
 use raystep::window::{App, Remembered, Wishes};
 use raystep_lesson::Library;
+
+use crate::window::{Window, sized};
 
 const SLIDE: &str = "05-kd-tree/33-which-child-first.md";
 
@@ -28,7 +29,7 @@ fn copied(name: &str) -> PathBuf {
     lessons
 }
 
-fn window(lessons: &Path) -> Harness<'static, App> {
+fn window(lessons: &Path) -> Window {
     let library = Library::from_dir(lessons).unwrap();
     let wishes = Wishes {
         slide: Some("5/33".to_owned()),
@@ -37,16 +38,14 @@ fn window(lessons: &Path) -> Harness<'static, App> {
         lessons: Some(lessons.to_path_buf()),
         ..Wishes::default()
     };
-    let mut harness = Harness::builder()
-        .with_size([1600.0, 1000.0])
-        .with_max_steps(60)
+    let mut harness = sized([1600.0, 1000.0])
         .build_eframe(|context| App::wished(&context.egui_ctx, library, wishes, Remembered::default()));
     until(&mut harness, "the slide", |app| app.state.is_current() && app.state.view.step == 6);
     harness
 }
 
 /// Runs frames until something holds; whatever is shown meanwhile, it is this slide at this step.
-fn until(harness: &mut Harness<'static, App>, what: &str, holds: impl Fn(&App) -> bool) {
+fn until(harness: &mut Window, what: &str, holds: impl Fn(&App) -> bool) {
     let begun = Instant::now();
     while begun.elapsed() < Duration::from_secs(60) {
         harness.run_steps(2);
@@ -81,7 +80,7 @@ fn saving_the_open_slide_keeps_the_reader_in_his_place() {
     let before = place(harness.state());
 
     let mut saves = 0;
-    let mut check = |what: &str, save: &mut dyn FnMut(&mut Harness<'static, App>, &str)| {
+    let mut check = |what: &str, save: &mut dyn FnMut(&mut Window, &str)| {
         saves += 1;
         let title = format!("Saved {saves} times");
         save(&mut harness, &text.replace(old, &title));

@@ -1,43 +1,17 @@
 //! The window without a screen: every slide walked by keyboard, and what undo, predict and the palette do.
 
 use egui::{Key, Modifiers};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::{Beside, RayChoice};
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::{Allowed, Grain};
-use raystep_lesson::{Library, StageKind};
+use raystep_lesson::StageKind;
 
-fn window(slide: Option<&str>, size: [f32; 2]) -> Harness<'static, App> {
-    let wishes = Wishes { slide: slide.map(str::to_owned), ..Wishes::default() };
-    let mut harness = Harness::builder()
-        .with_size(size)
-        .with_max_steps(60)
-        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
-    settle(&mut harness);
-    harness
-}
-
-/// Runs frames until the walk that is asked for is there.
-fn settle(harness: &mut Harness<'static, App>) {
-    for _ in 0..6000 {
-        harness.run_steps(2);
-        if harness.state().state.is_current() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("no walk arrives");
-}
-
-fn press(harness: &mut Harness<'static, App>, key: Key) {
-    harness.key_press(key);
-    harness.run_steps(1);
-}
+use crate::window::{Window, library, press, settle, sized, window};
 
 #[test]
 fn every_slide_is_walked_by_keyboard_and_back() {
-    let mut harness = window(None, [1600.0, 1000.0]);
+    let mut harness = window("1/1", [1600.0, 1000.0]);
     let slides = harness.state().state.library.slides.len();
     harness.state_mut().state.predict = false;
     harness.state_mut().state.grain = Grain::Visit;
@@ -75,7 +49,7 @@ fn every_slide_is_walked_by_keyboard_and_back() {
 fn every_control_has_a_name() {
     for size in [[1600.0, 1000.0], [1280.0, 800.0], [1024.0, 768.0]] {
         for slide in ["2/13a", "3/20", "5/33", "7/56"] {
-            let mut harness = window(Some(slide), size);
+            let mut harness = window(slide, size);
             harness.run_steps(2);
             harness.check_accessibility();
         }
@@ -84,7 +58,7 @@ fn every_control_has_a_name() {
 
 #[test]
 fn nothing_is_cut_off_in_a_small_window() {
-    let harness = window(Some("5/33"), [1024.0, 768.0]);
+    let harness = window("5/33", [1024.0, 768.0]);
     for name in ["Export", "Present", "Predict", "Compare", "Flat", "Solid", "More", "Next step", "Timeline", "Walk"] {
         for node in harness.query_all_by_label(name) {
             let rect = node.rect();
@@ -95,7 +69,7 @@ fn nothing_is_cut_off_in_a_small_window() {
 
 #[test]
 fn a_beat_is_heard_before_the_question_behind_it() {
-    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let mut harness = window("5/33", [1600.0, 1000.0]);
     let playback = harness.state().state.playback().unwrap().clone();
     let speaks = |step| playback.play.beats.contains(&Some(step));
     let posed = playback.posed.iter().find(|posed| speaks(posed.before)).expect("a question right behind a beat");
@@ -106,8 +80,7 @@ fn a_beat_is_heard_before_the_question_behind_it() {
             press(&mut harness, Key::Enter);
         }
     }
-    let asks =
-        |harness: &Harness<'static, App>| (harness.state().state.view.step, harness.state().state.question().is_some());
+    let asks = |harness: &Window| (harness.state().state.view.step, harness.state().state.question().is_some());
     assert_eq!(asks(&harness), (posed.before, false), "first what is said at this step");
     press(&mut harness, Key::ArrowRight);
     assert_eq!(asks(&harness), (posed.before, true), "then the question");
@@ -120,9 +93,9 @@ fn a_beat_is_heard_before_the_question_behind_it() {
 
 #[test]
 fn stepping_stops_at_every_beat_of_every_slide() {
-    let library = Library::embedded();
+    let library = library();
     for slide in library.slides.iter().map(raystep_lesson::Slide::id) {
-        let mut harness = window(Some(&slide), [1600.0, 1000.0]);
+        let mut harness = window(slide.as_str(), [1600.0, 1000.0]);
         harness.state_mut().state.predict = false;
         harness.state_mut().state.grain = Grain::Visit;
         press(&mut harness, Key::Home);
@@ -140,7 +113,7 @@ fn stepping_stops_at_every_beat_of_every_slide() {
 
 #[test]
 fn playing_follows_the_clock_however_long_a_frame_takes() {
-    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let mut harness = window("5/33", [1600.0, 1000.0]);
     let state = &mut harness.state_mut().state;
     state.predict = false;
     state.go(0);
@@ -161,7 +134,7 @@ fn playing_follows_the_clock_however_long_a_frame_takes() {
 
 #[test]
 fn a_question_is_asked_before_its_step_and_answered_by_key() {
-    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let mut harness = window("5/33", [1600.0, 1000.0]);
     let posed = harness.state().state.playback().unwrap().posed[0].clone();
     press(&mut harness, Key::Home);
     while harness.state().state.question().is_none() {
@@ -180,7 +153,7 @@ fn a_question_is_asked_before_its_step_and_answered_by_key() {
 
 #[test]
 fn changes_are_undone_and_backspace_restores_the_slide() {
-    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let mut harness = window("5/33", [1600.0, 1000.0]);
     let own = harness.state().state.view.clone();
     harness.state_mut().state.keep();
     harness.state_mut().state.set("max_depth", "1");
@@ -198,7 +171,7 @@ fn changes_are_undone_and_backspace_restores_the_slide() {
 }
 
 /// Clicks what has this name and is no mere text.
-fn click(harness: &mut Harness<'static, App>, label: &str) {
+fn click(harness: &mut Window, label: &str) {
     let text = egui::accesskit::Role::Label;
     let mut found = harness.query_all_by_label(label).filter(|node| node.accesskit_node().role() != text);
     found.next_back().unwrap_or_else(|| panic!("nothing to click is called {label}")).click();
@@ -207,7 +180,7 @@ fn click(harness: &mut Harness<'static, App>, label: &str) {
 }
 
 /// Clicks a field, types into it and presses Enter.
-fn type_into(harness: &mut Harness<'static, App>, label: &str, text: &str) {
+fn type_into(harness: &mut Window, label: &str, text: &str) {
     click(harness, label);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     harness.run_steps(1);
@@ -222,7 +195,7 @@ fn every_parameter_is_set_by_click_and_by_typing() {
     let mut kinds = [0; 4];
     for slide in ["3/20", "5/33", "7/56b"] {
         // Tall enough for all parameters: what is scrolled away cannot be clicked.
-        let mut harness = window(Some(slide), [1600.0, 2400.0]);
+        let mut harness = window(slide, [1600.0, 2400.0]);
         harness.state_mut().state.predict = false;
         press(&mut harness, Key::S);
         settle(&mut harness);
@@ -276,7 +249,7 @@ fn every_parameter_is_set_by_click_and_by_typing() {
 
 #[test]
 fn a_ray_is_typed_in_numbers() {
-    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let mut harness = window("5/33", [1600.0, 1000.0]);
     press(&mut harness, Key::S);
     settle(&mut harness);
     type_into(&mut harness, "o.y", "2.5");
@@ -296,7 +269,7 @@ fn a_ray_is_typed_in_numbers() {
 #[test]
 fn a_mistake_is_played_on_a_ray_that_shows_it() {
     for slide in ["2/13b", "3/20", "5/33", "7/56b"] {
-        let mut harness = window(Some(slide), [1600.0, 1000.0]);
+        let mut harness = window(slide, [1600.0, 1000.0]);
         let mistakes = harness.state().state.playback().unwrap().mistakes.len();
         assert!(mistakes > 0, "{slide}");
         harness.state_mut().state.beside = Beside::Mistake(mistakes - 1);
@@ -308,7 +281,7 @@ fn a_mistake_is_played_on_a_ray_that_shows_it() {
 
 #[test]
 fn the_palette_finds_a_slide() {
-    let mut harness = window(None, [1280.0, 800.0]);
+    let mut harness = window("1/1", [1280.0, 800.0]);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::K);
     harness.run_steps(2);
     harness.event(egui::Event::Text("which child".to_owned()));
@@ -320,7 +293,7 @@ fn the_palette_finds_a_slide() {
 
 #[test]
 fn the_page_of_keys_fits_a_small_window() {
-    let mut harness = window(Some("5/33"), [1024.0, 768.0]);
+    let mut harness = window("5/33", [1024.0, 768.0]);
     press(&mut harness, Key::Questionmark);
     harness.run_steps(3);
     for name in ["Answer the open question", "Redo", "comes nearer; stretches the ruler of t", "Close"] {
@@ -334,7 +307,7 @@ fn the_page_of_keys_fits_a_small_window() {
 
 #[test]
 fn while_something_is_made_the_page_stays_and_can_be_walked() {
-    let mut harness = window(Some("5/33"), [1600.0, 1000.0]);
+    let mut harness = window("5/33", [1600.0, 1000.0]);
     let before = harness.state().state.view.clone();
     // So large a scene is not there in the next frame.
     let mesh = std::sync::Arc::new(raystep_scene::Scene::named("teapot:60x60").unwrap());
@@ -355,12 +328,12 @@ fn while_something_is_made_the_page_stays_and_can_be_walked() {
 #[test]
 fn slides_open_on_the_stage_that_they_say_and_else_on_the_one_that_was_asked_for() {
     use StageKind::{Flat, Solid};
-    let mut harness = window(Some("5/37"), [1280.0, 800.0]);
-    let shown = |harness: &Harness<'static, App>| {
+    let mut harness = window("5/37", [1280.0, 800.0]);
+    let shown = |harness: &Window| {
         let state = &harness.state().state;
         (state.slide().unwrap().numbers[0].clone(), state.stage().unwrap().kind)
     };
-    let turned = |harness: &mut Harness<'static, App>, key| {
+    let turned = |harness: &mut Window, key| {
         press(harness, key);
         settle(harness);
         shown(harness)
@@ -381,9 +354,8 @@ fn slides_open_on_the_stage_that_they_say_and_else_on_the_one_that_was_asked_for
     // A ray that was named is shown where it walks.
     let named = |slide: &str, ray: &str| {
         let wishes = Wishes { slide: Some(slide.to_owned()), ray: Some(ray.to_owned()), ..Wishes::default() };
-        let mut harness = Harness::builder()
-            .with_size([1280.0, 800.0])
-            .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
+        let mut harness = sized([1280.0, 800.0])
+            .build_eframe(|context| App::wished(&context.egui_ctx, library(), wishes, Remembered::default()));
         settle(&mut harness);
         let state = &harness.state().state;
         (state.stage().unwrap().kind, state.view.ray.clone())
@@ -397,7 +369,7 @@ fn slides_open_on_the_stage_that_they_say_and_else_on_the_one_that_was_asked_for
 #[test]
 fn what_a_text_offers_is_done_by_its_button() {
     let offered = |slide: &str, words: &str| {
-        let mut harness = window(Some(slide), [1600.0, 1000.0]);
+        let mut harness = window(slide, [1600.0, 1000.0]);
         harness.state_mut().state.predict = false;
         press(&mut harness, Key::End);
         harness.run_steps(2);
@@ -408,7 +380,7 @@ fn what_a_text_offers_is_done_by_its_button() {
     };
     // Another parameter; undo takes it back.
     let mut harness = offered("3/18", "Build without the second look");
-    let prunes = |harness: &Harness<'static, App>| {
+    let prunes = |harness: &Window| {
         let parameters = harness.state().state.playback().unwrap().rule.parameters();
         parameters.into_iter().find(|parameter| parameter.key == "prune").unwrap().value
     };

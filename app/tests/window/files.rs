@@ -5,32 +5,19 @@ use std::process::Command;
 use std::sync::Arc;
 
 use egui::{Key, Modifiers};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use raystep::shown::Playback;
-use raystep::window::{App, Remembered, Wishes};
-use raystep_lesson::Library;
+use raystep::window::App;
 
-fn window(slide: &str) -> Harness<'static, App> {
-    let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
-    let mut harness = Harness::builder()
-        .with_size([1600.0, 1000.0])
-        .with_max_steps(60)
-        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
-    until(&mut harness, |app| app.state.is_current());
-    harness
+use crate::window::{self, Window};
+
+fn window(slide: &str) -> Window {
+    window::window(slide, [1600.0, 1000.0])
 }
 
 /// Runs frames until something holds.
-fn until(harness: &mut Harness<'static, App>, holds: impl Fn(&App) -> bool) {
-    for _ in 0..3000 {
-        harness.run_steps(2);
-        if holds(harness.state()) {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("it does not come to hold");
+fn until(harness: &mut Window, holds: impl Fn(&App) -> bool) {
+    window::until(harness, |window| holds(window.state()));
 }
 
 /// A folder of this test's own, empty.
@@ -67,7 +54,7 @@ impl egui::DroppedFile for Dropped {
 }
 
 /// A window with a mesh dropped on it.
-fn dropped(name: &str, squares: usize) -> Harness<'static, App> {
+fn dropped(name: &str, squares: usize) -> Window {
     let path = folder(name).join("field.obj");
     std::fs::write(&path, field(squares)).unwrap();
     let mut harness = window("5/33");
@@ -163,7 +150,7 @@ fn cancel_keeps_the_old_structure() {
 }
 
 /// What the window says and shows at one moment.
-fn moment(harness: &Harness<'static, App>, old: &Arc<Playback>) -> (&'static str, &'static str) {
+fn moment(harness: &Window, old: &Arc<Playback>) -> (&'static str, &'static str) {
     let app = harness.state();
     let built = match (app.state.wanted().is_some(), app.is_idle()) {
         (true, _) if harness.query_by_label_contains("Building the structure").is_some() => "building",
@@ -188,7 +175,7 @@ fn cancelling_a_build_of_a_million_triangles_keeps_the_old_page() {
     let (mut free, mut gone) = (Vec::new(), Vec::new());
     for wait in [0, 200, 400, 800, 1600] {
         let mut order = vec![moment(&harness, &old)];
-        let mut note = |harness: &Harness<'static, App>| {
+        let mut note = |harness: &Window| {
             let now = moment(harness, &old);
             if order.last() != Some(&now) {
                 order.push(now);

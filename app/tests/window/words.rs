@@ -4,32 +4,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use egui::Key;
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use raystep::window::{App, Remembered, Wishes};
-use raystep_lesson::Library;
+use raystep::window::Remembered;
 
-type Window = Harness<'static, App>;
+use crate::window::{self, Window, settle};
 
 fn window(slide: &str, remembered: Remembered) -> Window {
-    let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
-    let mut harness: Window = Harness::builder()
-        .with_size([1280.0, 800.0])
-        .with_max_steps(60)
-        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, remembered));
-    settle(&mut harness);
-    harness
-}
-
-fn settle(harness: &mut Window) {
-    for _ in 0..2000 {
-        harness.run_steps(3);
-        if harness.state().state.is_current() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("no walk arrives");
+    window::remembering(slide, [1280.0, 800.0], remembered)
 }
 
 /// Slide 37 where its text speaks of the mailbox, which slide 20c teaches.

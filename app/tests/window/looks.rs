@@ -1,39 +1,14 @@
 //! How space and the ruler are looked at: levels of boxes and a stretched ruler, by key and mouse, and undone.
 
 use egui::{Key, Modifiers, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use raystep::shown::command::Command;
-use raystep::window::{App, Remembered, Wishes};
 use raystep_figure::Depth;
-use raystep_lesson::Library;
 
-type Window = Harness<'static, App>;
+use crate::window::{self, Window, press, settle};
 
 fn window(slide: &str) -> Window {
-    let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
-    let builder = Harness::builder().with_size([1600.0, 1000.0]).with_max_steps(60);
-    let mut harness = builder
-        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
-    settle(&mut harness);
-    harness
-}
-
-/// Runs frames until the walk that is asked for is there.
-fn settle(harness: &mut Window) {
-    for _ in 0..2000 {
-        harness.run_steps(3);
-        if harness.state().state.is_current() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("no walk arrives");
-}
-
-fn press(harness: &mut Window, key: Key) {
-    harness.key_press(key);
-    harness.run_steps(2);
+    window::window(slide, [1600.0, 1000.0])
 }
 
 fn undo(harness: &mut Window) {

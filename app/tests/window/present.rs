@@ -1,23 +1,11 @@
 //! The presenter's page: everything that is said and asked there is seen at once.
 
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::command::Command;
 use raystep::window::{App, Remembered, Wishes};
-use raystep_lesson::{Library, StageKind};
+use raystep_lesson::StageKind;
 
-type Window = Harness<'static, App>;
-
-fn settle(harness: &mut Window) {
-    for _ in 0..6000 {
-        harness.run_steps(2);
-        if harness.state().state.is_current() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("no walk arrives");
-}
+use crate::window::{Window, library, settle, sized};
 
 /// How far texts and buttons reach below the room that they have.
 fn too_low(harness: &Window, size: [f32; 2]) -> f32 {
@@ -39,8 +27,8 @@ fn too_low(harness: &Window, size: [f32; 2]) -> f32 {
 fn nothing_that_is_said_or_asked_needs_scrolling() {
     for size in [[1600.0, 900.0], [1920.0, 1080.0]] {
         let wishes = Wishes::default();
-        let mut harness: Window = Harness::builder().with_size(size).with_max_steps(60).build_eframe(|context| {
-            let mut app = App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default());
+        let mut harness: Window = sized(size).build_eframe(|context| {
+            let mut app = App::wished(&context.egui_ctx, library(), wishes, Remembered::default());
             app.state.present = true;
             app
         });
@@ -100,8 +88,8 @@ fn look(harness: &mut Window, size: [f32; 2], what: &str) -> usize {
 fn what_changed_stands_there_where_there_is_room() {
     let check = |slide: &str, size: [f32; 2]| {
         let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
-        let mut harness: Window = Harness::builder().with_size(size).with_max_steps(60).build_eframe(|context| {
-            let mut app = App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default());
+        let mut harness: Window = sized(size).build_eframe(|context| {
+            let mut app = App::wished(&context.egui_ctx, library(), wishes, Remembered::default());
             app.state.present = true;
             app.state.predict = false;
             app

@@ -1,40 +1,17 @@
 //! What is taken in the hand: shapes, planes and the cut that is weighed follow it, and so does all that is said.
 
 use egui::{Event, Key, Modifiers, Pos2, Vec2, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::View;
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::{Accel, Axis, Event as Happened, Grow, HandCut, NodeId, PrimId, Primitives, Structure};
-use raystep_lesson::Library;
 
-type Window = Harness<'static, App>;
+use crate::window::{self, Window, library, press, settle, sized};
 
 fn window(slide: &str, size: [f32; 2]) -> Window {
-    let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
-    let mut harness = Harness::builder()
-        .with_size(size)
-        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
+    let mut harness = window::window(slide, size);
     harness.state_mut().state.predict = false;
-    settle(&mut harness);
     harness
-}
-
-/// Runs frames until the walk that is asked for is there.
-fn settle(harness: &mut Window) {
-    for _ in 0..2000 {
-        harness.run_steps(2);
-        if harness.state().state.is_current() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("no walk arrives");
-}
-
-fn press(harness: &mut Window, key: Key) {
-    harness.key_press(key);
-    harness.run_steps(2);
 }
 
 /// Where something lies that can be taken: its middle.
@@ -264,9 +241,9 @@ fn a_step_moves_and_any_key_ends_the_motion() {
     let mut moving = Remembered::default();
     moving.motion = Some(true);
     let wishes = Wishes { slide: Some("5/33".to_owned()), ..Wishes::default() };
-    let builder = Harness::builder().with_size([1600.0, 1000.0]).with_step_dt(0.02);
-    let mut harness =
-        builder.build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, moving));
+    let mut harness = sized([1600.0, 1000.0])
+        .with_step_dt(0.02)
+        .build_eframe(|context| App::wished(&context.egui_ctx, library(), wishes, moving));
     settle(&mut harness);
     harness.state_mut().state.predict = false;
     harness.run_steps(20);

@@ -2,16 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use raystep::shown::state::State;
 use raystep::shown::{RayChoice, View, command::Command};
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::{Grain, Ray};
 use raystep_figure::Camera;
-use raystep_lesson::{Library, StageKind};
+use raystep_lesson::StageKind;
 
-type Window = Harness<'static, App>;
+use crate::window::{Window, library, sized, until};
 
 /// A folder of this test's own, empty.
 fn folder(name: &str) -> PathBuf {
@@ -24,8 +23,8 @@ fn folder(name: &str) -> PathBuf {
 fn window(file: &Path, wishes: Wishes) -> Window {
     let reopens = wishes.slide.is_none();
     let file = file.to_path_buf();
-    let mut harness = Harness::builder().with_size([1280.0, 800.0]).with_max_steps(60).build_eframe(move |context| {
-        let mut app = App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default());
+    let mut harness = sized([1280.0, 800.0]).build_eframe(move |context| {
+        let mut app = App::wished(&context.egui_ctx, library(), wishes, Remembered::default());
         app.keep_in(file, reopens);
         app
     });
@@ -35,14 +34,8 @@ fn window(file: &Path, wishes: Wishes) -> Window {
 
 /// Runs frames until everything that is asked for is there.
 fn settle(harness: &mut Window) {
-    for _ in 0..3000 {
-        harness.run_steps(3);
-        if harness.state().state.is_current() && harness.query_by_label_contains("Reading").is_none() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    panic!("no walk arrives");
+    let reads = |window: &Window| window.query_by_label_contains("Reading").is_some();
+    until(harness, |window| window.state().state.is_current() && !reads(window));
 }
 
 /// What a window opens at again.
@@ -151,7 +144,7 @@ fn what_is_gone_or_makes_no_sense_is_left_out_and_said() {
             window(&folder("opening").join("last.toml"), Wishes { slide: Some(slide.to_owned()), ..Wishes::default() });
         harness.state().state.view.step
     };
-    let first = Library::embedded().slides[0].id();
+    let first = library().slides[0].id();
     check(good.to_owned(), "", "5/33", 7);
     check(format!("zoom = 3\n{good}"), "last.toml", "5/33", 7);
     check(format!("ray = \"of another lecture\"\n{good}"), "", "5/33", 7);

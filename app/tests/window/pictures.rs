@@ -7,7 +7,9 @@ use std::time::Duration;
 use egui_kittest::{Harness, SnapshotOptions};
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::Grain;
-use raystep_lesson::{Library, StageKind};
+use raystep_lesson::StageKind;
+
+use crate::window::{Window, library};
 
 /// Small differences of drivers in the edges of lines.
 const DIFFERENT_PIXELS: usize = 1500;
@@ -23,7 +25,7 @@ struct Shot<'a> {
 
 impl Shot<'_> {
     /// The window at the walk's first step, drawn at so many pixels per point; none where no driver answers.
-    fn window(&self, pixels_per_point: f32) -> Option<Harness<'static, App>> {
+    fn window(&self, pixels_per_point: f32) -> Option<Window> {
         if let Err(none) = raystep_paint::Headless::new() {
             assert!(std::env::var("RAYSTEP_REQUIRE_GPU").as_deref() != Ok("1"), "{none}");
             println!("stepping aside: {none}");
@@ -35,7 +37,7 @@ impl Shot<'_> {
         let options = SnapshotOptions::new().max_failed_pixels(DIFFERENT_PIXELS);
         let builder = Harness::builder().with_size(self.size).with_pixels_per_point(pixels_per_point);
         let mut harness = builder.with_options(options).wgpu().build_eframe(|context| {
-            let mut app = App::wished(&context.egui_ctx, Library::embedded(), wishes, remembered);
+            let mut app = App::wished(&context.egui_ctx, library(), wishes, remembered);
             if let Some(state) = &context.wgpu_render_state {
                 app.draw_with(&context.egui_ctx, state);
             }

@@ -1,0 +1,13 @@
+//! The window without a screen, as somebody uses it. One program, so that it is linked once.
+
+mod files;
+mod hand;
+mod keyboard;
+mod last;
+mod layout;
+mod looks;
+mod pictures;
+mod present;
+mod saves;
+mod window;
+mod words;

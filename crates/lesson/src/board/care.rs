@@ -1,0 +1,21 @@
+//! How carefully a board is filled: coarsely while somebody waits for it, then in full.
+
+/// How many rays what is measured and drawn on a board is given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Care {
+    /// A sixteenth of them: seen at once, and not yet to be quoted.
+    Draft,
+    /// All of them: what stands on paper.
+    #[default]
+    Full,
+}
+
+impl Care {
+    /// The pixels across and down of a picture that has `size` in full.
+    pub(super) fn of(self, size: [u32; 2]) -> [u32; 2] {
+        match self {
+            Care::Draft => size.map(|side| (side / 4).max(4)),
+            Care::Full => size,
+        }
+    }
+}
