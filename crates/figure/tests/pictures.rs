@@ -6,13 +6,13 @@ use raystep_figure::{Ask, Build, Depth, Figure, Form, Ink, Look, Nodes, Pane, Re
 use raystep_lesson::{Library, Play, Plays, Slide, Stage, Tape};
 
 /// Cells along a ray, in a grid within a cell too.
-const CELLS: usize = 80;
+const CELLS: usize = 120;
 
 /// Most boxes that a solid picture shows at once: more is a tangle of wires.
 const WIRED: usize = 12;
 
 /// The same of an octree: a node has eight children.
-const WIRED_OF_EIGHT: usize = 12;
+const WIRED_OF_EIGHT: usize = 21;
 
 /// Most labels on them: a slab test has two planes and two t, beside where the walk is and what it tested.
 const LABELS: usize = 6;

@@ -140,7 +140,9 @@ impl Drawing<'_> {
                 } else {
                     format!("{node} met: {near} – {far}")
                 };
-                let others = matches!(self.moment.event, Some(Visit::Volume { .. })) && !now;
+                // Nor beside a test that is under way: its planes and their t need the room.
+                let under_way = self.moment.under_test().is_some();
+                let others = (under_way || matches!(self.moment.event, Some(Visit::Volume { .. }))) && !now;
                 if self.walk.flat || !others {
                     self.titled(Role::Seen, tested.place, says);
                 }

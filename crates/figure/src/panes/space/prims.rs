@@ -92,8 +92,10 @@ impl Drawing<'_> {
     pub(super) fn hits(&mut self) {
         let moment = self.moment;
         if let Some(hit) = moment.best {
-            let text = format!("t = {}", number(hit.t));
-            self.ring(Role::Best, Some(Place::Prim(hit.prim)), hit.t, Some(text));
+            // In space a test that is under way needs the room; the ruler tells this t at every step.
+            let room = self.walk.flat || moment.under_test().is_none();
+            let text = room.then(|| format!("t = {}", number(hit.t)));
+            self.ring(Role::Best, Some(Place::Prim(hit.prim)), hit.t, text);
         }
         match moment.event {
             Some(Visit::Test { prim, t, hit: true }) if moment.best.is_none_or(|best| best.prim != prim) => {
