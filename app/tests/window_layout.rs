@@ -174,8 +174,8 @@ fn the_buttons_stand_still_from_slide_to_slide() {
         for index in 0..ids().len() {
             harness.state_mut().state.show_slide(index);
             settle(&mut harness);
-            // A board has neither stages nor a structure to choose.
-            if harness.state().state.slide().unwrap().plays == Plays::Board {
+            // A board and pairs have neither stages nor a structure to choose.
+            if matches!(harness.state().state.slide().unwrap().plays, Plays::Board | Plays::Pairs) {
                 continue;
             }
             check(&harness, &format!("slide {index}"));

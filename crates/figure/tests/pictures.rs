@@ -31,7 +31,7 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
             let rays: Vec<_> = match slide.plays {
                 Plays::Build => vec![None],
                 Plays::Walk => stage.rays.iter().map(|ray| Some(ray.ray)).collect(),
-                Plays::Walks | Plays::Board => continue,
+                Plays::Walks | Plays::Board | Plays::Pairs => continue,
             };
             for ray in rays {
                 let play = built.play(ray, &slide.beats).expect("something is played");
@@ -50,7 +50,7 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
                         instead: None,
                         flat,
                     }),
-                    Tape::Walks(_) | Tape::Board(_) => continue,
+                    Tape::Walks(_) | Tape::Board(_) | Tape::Pairs(_) => continue,
                 };
                 check(slide, stage, &play, &reel, &nodes);
             }
