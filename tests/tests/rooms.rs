@@ -29,6 +29,7 @@ const HOUSES: &[(&str, &[&str])] = &[
             "instancing",
             "packet",
             "mistakes",
+            "event",
         ],
     ),
     ("crates/figure/src", &["theme", "page", "words", "world", "stage", "moments", "panes", "kinds"]),

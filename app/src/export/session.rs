@@ -132,6 +132,7 @@ impl<'a> Session<'a> {
             }
             Tape::Build(build) => Told::Build(&build.events),
             Tape::Board(filled) => Told::Board(&filled.events),
+            Tape::Pairs(pairs) => Told::Pairs(&pairs.events),
             // The first of the walks: the others are the same ray's.
             Tape::Walks(walks) => match walks.walks.first() {
                 Some(Tape::Walk(walk)) => {
@@ -190,7 +191,7 @@ impl<'a> Session<'a> {
         let (heading, caption) = self.said(event.as_ref(), step, beat);
         let about = match (&self.ray, &self.play.tape) {
             (Some(ray), _) => format!("{} · ray: {ray}", self.ground.about),
-            (None, Tape::Board(_)) => self.ground.about.clone(),
+            (None, Tape::Board(_) | Tape::Pairs(_)) => self.ground.about.clone(),
             (None, _) => format!("{} · how it is built", self.ground.about),
         };
         let listing = lines(self.ground.library.listing(&slide.listing), &self.play, step, None);

@@ -1,9 +1,14 @@
 //! A slide's board as the figures draw it: its printed words, its formulas' values, its measured numbers.
 
+use std::borrow::Cow;
+
+use raystep_accel::{Appraisal, Measure, Place, Reveal, Value};
 use raystep_figure::{
-    Board, Chart, Curve, Drawn, Image, Map, Maps, Panel, Picture, Pictures, Role, Row, Scale, Table, number,
+    Board, Camera, Chart, Curve, Drawn, Fact, Given, Image, Knob, Map, Maps, Meter, Panel, Picture, Pictures, Role,
+    Row, Scale, Symbol, Table, VolumeName, forms_of, number, told,
 };
-use raystep_lesson::{BoardTape, Cell, Column, Measured, Stroke};
+use raystep_lesson::{BoardTape, Cell, Column, Measured, Numbers, Stroke};
+use raystep_scene::View;
 
 /// How many points a law is drawn through.
 const POINTS: usize = 96;
@@ -13,6 +18,7 @@ pub(crate) fn board(filled: &BoardTape) -> Board<'_> {
     let panels = filled.board.panels.iter().enumerate().map(|(index, panel)| match panel {
         raystep_lesson::Panel::Table(table) => Panel::Table(of_table(table, index, filled)),
         raystep_lesson::Panel::Chart(chart) => Panel::Chart(of_chart(chart, index, filled)),
+        raystep_lesson::Panel::Meter(meter) => Panel::Meter(of_meter(meter, filled)),
         raystep_lesson::Panel::Maps(maps) => Panel::Maps(of_maps(maps, index, filled)),
         raystep_lesson::Panel::Pictures(pictures) => Panel::Pictures(of_pictures(pictures, index, filled)),
     });
@@ -23,9 +29,10 @@ pub(crate) fn board(filled: &BoardTape) -> Board<'_> {
         Some(raystep_lesson::Panel::Pictures(pictures)) => {
             pictures.pictures.get(place).map(|picture| picture.name.clone())
         }
-        None => None,
+        Some(raystep_lesson::Panel::Meter(_)) | None => None,
     };
-    let names = filled.places.iter().map(|at| name(at).unwrap_or_default()).collect();
+    let named = |(entry, at)| words(&name(at).unwrap_or_default(), entry, filled);
+    let names = filled.places.iter().enumerate().map(named).collect();
     Board { panels: panels.collect(), events: &filled.events, names }
 }
 
@@ -34,14 +41,74 @@ fn entry(filled: &BoardTape, panel: usize, place: usize) -> usize {
     filled.places.iter().position(|at| *at == (panel, place)).unwrap_or(usize::MAX)
 }
 
+/// What stands beside an entry, with its numbers and those of the meter filled in.
+fn words(text: &str, entry: usize, filled: &BoardTape) -> String {
+    match filled.events.get(entry) {
+        Some(event) if text.contains("{{") => told(text, &Shown { event, numbers: &filled.numbers }),
+        _ => text.to_owned(),
+    }
+}
+
+/// An entry, and where the numbers of the meter stand.
+struct Shown<'a> {
+    event: &'a Reveal,
+    numbers: &'a Numbers,
+}
+
+impl Fact for Shown<'_> {
+    fn name(&self) -> &'static str {
+        self.event.name()
+    }
+
+    fn place(&self) -> Place {
+        self.event.place()
+    }
+
+    fn field(&self, name: &str) -> Option<Value> {
+        let moved = || self.numbers.get(name).map(|number| Value::Number(number as f32));
+        self.event.field(name).or_else(moved)
+    }
+
+    fn symbol(&self) -> Option<Symbol> {
+        None
+    }
+
+    fn short(&self, _: VolumeName) -> Cow<'static, str> {
+        Cow::Borrowed("")
+    }
+
+    fn sentence(&self, _: VolumeName) -> String {
+        String::new()
+    }
+}
+
+fn of_meter(meter: &raystep_lesson::Meter, filled: &BoardTape) -> Meter {
+    let knobs = meter.numbers.iter().map(|number| Knob {
+        name: number.name.clone(),
+        note: number.note.clone(),
+        from: number.from,
+        to: number.to,
+        is: filled.numbers.get(&number.name).unwrap_or(number.is),
+        log: number.log,
+        whole: number.whole,
+    });
+    let gives = meter.gives.iter().map(|given| {
+        let value = number(given.formula.at(0.0, &filled.numbers) as f32);
+        let value = if given.unit.is_empty() { value } else { format!("{value} {}", given.unit) };
+        Given { name: given.name.clone(), note: given.note.clone(), value }
+    });
+    Meter { title: meter.title.clone(), about: meter.about.clone(), knobs: knobs.collect(), gives: gives.collect() }
+}
+
 fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> Table {
     let columns = table.columns.iter().map(|(column, head)| raystep_figure::Column {
         head: head.clone(),
         role: match column {
             Column::Printed | Column::Nodes | Column::Bytes => Role::Text,
             Column::Total => Role::Quiet,
-            Column::Computed | Column::Visits | Column::Boxes => Role::Value,
-            Column::Tests => Role::Missed,
+            Column::Computed | Column::Visits | Column::Boxes | Column::Cuts => Role::Value,
+            Column::Content | Column::Area => Role::Text,
+            Column::Tests | Column::Vain => Role::Missed,
         },
         given: matches!(column, Column::Printed | Column::Total),
     });
@@ -51,13 +118,16 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
         let cell = |(column, _): &(Column, String)| match row.cells.iter().find(|(own, _)| own == column) {
             Some((_, Cell::Text(text))) => text.clone(),
             Some((_, Cell::Value(formula, unit))) => {
-                let value = digits(formula.at(0.0));
+                let value = digits(formula.at(0.0, &filled.numbers));
                 if unit.is_empty() { value } else { format!("{value} {unit}") }
             }
-            None => measured.map_or_else(String::new, |measured| here(*column, &measured)),
+            None => match filled.appraised.get(entry).and_then(Option::as_ref) {
+                Some(appraised) => around(*column, appraised),
+                None => measured.map_or_else(String::new, |measured| here(*column, &measured)),
+            },
         };
         let cells = table.columns.iter().map(cell).collect();
-        Row { entry, name: row.name.clone(), note: row.note.clone(), cells }
+        Row { entry, name: words(&row.name, entry, filled), note: words(&row.note, entry, filled), cells }
     });
     Table {
         title: table.title.clone(),
@@ -80,6 +150,20 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Nodes => grouped(measured.nodes),
         Column::Bytes => grouped(measured.bytes),
         Column::Printed | Column::Total | Column::Computed => String::new(),
+        // Of a structure nobody asks.
+        Column::Content | Column::Area | Column::Cuts | Column::Vain => String::new(),
+    }
+}
+
+/// A number of a volume around everything.
+fn around(column: Column, appraised: &Appraisal) -> String {
+    match column {
+        Column::Content => digits(appraised.content),
+        Column::Area => digits(f64::from(appraised.area)),
+        Column::Bytes => grouped(appraised.bytes as u64),
+        Column::Cuts => digits(appraised.cuts),
+        Column::Vain => format!("{:.1} %", appraised.vain_share() * 100.0),
+        _ => String::new(),
     }
 }
 
@@ -114,7 +198,7 @@ fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> 
     };
     let drawn = chart.drawn.iter().enumerate().map(|(place, drawn)| {
         let curve = match &drawn.stroke {
-            Stroke::Point(x, y) => Curve::Point([x.at(0.0), y.at(0.0)]),
+            Stroke::Point(x, y) => Curve::Point([x.at(0.0, &filled.numbers), y.at(0.0, &filled.numbers)]),
             Stroke::Growth { .. } => {
                 let dots = filled.grown.get(entry(filled, panel, place)).cloned().unwrap_or_default();
                 Curve::Line { dots, guess: false }
@@ -124,12 +208,15 @@ fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> 
                     let part = index as f64 / (POINTS - 1) as f64;
                     // Evenly spaced on the page.
                     let x = if chart.x.log { from * libm::pow(to / from, part) } else { from + (to - from) * part };
-                    [x, law.at(x)]
+                    [x, law.at(x, &filled.numbers)]
                 };
                 Curve::Line { dots: (0..POINTS).map(along).collect(), guess: *guess }
             }
         };
-        Drawn { entry: entry(filled, panel, place), name: drawn.name.clone(), note: drawn.note.clone(), curve }
+        let entry = entry(filled, panel, place);
+        let moves = matches!(&drawn.stroke, Stroke::Point(x, y) if x.is_moved() || y.is_moved());
+        let (name, note) = (words(&drawn.name, entry, filled), words(&drawn.note, entry, filled));
+        Drawn { entry, name, note, moves, curve }
     });
     Chart {
         title: chart.title.clone(),
@@ -160,13 +247,23 @@ fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &Board
     let picture = |(place, picture): (usize, &raystep_lesson::Picture)| {
         let entry = entry(filled, panel, place);
         let rendered = filled.rendered.get(entry).and_then(Option::as_ref);
-        let blank = || ("".to_owned(), Image { width: 8, height: 5, rgba: vec![255; 160].into() });
-        let (says, image) = rendered.map_or_else(blank, |rendered| {
-            let says = format!("{} triangles · {} tests per ray", grouped(rendered.triangles), digits(rendered.tests));
+        let blank = || ("".to_owned(), Image { width: 8, height: 5, rgba: vec![255; 160].into() }, None);
+        let (says, image, over) = rendered.map_or_else(blank, |rendered| {
+            let over = rendered.outline.as_ref().map(|outline| {
+                let View { eye, target, up, fov_degrees } = rendered.view;
+                (forms_of(outline), Camera::Solid { eye, target, up, fov_degrees })
+            });
+            let says = match &rendered.outline {
+                Some(outline) => {
+                    let area = f64::from(outline.measure(Measure::Area));
+                    format!("volume {} · area {}", digits(outline.content()), digits(area))
+                }
+                None => format!("{} triangles · {} tests per ray", grouped(rendered.triangles), digits(rendered.tests)),
+            };
             let [width, height] = rendered.size;
-            (says, Image { width, height, rgba: rendered.rgba.clone() })
+            (says, Image { width, height, rgba: rendered.rgba.clone() }, over)
         });
-        Picture { entry, name: picture.name.clone(), says, image }
+        Picture { entry, name: picture.name.clone(), says, image, over }
     };
     let (title, about) = (pictures.title.clone(), pictures.about.clone());
     Pictures { title, about, pictures: pictures.pictures.iter().enumerate().map(picture).collect() }

@@ -7,8 +7,8 @@ use glam::Vec2;
 use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives};
 pub(crate) use raystep_figure::Pane;
 use raystep_figure::{
-    Ask, Camera, CutLine, Depth, Figure, Guess, Instant, Look, RulerScale, Scenery, Space, SpaceMark, Symbol, TreeView,
-    nothing, stage,
+    Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Instant, KnobLine, Look, RulerScale, Scenery, Space, SpaceMark,
+    Symbol, TreeView, nothing, stage,
 };
 use raystep_lesson::{About, Choice, Listing, Show};
 
@@ -177,6 +177,16 @@ impl Pictures {
     pub(crate) fn cut_to(&self, size: Vec2, look: &Look, point: Vec2) -> Option<HandCut> {
         let ask = Ask { hide: self.key.asks.is_some(), ..Ask::new(size, *look) };
         self.playback.reel().still(&self.instant).cut_to(&ask, point)
+    }
+
+    /// Where the object is taken in the hand that can be moved through space.
+    pub(crate) fn grip(&self) -> Option<Grip> {
+        self.playback.reel().still(&self.instant).grip()
+    }
+
+    /// Where the numbers lie that can be moved by hand, in a picture of this size.
+    pub(crate) fn knobs(&self, size: Vec2, look: &Look) -> Vec<KnobLine> {
+        self.playback.reel().still(&self.instant).knobs(&Ask::new(size, *look))
     }
 
     /// The symbol whose name stands at this point of the timeline.

@@ -76,6 +76,7 @@ impl Playback {
     /// Plays how it was built; where that was not kept, lets the view's ray walk through it.
     pub fn new(view: View, built: Built, ray: Option<Ray>, slide: &Slide, stage: &Stage) -> Option<Playback> {
         let Built { scene, rule, structure, nodes, told, seconds } = built;
+        let told = told.map(|told| told.moved(&view.settings));
         // A mistake's own scene is no scene of the slide: nothing is told there.
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
         let mut play = raystep_lesson::Built { scene, structure, told }.play(ray, beats)?;
@@ -226,7 +227,7 @@ impl Playback {
                 Some(Tape::Walk(walk)) => Some(walk.hit),
                 _ => None,
             },
-            Tape::Build(_) | Tape::Board(_) => None,
+            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) => None,
         }
     }
 

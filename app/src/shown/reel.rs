@@ -8,7 +8,7 @@ use super::kind_name::kind_name;
 use std::sync::Arc;
 
 use raystep_accel::{Grow, Mistake, Place, Prims, Structure, Value};
-use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, Walks, told};
+use raystep_figure::{Build, Fact, ListingLine, Nodes, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told};
 use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
 /// What a play is shown as: the only place that knows which kind that is. `instead` is what a builder weighed where
@@ -24,6 +24,7 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>)
             Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, instead, flat })
         }
         Tape::Board(filled) => Reel::new(board(filled)),
+        Tape::Pairs(pairs) => Reel::new(Pairs { cases: &pairs.cases, events: &pairs.events }),
         Tape::Walks(walks) => Reel::new(side_by_side(walks, &all.abreast, prims, flat)),
     }
 }
@@ -52,6 +53,7 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
         Plays::Build => "Before the build: the primitives lie there, and nothing is known of them yet.",
         Plays::Walks => "Before the walks: the ray has met nothing yet.",
         Plays::Board => "Nothing is filled in yet.",
+        Plays::Pairs => "Nothing is laid out yet.",
     }
 }
 
@@ -120,6 +122,7 @@ pub(crate) fn pane(show: &Show) -> Option<Pane> {
         Show::Ruler => Some(Pane::Ruler),
         Show::Tree => Some(Pane::Tree),
         Show::Cells => Some(Pane::Cells),
+        Show::Matrix => Some(Pane::Matrix),
         Show::Slabs => Some(Pane::Slabs),
         Show::Bytes => Some(Pane::Bytes),
         Show::Space | Show::Stack | Show::Listing | Show::Work => None,

@@ -450,6 +450,8 @@ impl App {
                 panes::Asked::Part(part) => self.state.show_part(part),
                 panes::Asked::Ray(ray) => self.state.show_ray(RayChoice::Own(ray), true),
                 panes::Asked::Set(key, value) => self.state.set(key, &value),
+                panes::Asked::Body(grip, to) => self.state.move_body(&grip, to),
+                panes::Asked::Number(name, value) => self.state.set(&name, &value.to_string()),
                 panes::Asked::Move(Moved { grasp, to }) => {
                     self.state.move_part(&grasp.scene, grasp.prim, grasp.part, [grasp.from, to]);
                 }

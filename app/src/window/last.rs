@@ -145,7 +145,9 @@ impl Last {
         if let Some(parameter) = key.strip_prefix("settings.") {
             let text = text()?;
             let known = Rule::KINDS.iter().filter_map(|kind| Rule::default_for(kind).ok());
-            if !known.into_iter().any(|mut rule| rule.set(parameter, &text).is_ok()) {
+            // The numbers of a meter and the bodies of pairs are known once the slide is.
+            let numbers = !text.is_empty() && text.split(' ').all(|part| part.parse::<f64>().is_ok_and(f64::is_finite));
+            if !numbers && !known.into_iter().any(|mut rule| rule.set(parameter, &text).is_ok()) {
                 return Err("no structure has such a parameter".to_owned());
             }
             self.settings.insert(parameter.to_owned(), Value::String(text));
@@ -211,11 +213,14 @@ impl Last {
             (None, Some(name)) => RayChoice::Named(named(name).unwrap_or(0)),
             (None, None) => RayChoice::Named(0),
         };
-        // What this structure has no such parameter for is left out.
+        // What this structure has no such parameter for, and this stage no such number or body, is left out.
         let mut rule = stage.and_then(|stage| stage.plan.rule(kind == StageKind::Flat).ok());
         let mut setting = |(key, value): (&String, &Value)| {
             let value = value.as_str()?.to_owned();
-            rule.as_mut()?.set(key, &value).ok()?;
+            match stage.and_then(|stage| stage.own_setting(key, &value)) {
+                Some(own) => own.ok()?,
+                None => rule.as_mut()?.set(key, &value).ok()?,
+            }
             Some((key.clone(), value))
         };
         let settings = self.settings.iter().filter_map(&mut setting).collect();

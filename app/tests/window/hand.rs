@@ -5,6 +5,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::View;
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::{Accel, Axis, Event as Happened, Grow, HandCut, NodeId, PrimId, Primitives, Structure};
+use raystep_lesson::Tape;
 
 use crate::window::{self, Window, library, press, settle, sized};
 
@@ -280,4 +281,67 @@ fn a_step_moves_and_any_key_ends_the_motion() {
     press(&mut harness, Key::Home);
     let there = still(&mut harness);
     assert_eq!(there, still(&mut harness));
+}
+
+/// A number of the meter that is shown, and what the meter's last row makes of all of them.
+fn metered(harness: &Window, name: &str) -> (f64, String) {
+    let playback = harness.state().state.playback().unwrap();
+    let Tape::Board(board) = &playback.play.tape else { panic!("a board") };
+    (board.numbers.get(name).unwrap(), format!("{:?}", board.events.last().unwrap()))
+}
+
+#[test]
+fn a_number_of_a_meter_is_dragged_moved_by_arrows_and_typed() {
+    let mut harness = window("1/8", [1600.0, 1000.0]);
+    press(&mut harness, Key::End);
+    let (before, (own, tests)) = (view(&harness), metered(&harness, "Nx"));
+    assert_eq!(own, 1000.0);
+    let from = place(&harness, "Nx: 1000");
+    drag(&mut harness, from, vec2(60.0, 0.0));
+    let (held, more) = metered(&harness, "Nx");
+    assert!(held > own && more != tests, "it follows: {held}");
+    assert_eq!(metered(&harness, "Ny").0, 1000.0, "the others stay");
+    press(&mut harness, Key::Escape);
+    settle(&mut harness);
+    assert!(view(&harness).same_page(&before), "taken back");
+    harness.drop_at(from);
+    harness.run_steps(2);
+
+    drag(&mut harness, from, vec2(60.0, 0.0));
+    drop(&mut harness, from + vec2(60.0, 0.0));
+    assert_eq!(metered(&harness, "Nx"), (held, more));
+    assert_eq!(view(&harness).step, before.step, "the step stays");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    assert!(view(&harness).same_page(&before), "one drag, one undo");
+    assert_eq!(metered(&harness, "Nx"), (own, tests.clone()));
+
+    // By keyboard.
+    harness.get_by_label("Nx: 1000").focus();
+    harness.run_steps(2);
+    press(&mut harness, Key::ArrowRight);
+    settle(&mut harness);
+    let (moved, _) = metered(&harness, "Nx");
+    assert!(moved > own, "an arrow moves it");
+    assert_eq!(view(&harness).step, before.step, "and is no step");
+    // A whole number moves at least by one.
+    harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    settle(&mut harness);
+    let (fine, _) = metered(&harness, "Nx");
+    assert!(fine < moved && moved - fine < moved - own, "{fine}");
+    assert!(says(&harness, &format!("{} · 1000 · 1000", raystep_figure::number(fine as f32))), "it is said");
+
+    // Typed.
+    harness.get_by_label("Nx, typed").click();
+    harness.run_steps(2);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    harness.event(Event::Text("2,500".to_owned()));
+    harness.run_steps(2);
+    press(&mut harness, Key::Enter);
+    settle(&mut harness);
+    assert_eq!(metered(&harness, "Nx").0, 2500.0);
+    // The slide's own numbers.
+    press(&mut harness, Key::Backspace);
+    settle(&mut harness);
+    assert_eq!(metered(&harness, "Nx"), (own, tests));
 }

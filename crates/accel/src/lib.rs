@@ -35,6 +35,7 @@
 mod bsp;
 mod bvh;
 mod common;
+mod event;
 mod events;
 mod geometry;
 mod grid;
@@ -56,9 +57,10 @@ pub use bsp::{Bsp, BspNode, ConvexCell, FreePlane, PlaneTest};
 pub use bvh::{AnyBvh, Bvh};
 pub(crate) use common::around;
 pub use common::{Accel, Margin, Random};
+pub use event::Event;
 pub use events::{
-    Cancelled, CellId, Cost, Each, Ending, Event, Grain, Grow, Lanes, LeafReason, NodeId, Observer, Place, PrimId,
-    Probed, Reveal, Side, Trace, Value, Verdict, Visit,
+    Cancelled, CellId, Cost, Each, Ending, Grain, Grow, Lanes, LeafReason, NodeId, Observer, Place, PrimId, Probed,
+    Reveal, Side, Trace, Value, Verdict, Visit,
 };
 pub use geometry::{Aabb, Axes, Axis, Direction, Interval, Measure, Obb, Ray, RayError, pinhole};
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
@@ -67,8 +69,8 @@ pub use kd::{CacheLines, Kd, KdLayout, KdMemory, KdNode, Machine, NodeField, Upr
 pub use list::List;
 pub use mistakes::{Example, Mistake};
 pub use objects::{
-    Body, Cone, Corner, Cover, Cylinder, Disc, Frustum, Kind, PAIRS, Pair, Part, Plane, Polygon, Prism, Probe, Shape,
-    Sphere, Step, Steps, Triangle, Wall, Watch,
+    Arrangement, Body, Cone, Corner, Cover, Cylinder, Disc, Frustum, Kind, PAIRS, Pair, Part, Plane, Polygon, Prism,
+    Probe, Shape, Sphere, Step, Steps, Trial, Triangle, Wall, Watch,
 };
 pub use octree::{Octree, Outside};
 pub use one_box::OneBox;

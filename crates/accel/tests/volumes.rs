@@ -210,3 +210,27 @@ fn a_turned_box_is_held_tightest_by_its_own_box_and_by_its_hull() {
         of(BvhVolume::Sphere).met - of(BvhVolume::Sphere).in_vain
     );
 }
+
+#[test]
+fn simple_volumes_cost_little_and_let_much_in() {
+    let set = turned_box(Quat::from_axis_angle(Vec3::new(1.0, 2.0, 3.0).normalize(), 0.7));
+    let of = |volume| Appraisal::of(&set.as_slice(), volume, 2000, 5);
+    // A sphere is one equation, a box three slabs, an 18-DOP nine; a hull has as many faces as the box.
+    let table = [
+        (BvhVolume::Sphere, 1.0),
+        (BvhVolume::Aabb, 3.0),
+        (BvhVolume::Obb, 3.0),
+        (BvhVolume::KDop18, 9.0),
+        (BvhVolume::Hull, 6.0),
+    ];
+    for (volume, most) in table {
+        let cuts = of(volume).cuts;
+        assert!(cuts > 0.0 && cuts <= most, "{volume:?}: {cuts}");
+        // What is drawn of it is what was measured.
+        let outline = Appraisal::outline(&set.as_slice(), volume);
+        assert!((outline.content() - of(volume).content).abs() < 1e-6, "{volume:?}");
+    }
+    assert_eq!(of(BvhVolume::Sphere).cuts, 1.0);
+    assert_eq!(of(BvhVolume::Aabb).cuts, 3.0);
+    assert!(of(BvhVolume::Sphere).vain_share() > of(BvhVolume::Obb).vain_share());
+}

@@ -4,10 +4,13 @@
 use std::borrow::Cow;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, CellId, Grow, NestedRule, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Value};
+use raystep_accel::{
+    Accel, Arrangement, CellId, Grow, NestedRule, PAIRS, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Trial,
+    Value,
+};
 use raystep_figure::{
-    Anchor, Ask, Build, Face, Fact, Figure, Film, Ink, Instant, Kind, Look, Motion, Nodes, Pane, Reel, Role, Symbol,
-    VolumeName, Walk, told,
+    Anchor, Ask, Build, Depth, Face, Fact, Figure, Film, Form, Ink, Instant, Kind, Look, Motion, Nodes, Pairs, Pane,
+    Reel, Role, Symbol, VolumeName, Walk, told,
 };
 
 const SIZE: Vec2 = Vec2::new(600.0, 200.0);
@@ -74,6 +77,30 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
             &Build { structure, nodes, prims, events: &grown, lost: &Default::default(), instead: None, flat },
         );
     }
+}
+
+#[test]
+fn pairs_draw_the_panes_that_they_name_and_every_step_has_words() {
+    let all = (0..PAIRS.len() as u32).flat_map(|pair| [1, 2].map(|case| Arrangement::of(pair, case, Vec3::ZERO)));
+    let cases: Vec<Arrangement> = all.map(|lies| lies.expect("a pair and its case")).collect();
+    let events: Vec<Trial> = cases.iter().flat_map(Arrangement::observe).collect();
+    let pairs = Pairs { cases: &cases, events: &events };
+    check("pairs", &pairs);
+    let mut told = String::new();
+    let mut at = pairs.start();
+    for step in 0..=pairs.len() {
+        pairs.advance(&mut at, step);
+        let space = pairs.space(&at, Depth::Path).expect("two objects lie there");
+        assert!(!space.bounds.is_empty() && space.bounds.extent().is_finite(), "step {step}");
+        // What is taken in the hand is where the picture says.
+        let grip = pairs.grip(&at).expect("one of them can be moved");
+        assert!(space.marks.iter().any(|mark| mark.form == Form::Point(grip.at)), "step {step}");
+        let Some(fact) = pairs.fact(step) else { continue };
+        let says = fact.sentence(VolumeName::BOX);
+        assert!(!says.is_empty() && !says.contains("{{") && !says.contains("NaN"), "step {step}: {says}");
+        told += &format!("{:<16} {}\n", fact.name(), says);
+    }
+    insta::assert_snapshot!(told);
 }
 
 #[test]

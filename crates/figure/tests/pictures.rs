@@ -49,7 +49,7 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
                         instead: None,
                         flat,
                     }),
-                    Tape::Walks(_) | Tape::Board(_) => continue,
+                    Tape::Walks(_) | Tape::Board(_) | Tape::Pairs(_) => continue,
                 };
                 check(slide, stage, &play, &reel, &nodes);
             }

@@ -170,8 +170,12 @@ impl Checker<'_> {
             match &offer.act {
                 Act::Set(settings) => {
                     let Ok(mut rule) = Rule::default_for(&stage.plan.kind) else { continue };
-                    for error in settings.iter().filter_map(|(key, value)| rule.set(key, value).err()) {
-                        self.say(slide, spot, error.to_string());
+                    for (key, value) in settings {
+                        let wrong = match stage.own_setting(key, value) {
+                            Some(own) => own.err(),
+                            None => rule.set(key, value).err().map(|error| error.to_string()),
+                        };
+                        wrong.into_iter().for_each(|wrong| self.say(slide, spot, wrong));
                     }
                 }
                 Act::Compare(kind) if slide.plays != Plays::Walk || *kind == stage.plan.kind => {
@@ -430,7 +434,8 @@ impl Checker<'_> {
 fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     let settings: Vec<_> = plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
     // A board measures what its own slide asks for, and walks have structures of their own.
-    let own = if stage.board.is_some() || !stage.abreast.is_empty() { slide.file.as_str() } else { "" };
+    let own = stage.board.is_some() || !stage.abreast.is_empty() || !stage.pairs.is_empty();
+    let own = if own { slide.file.as_str() } else { "" };
     format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 

@@ -35,7 +35,8 @@ impl<'a> Facts<'a> {
     }
 
     /// A fact by its name: `t` of this event, `plane.d` of the last such event before it, `count.test` of all
-    /// such events so far, `beside.count.test` of the play beside at its end. Nothing if that never happened.
+    /// such events so far, `beside.count.test` of the play beside at its end, `Nx` of a board's meter. Nothing if that
+    /// never happened.
     pub fn field(&self, name: &str) -> Option<Value> {
         if let Some(name) = name.strip_prefix(BESIDE) {
             // Of the play beside everything has happened, its last event too.
@@ -53,7 +54,7 @@ impl<'a> Facts<'a> {
         }
         match name.rsplit_once('.') {
             Some((event, field)) => self.before(event)?.field(field),
-            None => self.event.field(name),
+            None => self.event.field(name).or_else(|| self.tape.number(name)),
         }
     }
 
@@ -98,7 +99,7 @@ pub(crate) fn check_fact(event: &str, name: &str, at: usize, reading: &mut Readi
         if check_event(other, at, reading) {
             check_field(other, field, at + other.len() + 1, reading);
         }
-    } else {
+    } else if !reading.numbers.iter().any(|known| known == name) {
         check_field(event, name, at, reading);
     }
 }

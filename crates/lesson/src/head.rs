@@ -9,7 +9,7 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
-use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, wait, walks};
+use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, pairs, wait, walks};
 
 /// No tree is deeper.
 const LEVELS: f32 = 64.0;
@@ -59,7 +59,7 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     reading.plays = plays(&mut keys, reading);
     let listing = match reading.plays {
         // No algorithm runs on a board, and no one algorithm where several structures are walked.
-        Plays::Board | Plays::Walks => keys.get::<String>("listing", reading),
+        Plays::Board | Plays::Walks | Plays::Pairs => keys.get::<String>("listing", reading),
         Plays::Walk | Plays::Build => keys.need::<String>("listing", reading),
     };
     let (listing_at, listing) = listing.unwrap_or_default();
@@ -179,6 +179,9 @@ fn stage_in_head(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Stage
     if scene.is_none() && !keys.has("scene") && reading.plays == Plays::Board {
         return stage(StageKind::Flat, keys, reading);
     }
+    if reading.plays == Plays::Pairs {
+        return stage(StageKind::Solid, keys, reading);
+    }
     if scene.is_none() {
         reading.problem(0, "there is no stage: write a table [flat] or [solid] with `scene`, `structure` and `rays`");
     }
@@ -191,6 +194,8 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     // A board that measures nothing stands on nothing.
     let scene = match reading.plays {
         Plays::Board if !keys.has("scene") => Some((keys.at(), "nothing".to_owned())),
+        // Pairs lie in a space of their own.
+        Plays::Pairs => Some((keys.at(), pairs::SCENE.to_owned())),
         _ => keys.need::<String>("scene", reading),
     };
     let abreast = if reading.plays == Plays::Walks { abreast(keys, reading) } else { Vec::new() };
@@ -199,7 +204,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
         Some(mut table) => plan(&mut table, reading),
         None if reading.plays == Plays::Walks => abreast.first().cloned(),
         // Whatever stands on a board has a structure of its own.
-        None if reading.plays == Plays::Board => Some(Plan::all()),
+        None if matches!(reading.plays, Plays::Board | Plays::Pairs) => Some(Plan::all()),
         None => {
             reading.problem(keys.at(), "`structure` is missing: write `structure = { kind = \"kd\" }`");
             None
@@ -207,9 +212,10 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     };
     let rays = match reading.plays {
         Plays::Walk | Plays::Walks => rays(keys, reading),
-        Plays::Build | Plays::Board => no_rays(keys, reading),
+        Plays::Build | Plays::Board | Plays::Pairs => no_rays(keys, reading),
     };
     let board = (reading.plays == Plays::Board).then(|| Arc::new(board::read(keys, reading)));
+    let pairs = if reading.plays == Plays::Pairs { pairs::read(keys, reading) } else { Vec::new() };
     let beside = keys.table("beside", reading).and_then(|mut table| plan(&mut table, reading));
     reading.beside |= beside.is_some();
     let mut camera = keys.table("camera", reading);
@@ -221,7 +227,21 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     let levels = levels(kind, keys, reading);
     let (scene_at, scene) = scene?;
     let [scene_spot, camera_spot] = [scene_at, camera_at].map(|at| reading.spot(at));
-    Some(Stage { kind, scene, plan: own?, beside, rays, abreast, board, camera: look, levels, scene_spot, camera_spot })
+    let plan = own?;
+    Some(Stage {
+        kind,
+        scene,
+        plan,
+        beside,
+        rays,
+        abreast,
+        pairs,
+        board,
+        camera: look,
+        levels,
+        scene_spot,
+        camera_spot,
+    })
 }
 
 /// `structures = [{ kind = "kd" }, { kind = "bsp" }]`: from two to nine over a flat scene.

@@ -21,6 +21,7 @@ mod library;
 mod limits;
 mod listing;
 mod offer;
+mod pairs;
 mod play;
 mod plays;
 mod problem;
@@ -37,8 +38,8 @@ mod walks;
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
 pub use board::{
-    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Formula, Map, Maps, Measured, Panel, Picture,
-    Pictures, Rendered, Row, Scale, Stroke, Table,
+    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Formula, Given, Map, Maps, Measured, Meter, Number,
+    Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
 };
 pub use check::{check, check_file};
 pub use condition::Condition;
@@ -46,6 +47,7 @@ pub use facts::Facts;
 pub use library::Library;
 pub use listing::{Line, Listing};
 pub use offer::{Act, Offer};
+pub use pairs::PairsTape;
 pub use play::{Built, Play, PlayError};
 pub use plays::Plays;
 pub use problem::{Problem, Spot};

@@ -66,7 +66,7 @@ impl Listing {
     }
 }
 
-/// Whose algorithm it is: a walk's or a builder's, whichever knows more of the events that it names.
+/// Whose algorithm it is: a walk's, a builder's or that of pairs, whichever knows most of the events that it names.
 fn whose(reading: &Reading<'_>) -> Plays {
     let labels = reading.lines().filter_map(|(_, line)| line.split_once(" | "));
     let words: Vec<&str> =
@@ -75,7 +75,8 @@ fn whose(reading: &Reading<'_>) -> Plays {
         let events = plays.events();
         words.iter().filter(|word| events.contains(word)).count()
     };
-    if known(Plays::Build) > known(Plays::Walk) { Plays::Build } else { Plays::Walk }
+    let others = [Plays::Build, Plays::Pairs];
+    others.into_iter().fold(Plays::Walk, |best, other| if known(other) > known(best) { other } else { best })
 }
 
 /// Reads one line that begins at byte `at`.

@@ -1,6 +1,6 @@
-//! What a slide plays: a ray's walk, the building of its structure, or a board that is filled.
+//! What a slide plays: a ray's walk, the building of its structure, a board that is filled, or pairs of objects.
 
-use raystep_accel::{Grow, Reveal, Visit};
+use raystep_accel::{Grow, Reveal, Trial, Visit};
 
 /// Names of events, each group with the fields that they have.
 type Vocabulary = &'static [(&'static [&'static str], &'static [&'static str])];
@@ -17,11 +17,13 @@ pub enum Plays {
     Walks,
     /// The filling of tables and charts; there is no ray.
     Board,
+    /// The tests of pairs of objects, one after the other; there is no structure.
+    Pairs,
 }
 
 impl Plays {
     /// All of them.
-    pub const ALL: [Plays; 4] = [Plays::Walk, Plays::Build, Plays::Walks, Plays::Board];
+    pub const ALL: [Plays; 5] = [Plays::Walk, Plays::Build, Plays::Walks, Plays::Board, Plays::Pairs];
 
     /// Whether a ray walks.
     pub fn has_rays(self) -> bool {
@@ -35,6 +37,7 @@ impl Plays {
             Plays::Build => "build",
             Plays::Walks => "walks",
             Plays::Board => "board",
+            Plays::Pairs => "pairs",
         }
     }
 
@@ -44,6 +47,7 @@ impl Plays {
             Plays::Walk | Plays::Walks => Visit::NAMES,
             Plays::Build => Grow::NAMES,
             Plays::Board => Reveal::NAMES,
+            Plays::Pairs => Trial::NAMES,
         }
     }
 }

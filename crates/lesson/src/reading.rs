@@ -15,6 +15,8 @@ pub(crate) struct Reading<'a> {
     pub(crate) beside: bool,
     /// What the structures are called that are walked side by side.
     pub(crate) abreast: Vec<String>,
+    /// What the numbers are called that are moved by hand.
+    pub(crate) numbers: Vec<String>,
 }
 
 impl<'a> Reading<'a> {
@@ -29,6 +31,7 @@ impl<'a> Reading<'a> {
             plays: Plays::default(),
             beside: false,
             abreast: Vec::new(),
+            numbers: Vec::new(),
         }
     }
 

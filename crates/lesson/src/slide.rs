@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use raystep_accel::Ray;
 
 use crate::reading::Reading;
-use crate::{Beat, Board, Plays, Problem, Spot, body, head};
+use crate::{Beat, Board, PairsTape, Plays, Problem, Spot, body, head};
 
 /// One slide of the lecture, as its file says it.
 #[derive(Clone, Debug, PartialEq)]
@@ -190,6 +190,8 @@ pub struct Stage {
     pub rays: Vec<NamedRay>,
     /// The structures that a ray walks side by side, where that is played: two or three.
     pub abreast: Vec<Plan>,
+    /// The pairs that are tested, where that is played, by their places in [`raystep_accel::PAIRS`].
+    pub pairs: Vec<u32>,
     /// What is filled, where a board is played.
     pub board: Option<Arc<Board>>,
     /// Where it is seen from, if not as its scene says.
@@ -203,6 +205,16 @@ pub struct Stage {
 }
 
 impl Stage {
+    /// Whether a setting, a key and a value, is one of the stage's own and can be; nothing if it is a parameter of the
+    /// structure. What is a stage's own are the numbers of its board's meter, and the bodies of its pairs.
+    pub fn own_setting(&self, key: &str, value: &str) -> Option<Result<(), String>> {
+        if let Some(number) = self.board.as_ref().and_then(|board| board.number(key)) {
+            return Some(number.read(value).map(drop));
+        }
+        let moves = self.pairs.iter().any(|pair| PairsTape::case_of(*pair, key).is_some());
+        moves.then(|| PairsTape::read(key, value).map(drop))
+    }
+
     /// The ray of that name.
     pub fn ray(&self, name: &str) -> Option<&NamedRay> {
         self.rays.iter().find(|ray| ray.name == name)
@@ -293,6 +305,8 @@ pub enum Show {
     Tree,
     /// The table of cells and of the three next t.
     Cells,
+    /// The matrix of pairs.
+    Matrix,
     /// The three slab intervals.
     Slabs,
     /// The bytes of a kd-tree's node.
@@ -309,10 +323,11 @@ pub enum Show {
 
 impl Show {
     /// All panes with the names that slides give them.
-    pub const NAMES: [(&'static str, Show); 9] = [
+    pub const NAMES: [(&'static str, Show); 10] = [
         ("space", Show::Space),
         ("tree", Show::Tree),
         ("cells", Show::Cells),
+        ("matrix", Show::Matrix),
         ("slabs", Show::Slabs),
         ("bytes", Show::Bytes),
         ("t", Show::Ruler),

@@ -1,12 +1,13 @@
-//! What is played, event by event: a ray's walk, the building of the structure, or a board that is filled.
+//! What is played, event by event: a ray's walk, the building of the structure, a board that is filled, or pairs of
+//! objects that are tested.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Visit};
+use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Value, Visit};
 use raystep_scene::Scene;
 
-use crate::{BoardTape, Care, Plays, Stage, WalksTape, names};
+use crate::{BoardTape, Care, PairsTape, Plays, Stage, WalksTape, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -25,6 +26,8 @@ pub enum Tape {
     Walks(Arc<WalksTape>),
     /// A board is filled.
     Board(Arc<BoardTape>),
+    /// Pairs of objects are tested.
+    Pairs(Arc<PairsTape>),
 }
 
 /// The walk of a ray.
@@ -67,6 +70,7 @@ impl Tape {
             Tape::Build(_) => Plays::Build,
             Tape::Walks(_) => Plays::Walks,
             Tape::Board(_) => Plays::Board,
+            Tape::Pairs(_) => Plays::Pairs,
         }
     }
 
@@ -77,6 +81,7 @@ impl Tape {
             Tape::Build(build) => build.events.len(),
             Tape::Walks(walks) => walks.order.len(),
             Tape::Board(board) => board.events.len(),
+            Tape::Pairs(pairs) => pairs.events.len(),
         }
     }
 
@@ -91,7 +96,7 @@ impl Tape {
             Tape::Walk(walk) => walk.lost,
             Tape::Build(build) => build.lost.values().sum(),
             Tape::Walks(walks) => walks.walks.iter().map(Tape::lost).sum(),
-            Tape::Board(_) => 0,
+            Tape::Board(_) | Tape::Pairs(_) => 0,
         }
     }
 
@@ -105,6 +110,7 @@ impl Tape {
                 walks.walks.get(walker)?.event(index)
             }
             Tape::Board(board) => board.events.get(index).copied().map(Event::Board),
+            Tape::Pairs(pairs) => pairs.events.get(index).copied().map(Event::Pair),
         }
     }
 
@@ -119,7 +125,7 @@ impl Tape {
             Tape::Walk(walk) => walk.lost == 0,
             Tape::Build(build) => !build.lost.keys().any(|lost| names(name, lost)),
             Tape::Walks(_) => self.lost() == 0,
-            Tape::Board(_) => true,
+            Tape::Board(_) | Tape::Pairs(_) => true,
         };
         let counted = || self.events().take(step).filter(|event| names(name, event.name())).count() as u32;
         kept.then(counted)
@@ -135,6 +141,22 @@ impl Tape {
         match (self, ray) {
             (Tape::Walks(walks), Some(ray)) => Tape::Walks(Arc::new(walks.walk(scene, ray))),
             (tape, _) => tape.clone(),
+        }
+    }
+
+    /// The number of that name, if it is of a board's meter.
+    pub(crate) fn number(&self, name: &str) -> Option<Value> {
+        let Tape::Board(board) = self else { return None };
+        board.numbers.get(name).map(|number| Value::Number(number as f32))
+    }
+
+    /// The tape where these settings, keys and values, put the numbers of its meter and its bodies; the others stand
+    /// where the slide has them.
+    pub fn moved(self, settings: &[(String, String)]) -> Tape {
+        match self {
+            Tape::Board(board) => Tape::Board(BoardTape::moved(board, settings)),
+            Tape::Pairs(pairs) => Tape::Pairs(Arc::new(PairsTape::new(&pairs.pairs, settings))),
+            tape => tape,
         }
     }
 
@@ -154,7 +176,7 @@ impl Tape {
         match self {
             Tape::Walk(walk) => Some(walk.ray),
             Tape::Walks(walks) => walks.walks.first()?.ray(),
-            Tape::Build(_) | Tape::Board(_) => None,
+            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) => None,
         }
     }
 }
@@ -164,7 +186,7 @@ impl Tape {
     pub fn care(&self) -> Care {
         match self {
             Tape::Board(filled) => filled.care,
-            Tape::Walk(_) | Tape::Walks(_) | Tape::Build(_) => Care::Full,
+            Tape::Walk(_) | Tape::Walks(_) | Tape::Build(_) | Tape::Pairs(_) => Care::Full,
         }
     }
 
@@ -195,7 +217,13 @@ impl Tape {
                 let filled = BoardTape::fill(board, scene, care, watch)?;
                 Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Board(Arc::new(filled)))))
             }
-            (Plays::Walk | Plays::Walks | Plays::Board, _) => Ok((Structure::build(&scene.prims, rule, watch)?, None)),
+            (Plays::Pairs, Some(stage)) => {
+                let pairs = Tape::Pairs(Arc::new(PairsTape::new(&stage.pairs, &[])));
+                Ok((Structure::build(&scene.prims, rule, watch)?, Some(pairs)))
+            }
+            (Plays::Walk | Plays::Walks | Plays::Board | Plays::Pairs, _) => {
+                Ok((Structure::build(&scene.prims, rule, watch)?, None))
+            }
         }
     }
 }

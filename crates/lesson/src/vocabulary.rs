@@ -1,5 +1,7 @@
 //! The names of events and of their fields, as slides and listings use them.
 
+use raystep_accel::Trial;
+
 use crate::Plays;
 use crate::problem::{listed, misspelt};
 use crate::reading::Reading;
@@ -24,15 +26,27 @@ impl Plays {
         let known = self.vocabulary().iter();
         let mut variants =
             known.filter(|(known, _)| known.iter().any(|name| names(event, name))).map(|(_, fields)| *fields);
-        let first = variants.next().unwrap_or_default();
-        variants.fold(first.to_vec(), |common, fields| common.into_iter().filter(|f| fields.contains(f)).collect())
+        let first = variants.next();
+        let of_all = first.filter(|_| self == Plays::Pairs).map_or(&[][..], |_| &Trial::COMMON);
+        let fields = variants.fold(first.unwrap_or_default().to_vec(), |common, fields| {
+            common.into_iter().filter(|f| fields.contains(f)).collect()
+        });
+        let others = fields.into_iter().filter(|field| !of_all.contains(field));
+        of_all.iter().copied().chain(others).collect()
     }
 }
 
 /// Says so if there is no such event.
 pub(crate) fn check_event(event: &str, at: usize, reading: &mut Reading<'_>) -> bool {
     let known = reading.plays.events();
-    let what = format!("event of a {}", if reading.plays == Plays::Walks { "walk" } else { reading.plays.name() });
+    let what = format!(
+        "event of a {}",
+        match reading.plays {
+            Plays::Walks => "walk",
+            Plays::Pairs => "pair",
+            plays => plays.name(),
+        }
+    );
     let mut good = true;
     for word in event.split('|').filter(|word| !known.contains(word)) {
         reading.problem(at, misspelt(&what, word, &known));

@@ -1,6 +1,6 @@
 //! Boards, and walks side by side: what they show, in which order, and what is said of wrong ones.
 
-use raystep_lesson::{Facts, Library, Medium, Tape, check};
+use raystep_lesson::{Built, Facts, Library, Medium, Tape, check};
 
 const SLIDE: &str = include_str!("good_board.md");
 const WALKS: &str = include_str!("good_walks.md");
@@ -38,6 +38,36 @@ fn a_board_is_filled_step_by_step_and_its_texts_know_its_numbers() {
 }
 
 #[test]
+fn numbers_that_are_moved_by_hand_move_what_names_them_and_nothing_else() {
+    let library = library(SLIDE);
+    let slide = &library.slides[0];
+    let built = slide.stages[0].build(slide.plays).unwrap();
+    let mut told = String::new();
+    let set = |key: &str, value: &str| (key.to_owned(), value.to_owned());
+    let settings =
+        [vec![], vec![set("N", "800")], vec![set("N", "8"), set("N", "16")], vec![set("N", "9e9"), set("k", "1")]];
+    for settings in settings {
+        let moved = built.told.clone().unwrap().moved(&settings);
+        let Tape::Board(board) = &moved else { panic!("a board") };
+        let meter = board.board.meter().unwrap();
+        told += &format!("{settings:?}: gives {}\n", meter.gives[0].formula.at(0.0, &board.numbers));
+        let numbers = meter.numbers.iter().map(|number| board.numbers.get(&number.name).unwrap());
+        told += &format!("   {:?}\n", numbers.collect::<Vec<_>>());
+        let built = Built { told: Some(moved.clone()), ..built.clone() };
+        let play = built.play(None, &slide.beats).unwrap();
+        for (beat, step) in slide.beats.iter().zip(&play.beats) {
+            let facts = Facts::at(&play, step.unwrap()).unwrap();
+            told += &format!("   {:?}: {}", beat.title, beat.text(&facts, Medium::Window).replace('\n', " "));
+            told += &format!(" y {:?}, N {:?}\n", facts.field("y"), facts.field("N"));
+        }
+        // Back to where the slide has them.
+        let back = moved.moved(&[]);
+        assert_eq!(format!("{back:?}"), format!("{:?}", built.told.clone().unwrap().moved(&[])));
+    }
+    insta::assert_snapshot!(told);
+}
+
+#[test]
 fn wrong_boards_are_told_what_is_wrong() {
     let mistakes = [
         ("nothing on it", "[[chart]]", "[[chrat]]"),
@@ -67,6 +97,23 @@ fn wrong_boards_are_told_what_is_wrong() {
         ("a number that is not there", "{{tests}} tests.", "{{total}} in all."),
         ("empty answer", "answer=\"all of them\"", "answer=\"\""),
         ("empty notes", "Three minutes.", ""),
+        ("number without a name", "{ name = \"N\", note", "{ note"),
+        ("number called as an axis", "name = \"N\"", "name = \"x\""),
+        ("number called as a function", "name = \"N\"", "name = \"sin\""),
+        ("number with a long name", "name = \"N\"", "name = \"Noooooooo\""),
+        ("number that is there twice", "name = \"k\"", "name = \"N\""),
+        ("number beyond its ends", "is = 80", "is = 8000"),
+        ("number that runs backwards", "from = 8, to = 1000, is", "from = 1000, to = 8, is"),
+        ("number of factors from 0", "from = 8, to = 1000, is", "from = 0, to = 1000, is"),
+        ("number with an unknown scale", "is = 80, scale = \"log\"", "is = 80, scale = \"logs\""),
+        ("formula with another number", "3 / 8 * N * k", "3 / 8 * M"),
+        ("what follows from nothing", "3 / 8 * N * k", "3 / 8"),
+        ("printed beside what moves", "2 * 10^3", "2 * N"),
+        ("name with another number", "yours: {{y}} s", "yours: {{z}} s"),
+        ("text with another number", "{{N}} objects take", "{{M}} objects take"),
+        ("setting that cannot be", "set:N=8)", "set:N=7.5)"),
+        ("setting of another number", "set:N=8)", "set:M=8)"),
+        ("meter without numbers", "numbers = [", "nombers = ["),
         ("unknown key of a row", "note = \"usual\"", "noote = \"usual\""),
     ];
     let mut table = String::new();

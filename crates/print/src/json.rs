@@ -1,6 +1,6 @@
-//! A walk, a build or a board as JSON, for other programs. `TRACE.md` beside this crate describes every key.
+//! A walk, a build, a board or pairs as JSON, for other programs. `TRACE.md` beside this crate describes every key.
 
-use raystep_accel::{Cost, Event, Grow, Hit, Observer, Place, Ray, Reveal, Value, Visit};
+use raystep_accel::{Cost, Event, Grow, Hit, Observer, Place, Ray, Reveal, Trial, Value, Visit};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// What is written: what it is about, and what happened.
@@ -42,9 +42,11 @@ pub enum Told<'a> {
     Build(&'a [Grow]),
     /// A board was filled.
     Board(&'a [Reveal]),
+    /// Pairs of objects were tested.
+    Pairs(&'a [Trial]),
 }
 
-/// The walk, the build or the board as JSON text, ending with a newline.
+/// The walk, the build, the board or the pairs as JSON text, ending with a newline.
 pub fn json(record: &Record<'_>) -> String {
     let structure =
         Built { kind: record.kind, parameters: Pairs(record.parameters), nodes: record.nodes, bytes: record.bytes };
@@ -82,6 +84,10 @@ pub fn json(record: &Record<'_>) -> String {
         Told::Board(events) => {
             let events = steps(events.iter().copied().map(Event::Board));
             text(&Grown { format: "raystep-board", version, scene, origin, structure, lost, events })
+        }
+        Told::Pairs(events) => {
+            let events = steps(events.iter().copied().map(Event::Pair));
+            text(&Grown { format: "raystep-pairs", version, scene, origin, structure, lost, events })
         }
     }
 }

@@ -20,6 +20,9 @@ pub(crate) const TEAPOT: &str = "teapot-6321";
 /// Nothing: what boards without measurements stand on.
 const NOTHING: &str = "nothing";
 
+/// An empty space, where pairs of objects are tried.
+const PAIRS: &str = "pairs";
+
 /// Some thousand trees.
 const FOREST: &str = "forest";
 
@@ -62,6 +65,9 @@ impl Scene {
         if name == NOTHING {
             return Ok(nothing());
         }
+        if name == PAIRS {
+            return Ok(empty_space());
+        }
         if name == STADIUM {
             return Ok(stadium());
         }
@@ -99,6 +105,13 @@ fn nothing() -> Scene {
     let view = View::fitting(&Aabb::EMPTY, Vec3::Z, Vec3::Y);
     let (name, title) = (NOTHING.to_owned(), "Nothing".to_owned());
     Scene { name, title, prims: Prims::Few(Vec::new()), flat: true, view, note: String::new(), origin: DVec3::ZERO }
+}
+
+/// An empty space, seen from where three sides of a box in its middle are seen.
+fn empty_space() -> Scene {
+    let view = View::fitting(&Aabb::new(Vec3::splat(-2.5), Vec3::splat(2.5)), Vec3::new(0.45, 0.35, 1.0), Vec3::Y);
+    let (name, title) = (PAIRS.to_owned(), "Two objects".to_owned());
+    Scene { name, title, prims: Prims::Few(Vec::new()), flat: false, view, note: String::new(), origin: DVec3::ZERO }
 }
 
 fn unknown(name: &str, advice: String) -> UnknownScene {

@@ -2,7 +2,7 @@
 
 use raystep_accel::Place;
 use raystep_figure::Symbol;
-use raystep_lesson::{Beat, Facts, Listing, Offer};
+use raystep_lesson::{Beat, Facts, Listing, Offer, Tape};
 
 use super::{Answered, State};
 use crate::shown::playback::{Playback, Posed};
@@ -51,9 +51,23 @@ impl State {
             return;
         }
         self.picked = place.filter(|place| *place != Place::World);
-        if let Some(place) = self.picked {
+        let laid = self.picked.and_then(|place| self.laid_out(place));
+        if let Some(step) = laid {
+            self.playing = false;
+            self.go(step);
+        } else if let Some(place) = self.picked {
             self.run_to(|playback| playback.reel().steps_at(place), back);
         }
+    }
+
+    /// Where the pair of a cell of the matrix is laid out; of the pair that is shown, its other arrangement.
+    fn laid_out(&self, place: Place) -> Option<usize> {
+        let (Place::Cell(cell), Tape::Pairs(pairs)) = (place, &self.made()?.play.tape) else { return None };
+        let now = self.view.step.checked_sub(1).and_then(|index| pairs.events.get(index));
+        pairs.events.iter().enumerate().find_map(|(index, trial)| {
+            let here = now.is_some_and(|now| (now.pair, now.case) == (trial.pair, trial.case));
+            (trial.step.is_none() && trial.pair == cell.0 && !here).then_some(index + 1)
+        })
     }
 
     /// To the next step that the line of the listing shows, or the one before.

@@ -21,12 +21,13 @@ struct Shown {
     roles: Vec<(&'static str, Option<Place>, Role)>,
 }
 
-const PANES: [Pane; 13] = [
+const PANES: [Pane; 14] = [
     Pane::Picture,
     Pane::Ruler,
     Pane::RulerLine,
     Pane::Tree,
     Pane::Cells,
+    Pane::Matrix,
     Pane::Slabs,
     Pane::Bytes,
     Pane::Listing,

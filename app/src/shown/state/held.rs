@@ -2,8 +2,10 @@
 
 use std::sync::Arc;
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use raystep_accel::{Event, Grow, HandCut, NodeId, PrimId, Primitives, Structure};
+use raystep_figure::Grip;
+use raystep_lesson::PairsTape;
 use raystep_scene::{Part, Scene};
 
 use super::{Landing, State};
@@ -31,6 +33,12 @@ impl State {
             let view = View { own: Some(own), ..self.target().clone() };
             self.want(view, Landing::Keep);
         }
+    }
+
+    /// The object of a pair so far from where its arrangement has it, as part of a change that is under way.
+    pub fn move_body(&mut self, grip: &Grip, moved: Vec3) {
+        let key = PairsTape::key(grip.pair, grip.case);
+        self.set_and_stand(&key, &PairsTape::value(moved), Landing::Keep);
     }
 
     /// A node cut by hand, as part of a change that is under way. Cuts of the nodes below it are given up: those are

@@ -113,8 +113,8 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                     asked = Some(Asked::Command(command));
                 }
             }
-            // Whatever stands on a board has a structure of its own.
-            if state.slide().is_some_and(|slide| slide.plays == Plays::Board) {
+            // Whatever stands on a board has a structure of its own, and pairs have none.
+            if state.slide().is_some_and(|slide| matches!(slide.plays, Plays::Board | Plays::Pairs)) {
                 return;
             }
             if room.breaks {

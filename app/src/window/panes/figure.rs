@@ -4,6 +4,7 @@ use egui::{Rect, Response, Sense, Ui};
 use raystep_accel::Place;
 use raystep_figure::{Look, RulerScale};
 
+use super::meter;
 use super::moving::Frame;
 use super::page::{Asked, Kept, Page};
 use super::space::{BORDER, glam_size};
@@ -61,6 +62,9 @@ pub(super) fn figure(
     }
     if pane == Pane::Picture && state.holdable().is_some() {
         trial::hold(ui, &response, rect, look, pictures, theme, &mut sight.hold, asked);
+    }
+    if pane == Pane::Picture {
+        meter::hold(ui, &response, rect, look, pictures, theme, &mut sight.hold, asked);
     }
     let at = |pointer: egui::Pos2| place_at(&drawn, rect.min, pointer);
     let under = response.hover_pos().and_then(at);

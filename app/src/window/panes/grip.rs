@@ -13,6 +13,9 @@ use super::space::{Happened, Picture, glam_size};
 /// How near to a corner, a rim, a side or a plane the pointer must be, in points.
 const NEAR: f32 = 7.0;
 
+/// By so many points of the page an arrow moves an object of a pair finely; usually by ten times as many.
+const BODY_STEP: f32 = 1.0;
+
 /// The most parts of a scene that can have the focus, one after the other.
 const FOCUSED: usize = 80;
 
@@ -30,9 +33,28 @@ impl Picture<'_> {
         (near(head) == Some(true)).then_some(Hold::Head)
     }
 
+    /// The object of a pair, if it is taken under the pointer.
+    fn body_under(&self, rect: Rect, pointer: Pos2) -> Option<Hold> {
+        let (page, _) = self.camera.project(self.body?.at, glam_size(rect))?;
+        ((rect.min + egui::vec2(page.x, page.y)).distance(pointer) <= GRIP).then_some(Hold::Body)
+    }
+
+    /// The same by keyboard: to the left and right, up and down as the camera sees it.
+    fn body_keys(&self, ui: &Ui, response: &Response, rect: Rect, happened: &mut Happened) {
+        let Some(body) = self.body else { return };
+        let Some((page, _)) = self.camera.project(body.at, glam_size(rect)) else { return };
+        let place = rect.min + egui::vec2(page.x, page.y);
+        let id = response.id.with("body");
+        let name = format!("The {} that can be moved", body.name);
+        let Some((by, first)) = self.knocked(ui, id, place, &name, BODY_STEP) else { return };
+        happened.begins |= first;
+        let to = self.world(rect, place + egui::vec2(by.x, -by.y), body.at);
+        happened.body = Some((body, to - body.at + body.moved));
+    }
+
     /// What can be taken under the pointer: an end of the ray, a plane, a part of a shape.
     pub(super) fn grip(&self, rect: Rect, pointer: Pos2) -> Option<Hold> {
-        self.ray_end(rect, pointer).or_else(|| {
+        self.ray_end(rect, pointer).or_else(|| self.body_under(rect, pointer)).or_else(|| {
             let (scene, from) = (self.scene?, self.plane_point(rect, pointer));
             let near = NEAR * self.units(rect);
             // A corner or a side is smaller than a plane, and a plane than a shape.
@@ -99,6 +121,7 @@ impl Picture<'_> {
 
     /// The same by keyboard: every part and plane can have the focus, and the arrows move it; with Shift finely.
     pub(super) fn keys(&self, ui: &Ui, response: &Response, rect: Rect, happened: &mut Happened) {
+        self.body_keys(ui, response, rect, happened);
         let Some(scene) = self.scene else { return };
         let parts = scene.parts();
         if parts.len() > FOCUSED {

@@ -22,6 +22,10 @@ pub(crate) enum Hold {
     Plane(NodeId, Axis),
     /// The cut that a builder weighs.
     Cut,
+    /// The object of a pair that can be moved.
+    Body,
+    /// A number of a meter, by its place there.
+    Number(usize),
     /// The camera.
     Turn,
     /// What the camera looks at.
@@ -59,7 +63,7 @@ impl Hold {
                 Axis::Y => CursorIcon::ResizeVertical,
                 _ => CursorIcon::ResizeHorizontal,
             },
-            (Some(Hold::Origin | Hold::Head | Hold::Part(_)), _) => CursorIcon::Grabbing,
+            (Some(Hold::Origin | Hold::Head | Hold::Part(_) | Hold::Body), _) => CursorIcon::Grabbing,
             (None, Some(Hold::Part(Grasp { part: Part::Whole, .. }))) => CursorIcon::Move,
             (None, Some(_)) => CursorIcon::Grab,
             _ => CursorIcon::Default,

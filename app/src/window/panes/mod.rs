@@ -10,6 +10,7 @@ mod inset;
 mod knob;
 mod lesson;
 mod levels;
+mod meter;
 mod moving;
 mod notices;
 mod page;

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use egui::Ui;
+use glam::Vec3;
 use raystep_accel::{HandCut, Interval, Place, Ray};
-use raystep_figure::{Depth, Theme, TreeView};
+use raystep_figure::{Depth, Grip, Theme, TreeView};
 use raystep_paint::Mesh;
 
 use super::hold::Moved;
@@ -64,6 +65,10 @@ pub(crate) enum Asked {
     Try(HandCut),
     /// A parameter of the structure, as part of that change.
     Set(&'static str, String),
+    /// The object of a pair, so far from where its arrangement has it, as part of that change.
+    Body(Grip, Vec3),
+    /// A number of a board's meter, as part of that change.
+    Number(String, f64),
     /// A sentence for the user.
     Say(String),
     /// Another structure beside the walk.

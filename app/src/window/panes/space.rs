@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::{PointerButton, Pos2, Rect, Response, Sense, Ui};
 use glam::Vec3;
 use raystep_accel::{Axis, HandCut, Place, Ray};
-use raystep_figure::{Camera, Figure, Form, Role, Space, Theme, pointed_at};
+use raystep_figure::{Camera, Figure, Form, Grip, Role, Space, Theme, pointed_at};
 use raystep_scene::Scene;
 
 use super::hold::{Hold, Moved};
@@ -31,6 +31,8 @@ pub(crate) struct Happened {
     pub(crate) moved: Option<Moved>,
     /// A node that is cut elsewhere.
     pub(crate) cut: Option<HandCut>,
+    /// The object of a pair, moved so far from where its arrangement has it.
+    pub(crate) body: Option<(Grip, Vec3)>,
     /// Another camera.
     pub(crate) camera: Option<Camera>,
 }
@@ -46,6 +48,8 @@ pub(crate) struct Picture<'a> {
     pub(crate) hovered: Option<Place>,
     /// Whether the ray can be dragged, if there is one.
     pub(crate) live: bool,
+    /// Where the object of a pair can be taken in the hand.
+    pub(crate) body: Option<Grip>,
     /// The scene whose shapes can be taken in the hand.
     pub(crate) scene: Option<&'a Arc<Scene>>,
     /// Whether planes can be, too.
@@ -147,6 +151,10 @@ impl Picture<'_> {
                     let ends = self.ends();
                     happened.ray = ends.and_then(|(origin, head)| self.drawn(origin, self.world(rect, pointer, head)));
                 }
+                Hold::Body => {
+                    let to = self.body.map(|body| (body, self.world(rect, pointer, body.at) - body.at + body.moved));
+                    happened.body = to;
+                }
                 Hold::New(from) => happened.ray = self.drawn(*from, self.world(rect, pointer, *from)),
                 Hold::Part(grasp) => {
                     happened.moved = Some(Moved { grasp: grasp.clone(), to: self.plane_point(rect, pointer) });
@@ -155,7 +163,7 @@ impl Picture<'_> {
                     let at = self.plane_point(rect, pointer);
                     happened.cut = self.cut_at(*node, *axis, if *axis == Axis::Y { at.y } else { at.x });
                 }
-                Hold::Cut => {}
+                Hold::Cut | Hold::Number(_) => {}
             }
         }
         if response.drag_stopped() {

@@ -136,6 +136,7 @@ pub(super) fn stage(
         theme: page.theme,
         hovered: page.lit,
         live: true,
+        body: pictures.grip(),
         scene: page.state.holdable(),
         planes: page.state.holds_planes(),
         moving: moved,
@@ -187,6 +188,7 @@ fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc
         theme: page.theme,
         hovered: page.lit,
         live: false,
+        body: None,
         scene: None,
         planes: false,
         moving: None,
@@ -291,6 +293,7 @@ fn take(state: &State, sight: &mut Sight, happened: &Happened, camera: Camera, a
     let turned = happened.camera.map(|wanted| eye::bounded(&camera, wanted, &around));
     asked.extend(turned.map(|camera| Asked::Turn(Seen { camera, aspect })));
     asked.extend(happened.ray.map(Asked::Ray));
+    asked.extend(happened.body.map(|(grip, to)| Asked::Body(grip, to)));
     let moved = happened.moved.clone().map(Asked::Move);
     asked.extend(moved.into_iter().chain(happened.cut.map(Asked::Cut)));
     asked.extend(happened.clicked.map(Asked::Pick));

@@ -108,7 +108,7 @@ impl Workshop {
 
     /// Uploads a scene whose walk is there already.
     pub(crate) fn upload(&mut self, scene: &Arc<Scene>) {
-        let Some(device) = self.device.clone().filter(|_| !scene.flat) else { return };
+        let Some(device) = self.device.clone().filter(|_| !scene.flat && !scene.prims.is_empty()) else { return };
         let (key, scene) = (scene.clone(), scene.clone());
         let quick = scene.prims.len() <= SHORT;
         let work = move |task: &Task| Mesh::new(&device, &scene.prims, &|| !task.is_stopped()).map(Arc::new);
@@ -204,14 +204,18 @@ pub(crate) fn ray_of(view: &View, slide: &Slide, stage: &Stage) -> Result<Option
     }
 }
 
-/// The rule that a view asks for, over a scene that is flat or not.
+/// The rule that a view asks for, over a scene that is flat or not; says so where a setting cannot be.
 pub(crate) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, String> {
     let mut rule = match view.example {
         Some(mistake) => mistake.example().rule,
         None => stage.plan.rule(flat).map_err(|error| error.to_string())?,
     };
     for (key, value) in &view.settings {
-        rule.set(key, value).map_err(|error| error.to_string())?;
+        match stage.own_setting(key, value) {
+            // The rule knows nothing of it.
+            Some(own) => own?,
+            None => rule.set(key, value).map_err(|error| error.to_string())?,
+        }
     }
     Ok(rule)
 }
@@ -275,7 +279,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
 
 /// A solid scene on the GPU; once for all structures over it.
 fn mesh(order: &Order, scene: &Scene, task: &Task) -> Option<Arc<Mesh>> {
-    let device = order.device.as_ref().filter(|_| !scene.flat)?;
+    let device = order.device.as_ref().filter(|_| !scene.flat && !scene.prims.is_empty())?;
     let known = [&order.stands, &order.scene].into_iter().flatten().find_map(|stands| stands.mesh.clone());
     known.or_else(|| Mesh::new(device, &scene.prims, &|| !task.is_stopped()).map(Arc::new))
 }
@@ -337,6 +341,7 @@ fn is_of(told: Option<&Tape>, stage: &Stage) -> bool {
     match told {
         Some(Tape::Board(filled)) => stage.board.as_ref() == Some(&filled.board),
         Some(Tape::Walks(walks)) => stage.abreast == walks.plans,
+        Some(Tape::Pairs(pairs)) => stage.pairs == pairs.pairs,
         _ => true,
     }
 }
@@ -363,12 +368,13 @@ fn care_of(built: &Built) -> Care {
     built.told.as_ref().map_or(Care::Full, Tape::care)
 }
 
-/// What a kept structure has beside it: the board that it fills, the structures that are walked with it.
-fn others(built: &Built) -> (Option<&Board>, &[Plan]) {
+/// What a kept structure has beside it: the board that it fills, the structures that are walked with it, the pairs.
+fn others(built: &Built) -> (Option<&Board>, &[Plan], &[u32]) {
     match &built.told {
-        Some(Tape::Board(filled)) => (Some(filled.board.as_ref()), &[]),
-        Some(Tape::Walks(walks)) => (None, &walks.plans),
-        _ => (None, &[]),
+        Some(Tape::Board(filled)) => (Some(filled.board.as_ref()), &[], &[]),
+        Some(Tape::Walks(walks)) => (None, &walks.plans, &[]),
+        Some(Tape::Pairs(pairs)) => (None, &[], &pairs.pairs),
+        _ => (None, &[], &[]),
     }
 }
 

@@ -1,7 +1,6 @@
 //! What is told: the events of walks, of builds and of boards, the places that they are about, and who listens.
 
 mod cost;
-mod either;
 mod grow;
 mod lanes;
 mod observer;
@@ -13,7 +12,6 @@ mod visit;
 mod vocabulary;
 
 pub use cost::Cost;
-pub use either::Event;
 pub use grow::{Grow, LeafReason};
 pub use lanes::Lanes;
 pub(crate) use observer::{BETWEEN_LOOKS, patiently, sort_patiently};

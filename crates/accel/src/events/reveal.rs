@@ -8,7 +8,9 @@ vocabulary! {
     pub enum Reveal {
         /// A row of a table: tests per ray as printed, their printed total, what follows from other printed numbers,
         /// and what was measured here, a ray: tests of primitives, nodes or cells entered, volumes tested; then how
-        /// many nodes or cells the structure has, and how many bytes.
+        /// many nodes or cells the structure has, and how many bytes. Of a single volume around everything: how much room
+        /// it encloses, its surface, how many cuts a test of it takes, its bytes, and the share of the rays that meet it
+        /// and nothing in it.
         Row ["row"] {
             entry: u32,
             printed: f32,
@@ -19,6 +21,10 @@ vocabulary! {
             boxes: f32,
             nodes: f32,
             bytes: f32,
+            content: f32,
+            area: f32,
+            cuts: f32,
+            vain: f32,
         }
         /// A point of a chart.
         Point ["point"] { entry: u32, x: f32, y: f32 }

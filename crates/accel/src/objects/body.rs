@@ -2,9 +2,9 @@
 
 use glam::Vec3;
 
-use super::{Cover, Frustum, Plane, Probe, Watch};
+use super::{Cone, Cover, Cylinder, Disc, Frustum, Plane, Probe, Sphere, Triangle, Watch};
 use crate::events::words;
-use crate::{Observer, Ray, Shape};
+use crate::{Aabb, Obb, Observer, Ray, Shape};
 
 words! {
     /// What kind of object it is.
@@ -47,6 +47,44 @@ pub enum Body<'a> {
     Frustum(Frustum),
     /// What rays meet in a scene.
     Shape(Shape<'a>),
+}
+
+impl<'a> Body<'a> {
+    /// The same elsewhere: moved by so much. Of a polygon, whose corners are borrowed, that is nowhere else.
+    #[must_use]
+    pub fn moved(self, by: Vec3) -> Body<'a> {
+        let plane = |plane: Plane| Plane { point: plane.point + by, ..plane };
+        match self {
+            Body::Ray(ray) => Body::Ray(Ray { o: ray.o + by, ..ray }),
+            Body::Point(p) => Body::Point(p + by),
+            Body::Plane(own) => Body::Plane(plane(own)),
+            Body::Frustum(own) => {
+                Body::Frustum(Frustum { planes: own.planes.map(plane), corners: own.corners.map(|corner| corner + by) })
+            }
+            Body::Shape(shape) => Body::Shape(match shape {
+                Shape::Sphere(own) => Shape::Sphere(Sphere { center: own.center + by, ..own }),
+                Shape::Disc(own) => Shape::Disc(Disc { center: own.center + by, ..own }),
+                Shape::Cylinder(own) => Shape::Cylinder(Cylinder { from: own.from + by, to: own.to + by, ..own }),
+                Shape::Cone(own) => Shape::Cone(Cone { apex: own.apex + by, base: own.base + by, ..own }),
+                Shape::Triangle(own) => Shape::Triangle(Triangle { a: own.a + by, b: own.b + by, c: own.c + by }),
+                Shape::Box(own) => Shape::Box(Aabb { min: own.min + by, max: own.max + by }),
+                Shape::Obb(own) => Shape::Obb(Obb { center: own.center + by, ..own }),
+                Shape::Wall(_) | Shape::Prism(_) | Shape::Polygon(_) => shape,
+            }),
+        }
+    }
+
+    /// Where it is taken in the hand: a ray at its origin, a plane at its point, any other in its middle.
+    pub fn middle(&self) -> Vec3 {
+        match self {
+            Body::Ray(ray) => ray.o,
+            Body::Point(p) => *p,
+            Body::Plane(plane) => plane.point,
+            Body::Frustum(frustum) => Aabb::around(frustum.corners).center(),
+            Body::Shape(Shape::Triangle(own)) => (own.a + own.b + own.c) / 3.0,
+            Body::Shape(shape) => shape.bounds().center(),
+        }
+    }
 }
 
 impl Body<'_> {

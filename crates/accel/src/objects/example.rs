@@ -56,6 +56,35 @@ pub(super) fn first(pair: &Pair) -> Body<'static> {
     }
 }
 
+/// How far the first object of a pair is moved so that the answer is the other one.
+pub(super) fn elsewhere(pair: &Pair) -> Vec3 {
+    let [x, y, z] = match (pair.first, pair.second) {
+        // Rays pass beside, not far.
+        (Kind::Ray, Kind::Plane) => [0.0, 1.0, 0.0],
+        (Kind::Ray, Kind::Sphere) => [0.0, 1.2, 0.0],
+        (Kind::Ray, Kind::Cone) => [0.0, 0.6, 0.5],
+        (Kind::Ray, Kind::Polygon) => [0.0, -0.4, 0.0],
+        (Kind::Ray, Kind::Triangle) => [0.0, 1.0, 0.0],
+        (Kind::Ray, _) => [0.0, 1.5, 0.0],
+        // A corner comes in, or goes out.
+        (Kind::Triangle, _) => [-0.5, -0.5, 0.0],
+        (Kind::Sphere, _) => [0.4, 0.4, 0.0],
+        (Kind::Aabb, _) => [0.2, 0.3, 1.7],
+        (Kind::Obb, _) => [0.6, 0.8, -0.4],
+        (Kind::Frustum, _) => [4.0, 0.0, 0.0],
+        (Kind::Plane, _) => [0.0, 1.5, 0.0],
+        (_, Kind::Plane) => [0.0, -1.0, 0.0],
+        (_, Kind::Sphere | Kind::Cylinder) => [0.7, 0.0, 0.0],
+        (_, Kind::Cone) => [-0.3, 0.0, 0.0],
+        (_, Kind::Triangle) => [-0.4, 0.0, 0.0],
+        (_, Kind::Polygon) => [-0.5, 0.2, 0.0],
+        (_, Kind::Aabb) => [0.0, 0.0, 1.2],
+        (_, Kind::Obb) => [0.0, 0.8, 0.0],
+        _ => [0.0, 1.0, 0.0],
+    };
+    Vec3::new(x, y, z)
+}
+
 /// It comes from the left and the front, and climbs a little.
 fn ray() -> Ray {
     Ray { o: Vec3::new(-3.0, -0.5, 1.5), d: Vec3::new(2.0, 0.25, -1.0), t_min: 0.0, t_max: f32::INFINITY }

@@ -34,6 +34,7 @@ mod ray_triangle;
 mod shapes;
 mod sphere_aabb;
 mod step;
+mod trial;
 mod triangle_aabb;
 
 pub use body::{Body, Kind};
@@ -42,6 +43,7 @@ pub use probe::{Cover, Part, Probe};
 pub(crate) use shapes::clipped;
 pub use shapes::{Cone, Corner, Cylinder, Disc, Frustum, Plane, Polygon, Prism, Shape, Sphere, Triangle, Wall};
 pub use step::{Step, Steps, Watch};
+pub use trial::{Arrangement, Trial};
 
 use glam::DVec3;
 

@@ -2,10 +2,11 @@
 
 use glam::Vec3;
 
-use super::{Hull, KDop, Volume};
+use super::{Hull, KDop, Outline, Volume};
 use crate::geometry::digits::length;
 use crate::{
-    Aabb, Accel, Axes, BvhVolume, Interval, List, Measure, Obb, Place, PrimId, Primitives, Random, Ray, Sphere,
+    Aabb, Accel, Axes, BvhVolume, Interval, List, Measure, Obb, Observer, Place, PrimId, Primitives, Random, Ray,
+    Sphere, Visit,
 };
 
 /// One volume around all primitives of a scene.
@@ -17,6 +18,8 @@ pub struct Appraisal {
     pub area: f32,
     /// How much memory it takes.
     pub bytes: usize,
+    /// How many slabs, faces or equations one test of it asks for, in the mean.
+    pub cuts: f64,
     /// How many of the rays meet it.
     pub met: u32,
     /// How many of those meet none of the primitives.
@@ -39,28 +42,71 @@ impl Appraisal {
         }
     }
 
+    /// The surface of such a volume around `prims`, of which there must be some.
+    pub fn outline(prims: &impl Primitives, volume: BvhVolume) -> Outline {
+        match volume {
+            BvhVolume::Sphere => fit::<Sphere>(prims).outline(),
+            BvhVolume::Aabb => fit::<Aabb>(prims).outline(),
+            BvhVolume::Obb => fit::<Obb>(prims).outline(),
+            BvhVolume::KDop6 => fit::<KDop<0, 0>>(prims).outline(),
+            BvhVolume::KDop14 => fit::<KDop<0, 4>>(prims).outline(),
+            BvhVolume::KDop18 => fit::<KDop<4, 6>>(prims).outline(),
+            BvhVolume::KDop26 => fit::<KDop<0, 10>>(prims).outline(),
+            BvhVolume::Hull => fit::<Hull>(prims).outline(),
+        }
+    }
+
     /// The share of rays that meet the volume and none of its primitives, among those that meet it.
     pub fn vain_share(&self) -> f32 {
         if self.met == 0 { 0.0 } else { self.in_vain as f32 / self.met as f32 }
     }
 }
 
+/// The box around all primitives.
+fn around_all(prims: &impl Primitives) -> Aabb {
+    (0..prims.len() as u32).map(PrimId).fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(prim)))
+}
+
+fn fit<V: Volume>(prims: &impl Primitives) -> V {
+    let ids = (0..prims.len() as u32).map(PrimId);
+    V::fit(prims, ids, &around_all(prims), Axes::Xyz, &()).expect("nobody cancels")
+}
+
+/// Counts what cuts a ray in the test of a volume.
+#[derive(Default)]
+struct Cuts(u64);
+
+impl Observer<Visit> for Cuts {
+    fn on(&mut self, event: Visit) {
+        let cuts =
+            matches!(event, Visit::Divide { .. } | Visit::Parallel { .. } | Visit::Roots { .. } | Visit::Clip { .. });
+        self.0 += u64::from(cuts);
+    }
+}
+
 fn appraise<V: Volume>(prims: &impl Primitives, rays: u32, seed: u64) -> Appraisal {
-    let ids = || (0..prims.len() as u32).map(PrimId);
-    let bounds = ids().fold(Aabb::EMPTY, |all, prim| all.union(prims.bounds(prim)));
-    let volume = V::fit(prims, ids(), &bounds, Axes::Xyz, &()).expect("nobody cancels");
-    let (mut met, mut in_vain) = (0, 0);
+    let bounds = around_all(prims);
+    let volume: V = fit(prims);
+    let (mut met, mut in_vain, mut shot, mut cuts) = (0, 0, 0_u32, Cuts::default());
     let mut random = Random::new(seed);
     let radius = length(bounds.extent()) * 0.5;
     for _ in 0..rays {
         let (from, to) = (on_sphere(&mut random) * radius, on_sphere(&mut random) * radius);
         let Ok(ray) = Ray::new(bounds.center() + from, to - from) else { continue };
-        if !volume.meet(&ray, Interval::new(0.0, f32::INFINITY), Place::World, &mut ()).is_empty() {
+        shot += 1;
+        if !volume.meet(&ray, Interval::new(0.0, f32::INFINITY), Place::World, &mut cuts).is_empty() {
             met += 1;
             in_vain += u32::from(!List.occluded(prims, &ray, &mut ()));
         }
     }
-    Appraisal { content: volume.content(), area: volume.measure(Measure::Area), bytes: volume.bytes(), met, in_vain }
+    Appraisal {
+        content: volume.content(),
+        area: volume.measure(Measure::Area),
+        bytes: volume.bytes(),
+        cuts: cuts.0 as f64 / f64::from(shot.max(1)),
+        met,
+        in_vain,
+    }
 }
 
 /// A direction, all equally likely: the first of some random points that lies in the unit ball.

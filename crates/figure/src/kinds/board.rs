@@ -4,7 +4,7 @@ use raystep_accel::Reveal;
 
 use super::{Instant, Kind};
 use crate::page::Figure;
-use crate::panes::{Ask, Pane, Panel, board};
+use crate::panes::{Ask, KnobLine, Pane, Panel, board, knobs};
 use crate::words::Fact;
 
 /// Tables and charts, and what comes to be seen on them.
@@ -38,6 +38,10 @@ impl Kind for Board<'_> {
 
     fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
         (pane == Pane::Picture).then(|| board(&self.panels, *at.state(), ask))
+    }
+
+    fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
+        knobs(&self.panels, ask)
     }
 
     fn fact(&self, step: usize) -> Option<&dyn Fact> {

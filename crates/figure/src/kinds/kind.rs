@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Cost, Direction, HandCut, Place, Prims};
 
 use super::Instant;
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, CutLine, Pane, RulerScale, symbol_on_track};
+use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, RulerScale, symbol_on_track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName};
 use crate::world::{Depth, Form, Space};
@@ -157,6 +157,18 @@ pub trait Kind {
     fn cut_to(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
         let _ = (at, ask, point);
         None
+    }
+
+    /// Where the object is taken in the hand that can be moved through space.
+    fn grip(&self, at: &Instant) -> Option<Grip> {
+        let _ = at;
+        None
+    }
+
+    /// Where the numbers lie that can be moved by hand.
+    fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
+        let _ = ask;
+        Vec::new()
     }
 
     /// Shows the answers of an open question where they lie. What happens knows nothing of them.

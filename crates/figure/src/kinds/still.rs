@@ -7,7 +7,7 @@ use raystep_accel::{Aabb, Cost, HandCut, Place};
 
 use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, CutLine, Pane, RulerScale, legend, line_at, track};
+use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, RulerScale, legend, line_at, track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol};
 use crate::world::{Depth, Form, Space, SpaceMark, edges};
@@ -139,6 +139,16 @@ impl<'a> Still<'a> {
     /// The cut that stands where its line is moved to.
     pub fn cut_to(&self, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
         self.kind.cut_to(self.at, ask, point)
+    }
+
+    /// Where the object is taken in the hand that can be moved through space.
+    pub fn grip(&self) -> Option<Grip> {
+        self.kind.grip(self.at)
+    }
+
+    /// Where the numbers lie that can be moved by hand, in the picture that is asked for.
+    pub fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
+        self.kind.knobs(ask)
     }
 
     /// How many rows its stack has.

@@ -7,6 +7,7 @@ mod changed;
 mod costs;
 pub(crate) mod legend;
 mod listing;
+mod pairs;
 mod pane;
 mod ruler;
 mod slabs;
@@ -18,13 +19,18 @@ mod walks;
 mod weighing;
 mod work;
 
-pub(crate) use board::board;
-pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Picture, Pictures, Row, Scale, Table};
+pub use board::{
+    Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Row, Scale,
+    Table,
+};
+pub(crate) use board::{board, knobs};
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};
 pub use costs::costs;
 pub use listing::{ListingLine, line_at, listing};
+pub use pairs::Grip;
+pub(crate) use pairs::{Tried, matrix, matrix_height, numbers, space_of_pair, steps};
 pub use pane::{Ask, Pane};
 pub use ruler::{RulerScale, ruler, ruler_height, ruler_line, ruler_line_height};
 pub(crate) use ruler::{ruler_line_of, ruler_of, ruler_scale};

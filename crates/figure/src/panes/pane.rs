@@ -20,6 +20,8 @@ pub enum Pane {
     Tree,
     /// The cell where the walk stands, or the cells that a primitive is put into.
     Cells,
+    /// The matrix of pairs.
+    Matrix,
     /// The test of a volume.
     Slabs,
     /// A node as it lies in memory.
@@ -42,12 +44,13 @@ pub enum Pane {
 
 impl Pane {
     /// Every pane.
-    pub const ALL: [Pane; 14] = [
+    pub const ALL: [Pane; 15] = [
         Pane::Picture,
         Pane::Ruler,
         Pane::RulerLine,
         Pane::Tree,
         Pane::Cells,
+        Pane::Matrix,
         Pane::Slabs,
         Pane::Bytes,
         Pane::Listing,
@@ -76,6 +79,7 @@ impl Pane {
             Pane::Ruler | Pane::RulerLine => "t along the ray",
             Pane::Tree => "Tree",
             Pane::Cells => "Cells",
+            Pane::Matrix => "Pairs",
             Pane::Slabs => "Slabs",
             Pane::Bytes => "Bytes",
             Pane::Listing => "Walk",

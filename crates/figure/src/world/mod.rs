@@ -15,5 +15,6 @@ pub(crate) use faces::ring;
 pub use globe::{circles, contour};
 pub(crate) use levels::{Levels, drawn, frontier};
 pub use nodes::Nodes;
+pub use outlines::forms_of;
 pub use space::{Depth, Form, Space, SpaceMark};
 pub(crate) use space::{corners, edges};

@@ -31,6 +31,11 @@ pub(crate) fn reach(structure: &Structure) -> Aabb {
     }
 }
 
+/// A volume in a solid scene.
+pub fn forms_of(outline: &Outline) -> Vec<Form> {
+    volume(outline, false)
+}
+
 /// A volume: in a flat scene, where it meets the plane of the drawing.
 fn volume(outline: &Outline, flat: bool) -> Vec<Form> {
     match outline {

@@ -4,7 +4,7 @@ use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
 
-use crate::{Plan, Spot, head, limits};
+use crate::{Plan, Spot, head, limits, template};
 
 use super::maps::COUNTS;
 use super::{Column, Formula};
@@ -42,9 +42,9 @@ pub struct Scale {
 /// Something drawn in a chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// What it is called.
+    /// What it is called; it may name its own numbers and those of the meter, as in `{{y}} s`.
     pub name: String,
-    /// A few words below its name.
+    /// A few words below its name; it may name them, too.
     pub note: String,
     /// Its line or point.
     pub stroke: Stroke,
@@ -173,5 +173,9 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
             return None;
         }
     };
+    let event = if matches!(stroke, Stroke::Point(..)) { "point" } else { "line" };
+    for (at, words) in [&name, &note].into_iter().flatten() {
+        template::check_said(words, *at, event, reading);
+    }
     Some(Drawn { name: name?.1, note: note.unwrap_or_default().1, stroke, step, spot })
 }

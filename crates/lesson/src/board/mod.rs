@@ -1,11 +1,12 @@
 //! Boards: tables, charts, heat maps and pictures that a slide fills row by row and point by point, printed numbers beside those that
-//! follow from them and those that are measured here.
+//! follow from them and those that are measured here; and a meter, whose numbers are moved by hand.
 
 mod care;
 mod chart;
 mod formula;
 mod maps;
 mod measure;
+mod meter;
 mod panel;
 mod picture;
 mod rows;
@@ -18,6 +19,7 @@ pub use chart::{Chart, Drawn, Scale, Stroke};
 pub use formula::Formula;
 pub use maps::{Map, Maps};
 pub use measure::{Counted, Measured};
+pub use meter::{Given, Meter, Number, Numbers};
 pub use panel::{Board, Panel};
 pub use picture::{Picture, Pictures, Rendered};
 pub use table::{Cell, Column, Row, Table};

@@ -4,9 +4,12 @@ use crate::keys::Keys;
 use crate::reading::Reading;
 use crate::{Plan, Spot, limits};
 
-use super::{Chart, Column, Drawn, Map, Maps, Picture, Pictures, Row, Stroke, Table, chart, maps, picture, table};
+use super::{
+    Chart, Column, Drawn, Map, Maps, Meter, Number, Numbers, Picture, Pictures, Row, Stroke, Table, chart, maps, meter,
+    picture, table,
+};
 
-/// Tables, charts, heat maps and pictures.
+/// Tables, charts, heat maps, pictures, and a meter.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Board {
     /// What it holds, the largest first.
@@ -20,6 +23,8 @@ pub enum Panel {
     Table(Table),
     /// A chart.
     Chart(Chart),
+    /// Numbers that are moved by hand.
+    Meter(Meter),
     /// Heat maps.
     Maps(Maps),
     /// Pictures.
@@ -55,6 +60,24 @@ impl Board {
         order.into_iter().map(|(_, panel, place)| (panel, place)).collect()
     }
 
+    /// Its meter, if it has one.
+    pub fn meter(&self) -> Option<&Meter> {
+        self.panels.iter().find_map(|panel| match panel {
+            Panel::Meter(meter) => Some(meter),
+            _ => None,
+        })
+    }
+
+    /// The number of that name which is moved by hand.
+    pub fn number(&self, name: &str) -> Option<&Number> {
+        self.meter()?.numbers.iter().find(|number| number.name == name)
+    }
+
+    /// Its numbers where the settings put them, as keys and values; the others where the slide has them.
+    pub fn moved(&self, settings: &[(String, String)]) -> Numbers {
+        self.meter().map_or_else(Numbers::default, |meter| meter.moved(settings))
+    }
+
     /// Everything that is built to be measured.
     pub(crate) fn plans(&self) -> impl Iterator<Item = &Plan> {
         let entries = self.order().into_iter().filter_map(|at| self.entry(at));
@@ -88,6 +111,7 @@ impl Board {
         match self.panels.get(panel)? {
             Panel::Table(table) => table.rows.get(place).map(Entry::Row),
             Panel::Chart(chart) => chart.drawn.get(place).map(Entry::Drawn),
+            Panel::Meter(_) => None,
             Panel::Pictures(pictures) => pictures.pictures.get(place).map(Entry::Picture),
             Panel::Maps(maps) => maps.maps.get(place).map(|map| Entry::Map(map, maps.of)),
         }
@@ -99,6 +123,8 @@ impl Panel {
         match self {
             Panel::Table(table) => table.rows.iter().map(|row| row.step).collect(),
             Panel::Chart(chart) => chart.drawn.iter().map(|drawn| drawn.step).collect(),
+            // It is there from the beginning.
+            Panel::Meter(_) => Vec::new(),
             Panel::Pictures(pictures) => pictures.pictures.iter().map(|picture| picture.step).collect(),
             Panel::Maps(maps) => maps.maps.iter().map(|map| map.step).collect(),
         }
@@ -108,10 +134,18 @@ impl Panel {
 /// Reads the tables, charts, heat maps and pictures of a head.
 pub(crate) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Board {
     let mut board = Board::default();
+    // What follows may name its numbers.
+    reading.numbers.clear();
+    let mut meter = None;
+    if let Some(mut keys) = keys.table("meter", reading) {
+        meter = meter::read(&mut keys, reading).map(Panel::Meter);
+        keys.finish(reading);
+    }
     for mut keys in keys.tables("chart", reading) {
         board.panels.extend(chart::read(&mut keys, reading).map(Panel::Chart));
         keys.finish(reading);
     }
+    board.panels.extend(meter);
     for mut keys in keys.tables("table", reading) {
         board.panels.extend(table::read(&mut keys, reading).map(Panel::Table));
         keys.finish(reading);

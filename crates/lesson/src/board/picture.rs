@@ -5,7 +5,8 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{
-    Accel, Cancelled, Cost, Grow, Hit, Observer, PrimId, Primitives, Prims, Ray, Shape, Structure, pinhole,
+    Accel, Appraisal, BvhVolume, Cancelled, Cost, Grow, Hit, Observer, Outline, PrimId, Primitives, Prims, Ray, Shape,
+    Structure, pinhole,
 };
 use raystep_scene::{Scene, View};
 
@@ -15,6 +16,8 @@ use super::smooth::Smooth;
 use crate::keys::Keys;
 use crate::reading::Reading;
 use crate::{Plan, head};
+
+use super::table;
 
 /// Pictures beside each other.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +44,8 @@ pub struct Picture {
     pub view: Option<(Vec3, Vec3, f32)>,
     /// Its pixels across and down: fewer, the more pictures stand side by side.
     pub size: [u32; 2],
+    /// The volume around everything that is drawn over it.
+    pub volume: Option<BvhVolume>,
     /// When it comes to be seen, among everything on the board.
     pub(crate) step: Option<f32>,
     /// Where it stands.
@@ -52,6 +57,10 @@ pub struct Picture {
 pub struct Rendered {
     /// Pixels across and down.
     pub size: [u32; 2],
+    /// Where it is seen from.
+    pub view: View,
+    /// The volume around everything, if it is drawn over it.
+    pub outline: Option<Arc<Outline>>,
     /// Four bytes for each pixel, rows from above.
     pub rgba: Arc<[u8]>,
     /// How many triangles a ray could meet.
@@ -73,6 +82,9 @@ const EDGE: f32 = 0.03;
 /// Longer than any leaf or blade, in metres.
 const LONG: f32 = 0.7;
 
+/// The most pictures beside each other.
+const MOST: usize = 6;
+
 /// Reads `[[picture]]`.
 pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pictures> {
     let (title, about) = (keys.need::<String>("title", reading), keys.get::<String>("about", reading));
@@ -84,6 +96,7 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pic
         let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
         let (eye, target) = (keys.get::<Vec3>("eye", reading), keys.get::<Vec3>("target", reading));
         let fov = keys.get::<f32>("fov_degrees", reading).map_or(40.0, |(_, fov)| fov);
+        let volume = table::volume(&mut keys, reading);
         let at = keys.at();
         keys.finish(reading);
         let view = match (eye, target) {
@@ -97,11 +110,11 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pic
         if let Some((_, name)) = name {
             let plan = plan.unwrap_or_else(Plan::boxes);
             let (size, step) = (SIZES[0], step.map(|(_, step)| step));
-            pictures.push(Picture { name, scene, plan, view, size, step, spot });
+            pictures.push(Picture { name, scene, plan, view, size, volume, step, spot });
         }
     }
-    if pictures.is_empty() || pictures.len() > 3 {
-        reading.problem(keys.at(), "from one to three `pictures` stand beside each other");
+    if pictures.is_empty() || pictures.len() > MOST {
+        reading.problem(keys.at(), format!("from one to {MOST} `pictures` stand beside each other"));
     }
     let size = SIZES[pictures.len().clamp(1, SIZES.len()) - 1];
     pictures.iter_mut().for_each(|picture| picture.size = size);
@@ -131,8 +144,8 @@ impl Rendered {
         };
         let scene = named.as_ref().unwrap_or(board);
         let settings: Vec<_> = picture.plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
-        let key =
-            format!("{} {} {settings:?} {:?} {:?} {care:?}", scene.name, picture.plan.kind, picture.view, picture.size);
+        let (kind, seen) = (&picture.plan.kind, (picture.view, picture.size, picture.volume));
+        let key = format!("{} {kind} {settings:?} {seen:?} {care:?}", scene.name);
         let known = || MADE.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(made) = known().get(&key) {
             return Ok(Some(made.clone()));
@@ -143,9 +156,10 @@ impl Rendered {
         if let Some((eye, target, fov_degrees)) = picture.view {
             view = View { eye, target, up: scene.view.up, fov_degrees };
         }
-        let (sun, smooth) = (sun(&view), Smooth::of(&scene.prims));
-        let made = Camera { scene, structure: &structure, view, sun, smooth, size: care.of(picture.size), care }
-            .render(watch)?;
+        let (sun, smooth, size) = (sun(&view), Smooth::of(&scene.prims), care.of(picture.size));
+        let outline = picture.volume.map(|volume| Arc::new(Appraisal::outline(&scene.prims, volume)));
+        let camera = Camera { scene, structure: &structure, view, sun, smooth, size, care };
+        let made = Rendered { outline, ..camera.render(watch)? };
         known().insert(key, made.clone());
         Ok(Some(made))
     }
@@ -217,7 +231,8 @@ impl Camera<'_> {
             prims => prims.len() as u64,
         };
         let tests = cost.prim_tests as f64 / rays.max(1) as f64;
-        Ok(Rendered { size: self.size, rgba: rgba.into(), triangles, rays, tests })
+        let (view, outline) = (self.view, None);
+        Ok(Rendered { size: self.size, view, outline, rgba: rgba.into(), triangles, rays, tests })
     }
 
     /// The light that comes through a point of the page: (0, 0) is its upper left corner, (1, 1) its lower right one.

@@ -1,11 +1,13 @@
 //! A table: rows of named things, columns of what was printed, what follows from it, and what is measured here.
 
+use raystep_accel::BvhVolume;
+
 use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
-use crate::{Plan, Spot, head, limits};
+use crate::{Plan, Spot, head, limits, template};
 
-use super::Formula;
+use super::{Formula, Numbers};
 
 /// A table of a board.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,13 +41,21 @@ pub enum Column {
     Boxes,
     /// Nodes or cells of the structure.
     Nodes,
-    /// Bytes of the structure.
+    /// Bytes of the structure, or of the volume.
     Bytes,
+    /// How much room the volume encloses, measured here.
+    Content,
+    /// Its surface.
+    Area,
+    /// Slabs, faces or equations that a test of it takes, in the mean.
+    Cuts,
+    /// Of the rays that meet it, the share that meet nothing in it.
+    Vain,
 }
 
 impl Column {
     /// All of them, with the names that slides and facts give them.
-    pub const NAMES: [(&'static str, Column); 8] = [
+    pub const NAMES: [(&'static str, Column); 12] = [
         ("printed", Column::Printed),
         ("total", Column::Total),
         ("computed", Column::Computed),
@@ -54,6 +64,10 @@ impl Column {
         ("boxes", Column::Boxes),
         ("nodes", Column::Nodes),
         ("bytes", Column::Bytes),
+        ("content", Column::Content),
+        ("area", Column::Area),
+        ("cuts", Column::Cuts),
+        ("vain", Column::Vain),
     ];
 
     /// How slides write it.
@@ -63,21 +77,23 @@ impl Column {
 
     /// Whether it is measured here.
     pub fn is_measured(self) -> bool {
-        matches!(self, Column::Tests | Column::Visits | Column::Boxes | Column::Nodes | Column::Bytes)
+        !matches!(self, Column::Printed | Column::Total | Column::Computed)
     }
 }
 
 /// A row of a table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// What it is about.
+    /// What it is about; it may name its own numbers and those of the meter, as in `{{Nx}} pixels`.
     pub name: String,
-    /// A few words behind its name.
+    /// A few words behind its name; it may name them, too.
     pub note: String,
     /// What its cells hold, but for what is measured.
     pub cells: Vec<(Column, Cell)>,
     /// What is built and measured for it.
     pub plan: Option<Plan>,
+    /// The volume around everything that is measured for it.
+    pub volume: Option<BvhVolume>,
     /// The name of the scene that it is measured over; the board's own if it has none.
     pub scene: Option<String>,
     /// When it comes to be seen, among everything on the board.
@@ -96,15 +112,15 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// Its number; no number where it holds words.
-    pub fn number(&self) -> f64 {
+    /// Its number where the numbers of the meter stand; no number where it holds words.
+    pub fn number(&self, numbers: &Numbers) -> f64 {
         match self {
             Cell::Text(text) => {
                 let digits: String = text.chars().filter(|c| *c != ',').collect();
                 let word = digits.split_whitespace().next().unwrap_or_default();
                 word.trim_end_matches(['\u{d7}', '%']).parse().unwrap_or(f64::NAN)
             }
-            Cell::Value(formula, _) => formula.at(0.0),
+            Cell::Value(formula, _) => formula.at(0.0, numbers),
         }
     }
 }
@@ -121,8 +137,8 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Tab
     let measures = table.columns.iter().any(|(column, _)| column.is_measured());
     if table.columns.is_empty() || table.rows.is_empty() {
         reading.problem(at, "a table has columns and rows, one or more of each");
-    } else if measures && table.rows.iter().all(|row| row.plan.is_none()) {
-        reading.problem(at, "nothing is measured: give a row `structure = { kind = \"...\" }`");
+    } else if measures && table.rows.iter().all(|row| row.plan.is_none() && row.volume.is_none()) {
+        reading.problem(at, "nothing is measured: give a row `structure = { kind = \"...\" }` or `volume = \"...\"`");
     }
     Some(table)
 }
@@ -139,6 +155,16 @@ fn column(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<(Column, Stri
     Some((known?.1, head))
 }
 
+/// `volume = "sphere"`: a single volume around everything.
+pub(super) fn volume(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<BvhVolume> {
+    let (at, word) = keys.get::<String>("volume", reading)?;
+    let known = BvhVolume::ALL.iter().find(|volume| volume.word() == word);
+    if known.is_none() {
+        reading.problem(at, misspelt("volume", &word, BvhVolume::WORDS));
+    }
+    known.copied()
+}
+
 /// `{ name = "Uniform grid", structure = { kind = "grid" }, printed = "44.86", computed = "26336575 / 44.86" }`
 fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let (name, note) = (keys.need::<String>("name", reading), keys.get::<String>("note", reading));
@@ -146,6 +172,7 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let scene = keys.get::<String>("scene", reading).map(|(_, scene)| scene);
     let spot = reading.spot(keys.at());
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+    let volume = volume(&mut keys, reading);
     let mut cells = Vec::new();
     for column in [Column::Printed, Column::Total] {
         if let Some((at, text)) = keys.get::<String>(column.name(), reading) {
@@ -159,14 +186,22 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     if let Some((at, text)) = keys.get::<String>(Column::Computed.name(), reading)
         && let Some(formula) = Formula::read(&text, at, &[], reading)
     {
+        // What is printed stands still, and so does what it is compared with.
+        if formula.is_moved() && !cells.is_empty() {
+            reading.problem(at, format!("`{text}` moves with the meter: a printed number cannot stand beside it"));
+        }
         cells.push((Column::Computed, Cell::Value(formula, unit)));
     }
     keys.finish(reading);
+    for (at, words) in [&name, &note].into_iter().flatten() {
+        template::check_said(words, *at, "row", reading);
+    }
     Some(Row {
         name: name?.1,
         note: note.unwrap_or_default().1,
         cells,
         plan,
+        volume,
         scene,
         spot,
         step: step.map(|(_, step)| step),

@@ -46,6 +46,8 @@ pub struct Drawn {
     pub name: String,
     /// A few words below the name.
     pub note: String,
+    /// Whether it moves with the meter.
+    pub moves: bool,
     /// What it is.
     pub curve: Curve,
 }
@@ -125,7 +127,7 @@ pub(super) fn draw(chart: &Chart, filled: Filled, room: Vec2, look: &Look) -> Fi
     let mut order: Vec<&Drawn> = chart.drawn.iter().filter(|drawn| filled.shows(drawn.entry)).collect();
     order.sort_by_key(|drawn| drawn.entry);
     // Points lie on their lines.
-    order.sort_by_key(|drawn| (matches!(drawn.curve, Curve::Point(_)), drawn.entry));
+    order.sort_by_key(|drawn| (matches!(drawn.curve, Curve::Point(_)), drawn.moves, drawn.entry));
     for drawn in &order {
         plot.ink(&mut figure, drawn, filled.is_new(drawn.entry));
     }
@@ -174,6 +176,15 @@ impl Plot<'_> {
                 let center = self.at(*dot);
                 // Lines end at its rim.
                 figure.add(Role::Page, place, Ink::Circle { center, radius: u * 0.42 });
+                if drawn.moves {
+                    // From where it stands on the axes.
+                    let feet = [Vec2::new(center.x, self.max.y), Vec2::new(self.min.x, center.y)];
+                    for foot in feet {
+                        figure.add(Role::Ray, place, line(foot, center));
+                    }
+                    figure.add(Role::Tick, place, Ink::Circle { center, radius: u * 0.5 });
+                    return;
+                }
                 let role = if new { Role::Here } else { Role::Text };
                 figure.add(role, place, Ink::Circle { center, radius: u * 0.42 });
             }
@@ -243,7 +254,7 @@ impl Plot<'_> {
         let corner = corner.unwrap_or(at + sides[0]);
         self.taken.push((corner, corner + size));
         let place = place(drawn.entry);
-        let role = if new { Role::Value } else { Role::Text };
+        let role = if new || drawn.moves { Role::Value } else { Role::Text };
         write(figure, role, place, corner + Vec2::new(0.0, u * 0.65), &drawn.name, u, Face::Bold, Anchor::Start);
         let below = corner + Vec2::new(0.0, u * 1.95);
         write(figure, Role::Quiet, place, below, &drawn.note, self.look.small(), Face::Regular, Anchor::Start);

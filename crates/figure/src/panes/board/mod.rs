@@ -1,7 +1,9 @@
-//! Boards: tables, charts, heat maps and pictures beside each other, filled entry by entry.
+//! Boards: tables, charts, heat maps and pictures beside each other, filled entry by entry, and a meter that is there
+//! from the beginning.
 
 mod chart;
 mod maps;
+mod meter;
 mod pictures;
 mod table;
 
@@ -10,6 +12,7 @@ use raystep_accel::{CellId, Place};
 
 pub use chart::{Chart, Curve, Dot, Drawn, Scale};
 pub use maps::{Map, Maps};
+pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};
 
@@ -23,6 +26,8 @@ pub enum Panel {
     Table(Table),
     /// A chart.
     Chart(Chart),
+    /// Numbers that are moved by hand.
+    Meter(Meter),
     /// Heat maps.
     Maps(Maps),
     /// Pictures.
@@ -65,6 +70,7 @@ fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
         let [width, height] = match panel {
             Panel::Table(table) => table.letters(),
             Panel::Chart(_) => [34.0, 18.0],
+            Panel::Meter(meter) => meter.letters(),
             Panel::Maps(maps) => [26.0 * maps.maps.len() as f32, 22.0],
             Panel::Pictures(pictures) => [20.0 * pictures.pictures.len() as f32, 18.0],
         };
@@ -76,13 +82,12 @@ fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
     Look { text: ask.look.text.min(most), ..ask.look }
 }
 
-/// The panels, filled up to a step.
-pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
-    let mut figure = Figure::new(ask.size);
-    let filled = Filled { step, asks: ask.hide };
-    let mut corner = Vec2::ZERO;
+/// How large everything is set, and the corner and the room of each panel.
+fn layout(panels: &[Panel], ask: &Ask<'_>) -> (Look, Vec<[Vec2; 2]>) {
     let wide = ask.size.x > ask.size.y * 1.15;
     let look = fitted(panels, ask, wide);
+    let mut corner = Vec2::ZERO;
+    let mut rooms = Vec::new();
     for (index, panel) in panels.iter().enumerate() {
         let left = panels.len() - index;
         let mut room = ask.size - corner;
@@ -92,19 +97,42 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
                 Panel::Chart(_) if wide => room.x *= 0.58,
                 Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => room.y *= 0.55,
                 Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
+                Panel::Meter(meter) => room.y = meter.height(&look).min(room.y * 0.7),
             }
         }
-        let part = match panel {
-            Panel::Table(table) => table::draw(table, filled, room, &look),
-            Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
-            Panel::Maps(maps) => maps::draw(maps, filled, room, &look),
-            Panel::Pictures(pictures) => pictures::draw(pictures, filled, room, &look),
-        };
-        figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
+        rooms.push([corner, room]);
         match panel {
             Panel::Chart(_) if wide => corner.x += room.x,
             _ => corner.y += room.y,
         }
     }
+    (look, rooms)
+}
+
+/// The panels, filled up to a step.
+pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
+    let mut figure = Figure::new(ask.size);
+    let filled = Filled { step, asks: ask.hide };
+    let (look, rooms) = layout(panels, ask);
+    for (panel, [corner, room]) in panels.iter().zip(rooms) {
+        let part = match panel {
+            Panel::Table(table) => table::draw(table, filled, room, &look),
+            Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
+            Panel::Meter(meter) => meter::draw(meter, filled, room, &look),
+            Panel::Maps(maps) => maps::draw(maps, filled, room, &look),
+            Panel::Pictures(pictures) => pictures::draw(pictures, filled, room, &look),
+        };
+        figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
+    }
     figure
+}
+
+/// Where the numbers lie that can be moved by hand.
+pub(crate) fn knobs(panels: &[Panel], ask: &Ask<'_>) -> Vec<KnobLine> {
+    let (look, rooms) = layout(panels, ask);
+    let lines = panels.iter().zip(rooms).filter_map(|(panel, [corner, room])| match panel {
+        Panel::Meter(meter) => Some(meter.lines_in(room, &look).into_iter().map(move |line| line.moved(corner))),
+        _ => None,
+    });
+    lines.flatten().collect()
 }

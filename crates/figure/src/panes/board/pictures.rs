@@ -1,10 +1,13 @@
 //! Pictures beside each other, each with its name and what it shows.
 
 use glam::Vec2;
+use raystep_accel::Prims;
 
 use super::{Filled, place};
-use crate::page::{Anchor, Figure, Image, Ink, Look, write};
+use crate::page::{Anchor, Figure, Image, Ink, Look, Mark, write};
+use crate::stage::{Camera, Scenery, crop, stage};
 use crate::theme::{Face, Role};
+use crate::world::{Form, Space, SpaceMark};
 
 /// Pictures of a board.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +31,17 @@ pub struct Picture {
     pub says: String,
     /// The picture itself.
     pub image: Image,
+    /// What is drawn over it, as a camera sees it that the picture was made with.
+    pub over: Option<(Vec<Form>, Camera)>,
+}
+
+/// Forms over a picture of this size, as far as they lie in it.
+fn over(forms: &[Form], camera: &Camera, size: Vec2) -> Figure {
+    let mark = |form: &Form| SpaceMark { form: form.clone(), role: Role::Here, place: None };
+    let space = Space { marks: forms.iter().map(mark).collect(), flat: false, ..Space::default() };
+    let mut drawn = stage(&space, &Prims::Few(Vec::new()), camera, size, Scenery::Left);
+    crop(&mut drawn, 0.0);
+    drawn
 }
 
 pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look) -> Figure {
@@ -57,6 +71,10 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
         let place = place(picture.entry).filter(|_| shown);
         if shown {
             figure.add(Role::Scene, place, Ink::Image { min, max, image: picture.image.clone() });
+            if let Some((forms, camera)) = &picture.over {
+                let drawn = over(forms, camera, max - min);
+                figure.marks.extend(drawn.marks.into_iter().map(|mark| Mark { place, ..mark.moved(min) }));
+            }
         }
         let frame = vec![min, Vec2::new(max.x, min.y), max, Vec2::new(min.x, max.y), min];
         figure.add(Role::Edge, place, Ink::Line { points: frame });

@@ -2,6 +2,7 @@
 
 pub(crate) mod grow;
 mod reveal;
+mod trial;
 pub(crate) mod visit;
 
 use std::borrow::Cow;
@@ -72,6 +73,7 @@ impl Fact for Event {
             Event::Walk(visit) => visit.symbol(),
             Event::Build(grow) => grow.symbol(),
             Event::Board(reveal) => reveal.symbol(),
+            Event::Pair(trial) => trial.symbol(),
         }
     }
 
@@ -80,6 +82,7 @@ impl Fact for Event {
             Event::Walk(visit) => visit.short(volume),
             Event::Build(grow) => grow.short(volume),
             Event::Board(reveal) => reveal.short(volume),
+            Event::Pair(trial) => trial.short(volume),
         }
     }
 
@@ -88,6 +91,7 @@ impl Fact for Event {
             Event::Walk(visit) => visit.sentence(volume),
             Event::Build(grow) => grow.sentence(volume),
             Event::Board(reveal) => reveal.sentence(volume),
+            Event::Pair(trial) => trial.sentence(volume),
         }
     }
 }
@@ -145,7 +149,7 @@ pub fn short(event: &(impl Fact + ?Sized), volume: VolumeName) -> Cow<'static, s
 pub fn veiled(event: &Event) -> Event {
     match event {
         Event::Walk(event) => Event::Walk(veiled_visit(event)),
-        Event::Build(_) | Event::Board(_) => *event,
+        Event::Build(_) | Event::Board(_) | Event::Pair(_) => *event,
     }
 }
 

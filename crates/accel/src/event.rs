@@ -1,8 +1,8 @@
-//! An event of a walk, of a build or of a board, for whoever shows them all.
+//! An event of a walk, of a build, of a board or of a pair of objects, for whoever shows them all.
 
-use super::{Grain, Grow, Place, Reveal, Value, Visit};
+use crate::{Grain, Grow, Place, Reveal, Trial, Value, Visit};
 
-/// Something that a walk or a builder did, or that came to be seen on a board.
+/// Something that a walk or a builder did, that came to be seen on a board, or that a test of two objects did.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// A ray's walk did it.
@@ -11,6 +11,8 @@ pub enum Event {
     Build(Grow),
     /// It came to be seen on a board.
     Board(Reveal),
+    /// A test of two objects did it.
+    Pair(Trial),
 }
 
 /// Asks whichever it is.
@@ -20,6 +22,7 @@ macro_rules! either {
             Event::Walk($inner) => $ask,
             Event::Build($inner) => $ask,
             Event::Board($inner) => $ask,
+            Event::Pair($inner) => $ask,
         }
     };
 }
