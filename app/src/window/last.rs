@@ -45,8 +45,16 @@ pub struct Last {
     aspect: f32,
     own: Option<OwnRay>,
     camera: Option<Seen>,
-    /// The parameters that differ from the slide's.
+    /// The parameters of the structure that differ from the slide's.
     settings: Table,
+    /// What was moved by hand: numbers of a meter, bodies of a pair.
+    moved: Table,
+}
+
+/// Whether some structure has such a parameter, with such a value.
+fn is_parameter(key: &str, value: &str) -> bool {
+    let known = Rule::KINDS.iter().filter_map(|kind| Rule::default_for(kind).ok());
+    known.into_iter().any(|mut rule| rule.set(key, value).is_ok())
 }
 
 /// A ray of the user's own.
@@ -96,6 +104,10 @@ impl Last {
             Beside::Structure(kind) => Some(kind.to_owned()),
             Beside::Nothing | Beside::Mistake(_) => None,
         };
+        let known = |(key, value): &(String, String)| is_parameter(key, value);
+        let (settings, moved): (Vec<_>, Vec<_>) = view.settings.iter().cloned().partition(known);
+        let table =
+            |settings: Vec<(String, String)>| settings.into_iter().map(|(key, text)| (key, text.into())).collect();
         Last {
             ended: 0,
             lessons: around.lessons.and_then(named),
@@ -112,7 +124,8 @@ impl Last {
             aspect: around.aspect,
             own,
             camera: view.camera.filter(|_| view.example.is_none()).map(Seen::of),
-            settings: view.settings.iter().map(|(key, value)| (key.clone(), Value::String(value.clone()))).collect(),
+            settings: table(settings),
+            moved: table(moved),
         }
     }
 
@@ -144,13 +157,19 @@ impl Last {
         };
         if let Some(parameter) = key.strip_prefix("settings.") {
             let text = text()?;
-            let known = Rule::KINDS.iter().filter_map(|kind| Rule::default_for(kind).ok());
-            // The numbers of a meter and the bodies of pairs are known once the slide is.
-            let numbers = !text.is_empty() && text.split(' ').all(|part| part.parse::<f64>().is_ok_and(f64::is_finite));
-            if !numbers && !known.into_iter().any(|mut rule| rule.set(parameter, &text).is_ok()) {
+            if !is_parameter(parameter, &text) {
                 return Err("no structure has such a parameter".to_owned());
             }
             self.settings.insert(parameter.to_owned(), Value::String(text));
+            return Ok(());
+        }
+        if let Some(name) = key.strip_prefix("moved.") {
+            // Which names there are is known once the slide is.
+            let text = text()?;
+            if text.is_empty() || !text.split(' ').all(|part| part.parse::<f64>().is_ok_and(f64::is_finite)) {
+                return Err("numbers are needed".to_owned());
+            }
+            self.moved.insert(name.to_owned(), Value::String(text));
             return Ok(());
         }
         match key {
@@ -223,7 +242,7 @@ impl Last {
             }
             Some((key.clone(), value))
         };
-        let settings = self.settings.iter().filter_map(&mut setting).collect();
+        let settings = self.settings.iter().chain(&self.moved).filter_map(&mut setting).collect();
         let camera = self.camera.as_ref().and_then(Seen::camera);
         Some(View { ray, settings, camera, step: self.step, ..View::of_slide(slide, kind) })
     }
@@ -452,7 +471,11 @@ mod tests {
         let (read, wrong) = Last::read(&format!("{GOOD}[own]\nfrom = [0, 0, 0]\ndirection = [0, 0, 0]\n"));
         assert_eq!((read.own.as_ref().unwrap().ray(), wrong.len()), (None, 0));
         let (read, wrong) = Last::read(&format!("{GOOD}depth = \"4\"\n"));
-        assert_eq!((read, wrong.len()), (good, 1));
+        assert_eq!((read, wrong.len()), (good.clone(), 1));
+        let (read, wrong) = Last::read(&format!("{GOOD}[moved]\nNx = \"many\"\n"));
+        assert_eq!((read, wrong.len()), (good.clone(), 1));
+        let (read, wrong) = Last::read(&format!("{GOOD}[moved]\nNx = \"640\"\n"));
+        assert_eq!((read.moved.len(), Last { moved: good.moved.clone(), ..read }, wrong.len()), (1, good, 0));
     }
 
     #[test]

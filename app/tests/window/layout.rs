@@ -136,8 +136,8 @@ fn the_buttons_stand_still_from_slide_to_slide() {
         assert!(first.len() + 1 >= names.len(), "only Present may stand in the menu");
         let shown = structure(&harness);
         let check = |harness: &Window, what: &str| {
-            // A board has neither stages nor a structure to choose; all else stands where it does on every slide.
-            let board = harness.state().state.slide().unwrap().plays == Plays::Board;
+            // Boards and pairs have neither stages nor a structure to choose; all else stands where it always does.
+            let board = matches!(harness.state().state.slide().unwrap().plays, Plays::Board | Plays::Pairs);
             for (name, first) in &first {
                 if board && ["Flat", "Solid"].contains(name) {
                     assert_eq!(rect(harness, name), None, "{what} at {size:?}");
