@@ -43,6 +43,7 @@ const HOUSES: &[(&str, &[&str])] = &[
             "files",
             "report",
             "shown",
+            "rating",
             "export",
             "window/look",
             "window/work",

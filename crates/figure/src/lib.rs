@@ -32,7 +32,7 @@ pub use moments::{
 };
 pub use page::{Anchor, Figure, Image, Ink, Look, Mark, Motion, nothing};
 pub use panes::{
-    Ask, Chart, Column, Curve, CutLine, Dot, Drawn, ListingLine, Map, Maps, Pane, Panel, Picture, Pictures, Row,
+    Ask, Chart, Column, Curve, CutLine, Dot, Drawn, ListingLine, Map, Maps, Pane, Panel, Picture, Pictures, Pixel, Row,
     RulerScale, Scale, Table, Track, TreeView, bytes, cells, cells_of_build, changed, changed_height, changed_of_build,
     costs, ghost, ghost_of_build, line_at, listing, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space,
     space_of_build, space_of_build_to, space_to, stack, stack_height, stack_of_build, tested, timeline,

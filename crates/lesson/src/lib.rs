@@ -37,8 +37,8 @@ mod walks;
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
 pub use board::{
-    Board, BoardTape, Cell, Chart, Column, Counted, Drawn, Formula, Map, Maps, Measured, Panel, Picture, Pictures,
-    Rendered, Row, Scale, Stroke, Table,
+    Board, BoardTape, Cell, Chart, Column, Counted, Drawn, Entry, Formula, Map, Maps, Measured, Panel, Picture,
+    Pictures, Rendered, Row, Scale, Stroke, Table,
 };
 pub use check::{check, check_file};
 pub use condition::Condition;

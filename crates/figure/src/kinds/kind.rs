@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Cost, Direction, HandCut, Place, Prims};
 
 use super::Instant;
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, CutLine, Pane, RulerScale, symbol_on_track};
+use crate::panes::{Ask, CutLine, Pane, Pixel, RulerScale, symbol_on_track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName};
 use crate::world::{Depth, Form, Space};
@@ -156,6 +156,18 @@ pub trait Kind {
     /// The cut that stands where its line is moved to.
     fn cut_to(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
         let _ = (at, ask, point);
+        None
+    }
+
+    /// The pixel of a heat map at a point of the picture in the middle of the page.
+    fn pixel_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+        let _ = (at, ask, point);
+        None
+    }
+
+    /// What lies over that picture where a pixel of a heat map is pointed at.
+    fn probe(&self, at: &Instant, ask: &Ask<'_>, pixel: &Pixel) -> Option<Figure> {
+        let _ = (at, ask, pixel);
         None
     }
 

@@ -7,7 +7,7 @@ use raystep_accel::{Aabb, Cost, HandCut, Place};
 
 use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, CutLine, Pane, RulerScale, legend, line_at, track};
+use crate::panes::{Ask, CutLine, Pane, Pixel, RulerScale, legend, line_at, track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol};
 use crate::world::{Depth, Form, Space, SpaceMark, edges};
@@ -139,6 +139,16 @@ impl<'a> Still<'a> {
     /// The cut that stands where its line is moved to.
     pub fn cut_to(&self, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
         self.kind.cut_to(self.at, ask, point)
+    }
+
+    /// The pixel of a heat map at a point of the picture in the middle of the page.
+    pub fn pixel_at(&self, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+        self.kind.pixel_at(self.at, ask, point)
+    }
+
+    /// What lies over that picture where a pixel of a heat map is pointed at.
+    pub fn probe(&self, ask: &Ask<'_>, pixel: &Pixel) -> Option<Figure> {
+        self.kind.probe(self.at, ask, pixel)
     }
 
     /// How many rows its stack has.

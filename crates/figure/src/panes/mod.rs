@@ -18,8 +18,8 @@ mod walks;
 mod weighing;
 mod work;
 
-pub(crate) use board::board;
-pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Picture, Pictures, Row, Scale, Table};
+pub use board::{Chart, Column, Curve, Dot, Drawn, Map, Maps, Panel, Picture, Pictures, Pixel, Row, Scale, Table};
+pub(crate) use board::{board, pixel_at, probe};
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};

@@ -1,5 +1,7 @@
 //! A table: rows of named things, columns of what was printed, what follows from it, and what is measured here.
 
+use raystep_accel::Cost;
+
 use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
@@ -55,6 +57,18 @@ impl Column {
         ("nodes", Column::Nodes),
         ("bytes", Column::Bytes),
     ];
+
+    /// What can be counted of a ray.
+    pub const COUNTS: [Column; 3] = [Column::Tests, Column::Visits, Column::Boxes];
+
+    /// What a ray has cost, of those that can be counted: tests of primitives where it is none of them.
+    pub fn count(self, cost: &Cost) -> u64 {
+        match self {
+            Column::Visits => cost.node_visits + cost.cell_steps,
+            Column::Boxes => cost.box_tests,
+            _ => cost.prim_tests,
+        }
+    }
 
     /// How slides write it.
     pub fn name(self) -> &'static str {

@@ -1,15 +1,17 @@
 //! Boards: tables, charts, heat maps and pictures beside each other, filled entry by entry.
 
 mod chart;
+mod heat_scale;
 mod maps;
 mod pictures;
+mod probe;
 mod table;
 
 use glam::Vec2;
 use raystep_accel::{CellId, Place};
 
 pub use chart::{Chart, Curve, Dot, Drawn, Scale};
-pub use maps::{Map, Maps};
+pub use maps::{Map, Maps, Pixel};
 pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};
 
@@ -59,7 +61,8 @@ fn place(entry: usize) -> Option<Place> {
 
 /// Letters that are small enough for all panels: what stands in the presenter's hall is large, but a table may not be cut.
 fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
-    let beside = wide && panels.len() > 1 && panels.iter().any(|panel| matches!(panel, Panel::Chart(_)));
+    // What follows a chart stands beside it; a chart that follows stands below.
+    let beside = wide && panels.len() > 1 && matches!(panels.first(), Some(Panel::Chart(_)));
     let (mut across, mut up) = (0.0_f32, 0.0_f32);
     for panel in panels {
         let [width, height] = match panel {
@@ -76,13 +79,11 @@ fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
     Look { text: ask.look.text.min(most), ..ask.look }
 }
 
-/// The panels, filled up to a step.
-pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
-    let mut figure = Figure::new(ask.size);
-    let filled = Filled { step, asks: ask.hide };
+/// Where each panel stands: its upper left corner and its room.
+fn rooms(panels: &[Panel], ask: &Ask<'_>, look: &Look) -> Vec<[Vec2; 2]> {
     let mut corner = Vec2::ZERO;
-    let wide = ask.size.x > ask.size.y * 1.15;
-    let look = fitted(panels, ask, wide);
+    let wide = is_wide(ask);
+    let mut rooms = Vec::new();
     for (index, panel) in panels.iter().enumerate() {
         let left = panels.len() - index;
         let mut room = ask.size - corner;
@@ -91,9 +92,29 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
             match panel {
                 Panel::Chart(_) if wide => room.x *= 0.58,
                 Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => room.y *= 0.55,
-                Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
+                Panel::Table(table) => room.y = table.height(look).min(room.y * 0.7),
             }
         }
+        rooms.push([corner, room]);
+        match panel {
+            Panel::Chart(_) if wide => corner.x += room.x,
+            _ => corner.y += room.y,
+        }
+    }
+    rooms
+}
+
+/// Whether a chart has something beside it, not below.
+fn is_wide(ask: &Ask<'_>) -> bool {
+    ask.size.x > ask.size.y * 1.15
+}
+
+/// The panels, filled up to a step.
+pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
+    let mut figure = Figure::new(ask.size);
+    let filled = Filled { step, asks: ask.hide };
+    let look = fitted(panels, ask, is_wide(ask));
+    for (panel, [corner, room]) in panels.iter().zip(rooms(panels, ask, &look)) {
         let part = match panel {
             Panel::Table(table) => table::draw(table, filled, room, &look),
             Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
@@ -101,9 +122,31 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
             Panel::Pictures(pictures) => pictures::draw(pictures, filled, room, &look),
         };
         figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
-        match panel {
-            Panel::Chart(_) if wide => corner.x += room.x,
-            _ => corner.y += room.y,
+    }
+    figure
+}
+
+/// The pixel of a heat map at a point of the board.
+pub(crate) fn pixel_at(panels: &[Panel], step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+    let filled = Filled { step, asks: ask.hide };
+    let look = fitted(panels, ask, is_wide(ask));
+    panels.iter().zip(rooms(panels, ask, &look)).find_map(|(panel, [corner, room])| match panel {
+        Panel::Maps(maps) => maps.pixel_at(room, &look, point - corner, &|entry| filled.shows(entry)),
+        _ => None,
+    })
+}
+
+/// What lies over the board where a pixel of a heat map is pointed at.
+pub(crate) fn probe(panels: &[Panel], step: usize, ask: &Ask<'_>, pixel: &Pixel) -> Figure {
+    let mut figure = Figure::new(ask.size);
+    let filled = Filled { step, asks: ask.hide };
+    let look = fitted(panels, ask, is_wide(ask));
+    for (panel, [corner, room]) in panels.iter().zip(rooms(panels, ask, &look)) {
+        if let Panel::Maps(maps) = panel
+            && maps.maps.iter().any(|map| map.entry == pixel.entry)
+        {
+            let part = probe::draw(maps, pixel, room, &look, &|entry| filled.shows(entry));
+            figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
         }
     }
     figure
