@@ -10,6 +10,7 @@ mod fault;
 mod fields;
 mod files;
 mod folders;
+mod rating;
 mod reading;
 mod report;
 pub mod shown;

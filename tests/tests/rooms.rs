@@ -44,6 +44,7 @@ const HOUSES: &[(&str, &[&str])] = &[
             "files",
             "report",
             "shown",
+            "rating",
             "export",
             "window/look",
             "window/work",

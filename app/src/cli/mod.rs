@@ -3,12 +3,14 @@
 mod check;
 mod doctor;
 mod export;
+mod heatmap;
 mod lessons;
 mod measure;
 pub mod page;
 mod rays;
 mod spelt;
 mod start;
+mod subject;
 mod trace;
 mod verify;
 
@@ -21,6 +23,7 @@ pub use crate::fault::Fault;
 use crate::{files, report};
 pub use check::CheckArguments;
 pub use export::ExportArguments;
+pub use heatmap::HeatmapArguments;
 pub use measure::MeasureArguments;
 pub use rays::read as read_rays;
 pub use spelt::rule as read_rule;
@@ -47,6 +50,8 @@ enum Command {
     Export(ExportArguments),
     /// Walk rays and write hits and counters.
     Trace(TraceArguments),
+    /// Count what each ray of a picture costs and write that as a picture or a table.
+    Heatmap(HeatmapArguments),
     /// Count what rays cost: the lecture's tables, as printed and as measured here.
     Measure(MeasureArguments),
     /// Shoot rays at every structure and compare with brute force.
@@ -67,6 +72,7 @@ pub fn run(arguments: &Arguments) -> ExitCode {
         Some(Command::Check(arguments)) => check::run(arguments),
         Some(Command::Export(arguments)) => export::run(arguments),
         Some(Command::Trace(arguments)) => trace::run(arguments),
+        Some(Command::Heatmap(arguments)) => heatmap::run(arguments),
         Some(Command::Measure(arguments)) => measure::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments),
         Some(Command::Doctor) => doctor::run(),

@@ -11,7 +11,8 @@ use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
 use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
-use super::{rays, spelt};
+use super::rays;
+use super::subject::Subject;
 use crate::counts::thousands;
 use crate::export::Size;
 use crate::fault::Fault;
@@ -21,18 +22,8 @@ use crate::shown::camera;
 /// What to trace, and how.
 #[derive(Args, Debug)]
 pub struct TraceArguments {
-    /// A shipped scene: flat-twelve, teapot-6321 ...
-    #[arg(long, value_name = "NAME", conflicts_with = "mesh", required_unless_present = "mesh")]
-    scene: Option<String>,
-    /// A mesh to read.
-    #[arg(long, value_name = "FILE.obj")]
-    mesh: Option<PathBuf>,
-    /// list, grid, nested-grid, hashed-grid, kd, octree or bvh.
-    #[arg(long, value_name = "KIND")]
-    structure: String,
-    /// A parameter of the structure; may be repeated.
-    #[arg(long, value_name = "KEY=VALUE")]
-    rule: Vec<String>,
+    #[command(flatten)]
+    subject: Subject,
     /// A table of rays with the header ox,oy,oz,dx,dy,dz[,t_min,t_max].
     #[arg(long, value_name = "FILE.csv", conflicts_with = "pixel", required_unless_present_any = ["pixel", "ray"])]
     rays: Option<PathBuf>,
@@ -63,11 +54,11 @@ const SOME: usize = 1 << 16;
 /// Walks the rays.
 pub(crate) fn run(arguments: &TraceArguments) -> Result<(), Fault> {
     if let Some(path) = &arguments.out {
-        let read = [&arguments.mesh, &arguments.rays].into_iter().flatten();
+        let read = [&arguments.subject.mesh, &arguments.rays].into_iter().flatten();
         files::may_write(path, &read.map(PathBuf::as_path).collect::<Vec<_>>())?;
     }
-    let scene = scene(arguments)?;
-    let rule = rule(arguments, scene.flat)?;
+    let scene = arguments.subject.scene()?;
+    let rule = arguments.subject.rule(scene.flat)?;
     let rays = table(arguments, &scene)?;
     let structure = Structure::build(&scene.prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))?;
     let text = if arguments.json {
@@ -85,33 +76,8 @@ pub(crate) fn run(arguments: &TraceArguments) -> Result<(), Fault> {
     }
 }
 
-fn scene(arguments: &TraceArguments) -> Result<Scene, Fault> {
-    let Some(path) = &arguments.mesh else {
-        let name = arguments.scene.as_deref().unwrap_or_default();
-        return Scene::named(name).map_err(|error| Fault::new(error.to_string()));
-    };
-    let bytes = files::read_mesh(path)?;
-    let scene = Scene::from_obj(&bytes, &name(path), &mut |_| true).map_err(|error| Fault::new(error.to_string()))?;
-    for note in scene.note.lines() {
-        files::say(&format!("{}: {note}", name(path)));
-    }
-    Ok(scene)
-}
-
 fn name(path: &Path) -> String {
     path.display().to_string()
-}
-
-fn rule(arguments: &TraceArguments, flat: bool) -> Result<Rule, Fault> {
-    let wrong = |error: raystep_accel::RuleError| Fault::new(error.to_string());
-    let mut rule = spelt::answering(&arguments.structure)?;
-    for pair in &arguments.rule {
-        let Some((key, value)) = pair.split_once('=') else {
-            return Err(Fault::new(format!("--rule {pair}: a parameter is written key=value")));
-        };
-        rule.set(key.trim(), value.trim()).map_err(wrong)?;
-    }
-    Ok(if flat { rule.flat() } else { rule })
 }
 
 fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, String>>, Fault> {

@@ -10,11 +10,35 @@ use raystep_figure::{
 use raystep_lesson::{BoardTape, Cell, Column, Measured, Numbers, Stroke};
 use raystep_scene::View;
 
+use crate::counts::thousands;
+
 /// How many points a law is drawn through.
 const POINTS: usize = 96;
 
-/// A filled board, ready to be drawn.
-pub(crate) fn board(filled: &BoardTape) -> Board<'_> {
+/// What stands on a filled board, made once for all its steps.
+#[derive(Debug)]
+pub(crate) struct Panels {
+    panels: Vec<Panel>,
+    /// What each of its entries is called.
+    names: Vec<String>,
+}
+
+impl Panels {
+    /// The panels of a filled board.
+    pub(crate) fn of(filled: &BoardTape) -> Panels {
+        let panels = panels(filled);
+        let named =
+            |(entry, at): (usize, &(usize, usize))| words(&name(filled, *at).unwrap_or_default(), entry, filled);
+        Panels { panels, names: filled.places.iter().enumerate().map(named).collect() }
+    }
+
+    /// The board, ready to be drawn.
+    pub(crate) fn board<'a>(&'a self, filled: &'a BoardTape) -> Board<'a> {
+        Board { panels: &self.panels, events: &filled.events, names: &self.names }
+    }
+}
+
+fn panels(filled: &BoardTape) -> Vec<Panel> {
     let panels = filled.board.panels.iter().enumerate().map(|(index, panel)| match panel {
         raystep_lesson::Panel::Table(table) => Panel::Table(of_table(table, index, filled)),
         raystep_lesson::Panel::Chart(chart) => Panel::Chart(of_chart(chart, index, filled)),
@@ -22,7 +46,12 @@ pub(crate) fn board(filled: &BoardTape) -> Board<'_> {
         raystep_lesson::Panel::Maps(maps) => Panel::Maps(of_maps(maps, index, filled)),
         raystep_lesson::Panel::Pictures(pictures) => Panel::Pictures(of_pictures(pictures, index, filled)),
     });
-    let name = |&(panel, place): &(usize, usize)| match filled.board.panels.get(panel) {
+    panels.collect()
+}
+
+/// What that is called which stands at a place of a panel.
+fn name(filled: &BoardTape, (panel, place): (usize, usize)) -> Option<String> {
+    match filled.board.panels.get(panel) {
         Some(raystep_lesson::Panel::Table(table)) => table.rows.get(place).map(|row| row.name.clone()),
         Some(raystep_lesson::Panel::Chart(chart)) => chart.drawn.get(place).map(|drawn| drawn.name.clone()),
         Some(raystep_lesson::Panel::Maps(maps)) => maps.maps.get(place).map(|map| map.name.clone()),
@@ -30,10 +59,7 @@ pub(crate) fn board(filled: &BoardTape) -> Board<'_> {
             pictures.pictures.get(place).map(|picture| picture.name.clone())
         }
         Some(raystep_lesson::Panel::Meter(_)) | None => None,
-    };
-    let named = |(entry, at)| words(&name(at).unwrap_or_default(), entry, filled);
-    let names = filled.places.iter().enumerate().map(named).collect();
-    Board { panels: panels.collect(), events: &filled.events, names }
+    }
 }
 
 /// The step at which what stands at a place of a panel comes to be seen, from 0.
@@ -147,8 +173,8 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Visits => digits(measured.visits),
         Column::Boxes => digits(measured.boxes),
         Column::Bytes if measured.bytes == 0 => "\u{2013}".to_owned(),
-        Column::Nodes => grouped(measured.nodes),
-        Column::Bytes => grouped(measured.bytes),
+        Column::Nodes => thousands(measured.nodes),
+        Column::Bytes => thousands(measured.bytes),
         Column::Printed | Column::Total | Column::Computed => String::new(),
         // Of a structure nobody asks.
         Column::Content | Column::Area | Column::Cuts | Column::Vain => String::new(),
@@ -160,7 +186,7 @@ fn around(column: Column, appraised: &Appraisal) -> String {
     match column {
         Column::Content => digits(appraised.content),
         Column::Area => digits(f64::from(appraised.area)),
-        Column::Bytes => grouped(appraised.bytes as u64),
+        Column::Bytes => thousands(appraised.bytes as u64),
         Column::Cuts => digits(appraised.cuts),
         Column::Vain => format!("{:.1} %", appraised.vain_share() * 100.0),
         _ => String::new(),
@@ -168,7 +194,7 @@ fn around(column: Column, appraised: &Appraisal) -> String {
 }
 
 /// Three digits, idle zeros too: numbers below each other compare by their points.
-fn digits(value: f64) -> String {
+pub(crate) fn digits(value: f64) -> String {
     let short = number(value as f32);
     let places = short.split_once('.').map_or(0, |(_, behind)| behind.len());
     let whole = short.chars().take_while(char::is_ascii_digit).count();
@@ -178,14 +204,6 @@ fn digits(value: f64) -> String {
     } else {
         short
     }
-}
-
-/// `124,288`
-fn grouped(count: u64) -> String {
-    let digits = count.to_string();
-    let groups: Vec<String> =
-        digits.as_bytes().rchunks(3).rev().map(|group| String::from_utf8_lossy(group).into_owned()).collect();
-    groups.join(",")
 }
 
 fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> Chart {
@@ -234,13 +252,17 @@ fn of_maps(maps: &raystep_lesson::Maps, panel: usize, filled: &BoardTape) -> Map
         let (size, counts) = counted.map_or(([1, 1], vec![0]), |counted| (counted.size, counted.counts.clone()));
         Map { entry, name: map.name.clone(), size, counts }
     };
-    let of = match maps.of {
+    let (title, about) = (maps.title.clone(), maps.about.clone());
+    Maps::new(title, about, counted(maps.of).to_owned(), maps.maps.iter().enumerate().map(map).collect())
+}
+
+/// What is counted of a ray, in words.
+pub(crate) fn counted(of: Column) -> &'static str {
+    match of {
         Column::Visits => "nodes or cells",
         Column::Boxes => "boxes",
         _ => "tests",
-    };
-    let (title, about) = (maps.title.clone(), maps.about.clone());
-    Maps { title, about, of: of.to_owned(), maps: maps.maps.iter().enumerate().map(map).collect() }
+    }
 }
 
 fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &BoardTape) -> Pictures {
@@ -258,7 +280,9 @@ fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &Board
                     let area = f64::from(outline.measure(Measure::Area));
                     format!("volume {} · area {}", digits(outline.content()), digits(area))
                 }
-                None => format!("{} triangles · {} tests per ray", grouped(rendered.triangles), digits(rendered.tests)),
+                None => {
+                    format!("{} triangles · {} tests per ray", thousands(rendered.triangles), digits(rendered.tests))
+                }
             };
             let [width, height] = rendered.size;
             (says, Image { width, height, rgba: rendered.rgba.clone() }, over)

@@ -51,6 +51,8 @@ pub enum Command {
     Solid,
     /// Show brute force beside the walk.
     Compare,
+    /// Show what each ray of the picture costs instead of space.
+    Heat,
     /// Show a mistake beside the walk.
     Break,
     /// The presenter's page.
@@ -77,6 +79,8 @@ pub enum Command {
     Export,
     /// Copy the picture of space.
     Copy,
+    /// Measure all structures over what is shown.
+    Best,
     /// Open a mesh.
     Open,
     /// Give up what is being built or loaded.
@@ -152,6 +156,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Flat, "Flat", &[]),
     entry(Command::Solid, "Solid", &[]),
     entry(Command::Compare, "Compare", &["X"]),
+    entry(Command::Heat, "Heat map", &["H"]),
     entry(Command::Break, "Break it", &[]),
     entry(Command::Present, "Present", &["F5"]),
     entry(Command::FullScreen, "Full screen", &["F11"]),
@@ -165,6 +170,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Motion, "Motion between steps", &[]),
     entry(Command::Export, "Export", &["Ctrl+E"]),
     entry(Command::Copy, "Copy the picture", &["Ctrl+C"]),
+    entry(Command::Best, "Which structure is best?", &[]),
     entry(Command::Open, "Open a mesh", &["Ctrl+O"]),
     entry(Command::Cancel, "Cancel what is under way", &["Escape"]),
     entry(Command::Palette, "Find a command or slide", &["Ctrl+K"]),

@@ -75,6 +75,11 @@ pub(crate) fn turned(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
     Camera::Solid { eye: target + turn * away, target, up, fov_degrees }
 }
 
+/// Turned aside around its target, so that a ray from its eye is seen along its way.
+pub(crate) fn aside(camera: &Camera) -> Camera {
+    turned(camera, Vec2::new(0.22, 0.06), Vec2::ONE)
+}
+
 /// Shifted so that the picture follows the pointer.
 pub(crate) fn shifted(camera: &Camera, drag: Vec2, size: Vec2) -> Camera {
     match *camera {

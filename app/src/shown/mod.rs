@@ -3,10 +3,11 @@
 
 pub(crate) mod all_nodes;
 pub(crate) mod beside;
-mod board;
+pub(crate) mod board;
 pub(crate) mod camera;
 pub mod command;
 pub(crate) mod eye;
+pub(crate) mod heat;
 pub(crate) mod history;
 pub(crate) mod kind_name;
 pub(crate) mod own;
@@ -18,7 +19,7 @@ pub(crate) mod steps;
 pub(crate) mod view;
 pub(crate) mod words;
 
-pub use beside::{Beside, Pace};
+pub use beside::{Beside, Pace, Rivals};
 pub use own::{OwnScene, Tried};
 pub use playback::{Playback, Posed};
 pub use steps::Steps;

@@ -7,8 +7,8 @@ use glam::Vec2;
 use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives};
 pub(crate) use raystep_figure::Pane;
 use raystep_figure::{
-    Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Instant, KnobLine, Look, RulerScale, Scenery, Space, SpaceMark,
-    Symbol, TreeView, nothing, stage,
+    Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Instant, KnobLine, Look, Pixel, RulerScale, Scenery, Space,
+    SpaceMark, Symbol, TreeView, nothing, stage,
 };
 use raystep_lesson::{About, Choice, Listing, Show};
 
@@ -187,6 +187,18 @@ impl Pictures {
     /// Where the numbers lie that can be moved by hand, in a picture of this size.
     pub(crate) fn knobs(&self, size: Vec2, look: &Look) -> Vec<KnobLine> {
         self.playback.reel().still(&self.instant).knobs(&Ask::new(size, *look))
+    }
+
+    /// The pixel of a heat map at a point of a picture of this size.
+    pub(crate) fn pixel_at(&self, size: Vec2, look: &Look, point: Vec2) -> Option<Pixel> {
+        let ask = Ask { hide: self.key.asks.is_some(), ..Ask::new(size, *look) };
+        self.playback.reel().still(&self.instant).pixel_at(&ask, point)
+    }
+
+    /// What lies over the picture where a pixel of a heat map is pointed at.
+    pub(crate) fn probe(&self, size: Vec2, look: &Look, pixel: &Pixel) -> Option<Figure> {
+        let ask = Ask { hide: self.key.asks.is_some(), ..Ask::new(size, *look) };
+        self.playback.reel().still(&self.instant).probe(&ask, pixel)
     }
 
     /// The symbol whose name stands at this point of the timeline.

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use raystep_accel::{Accel, Cost, Event, Grow, Hit, Mistake, NodeId, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Film, Instant, Reel};
-use raystep_lesson::{BuildTape, Care, Choice, Play, Plays, Slide, Stage, Tape, WalkTape};
+use raystep_lesson::{BuildTape, Care, Choice, Play, Plays, Slide, Stage, Tape, WalkTape, WalksTape};
 use raystep_scene::Scene;
 
 use super::all_nodes::AllNodes;
 use super::reel::reel;
 
-use super::beside::Beside;
+use super::beside::{Beside, Rivals};
 use super::steps::Steps;
 use super::view::{RayChoice, View};
 
@@ -91,6 +91,11 @@ impl Playback {
             }
         }
         silence(&mut play, &rule, slide);
+        // Where the numbers of a meter were moved, its board says so.
+        let nodes = match &play.tape {
+            Tape::Board(_) if !view.settings.is_empty() => Arc::new(AllNodes::of(&play.structure, Some(&play.tape))),
+            _ => nodes,
+        };
         let film = Film::new(&reel(&play, &nodes, None));
         let reached = reached(&play.tape);
         // Only walks go wrong.
@@ -133,6 +138,25 @@ impl Playback {
         let tape = Tape::walk(&scene, &structure, self.play.tape.ray()?);
         let play = Play::new(scene, structure, tape, &[]);
         Some(Playback { seconds, ..self.aside(play, rule, nodes, kind) })
+    }
+
+    /// The same ray through this structure and others over the same scene, side by side.
+    pub fn abreast(&self, others: Vec<Built>, rivals: Rivals) -> Option<Playback> {
+        let (scene, structure, flat) = (self.play.scene.clone(), self.play.structure.clone(), self.play.scene.flat);
+        let others = others.into_iter().map(|built| (built.rule, built.structure));
+        let walks = WalksTape::of(std::iter::once((self.rule, structure.clone())).chain(others).collect(), flat);
+        let told = Tape::Walks(Arc::new(walks));
+        let nodes = Arc::new(AllNodes::of(&structure, Some(&told)));
+        let built = Built { scene, rule: self.rule, structure, nodes, told: Some(told), seconds: self.seconds };
+        self.abreast_of(built, rivals)
+    }
+
+    /// The same, where all of them stand already.
+    pub(crate) fn abreast_of(&self, built: Built, rivals: Rivals) -> Option<Playback> {
+        let Built { scene, rule, structure, nodes, told, .. } = built;
+        let ray = self.play.tape.ray()?;
+        let play = raystep_lesson::Built { scene, structure, told }.play(Some(ray), &[])?;
+        Some(self.aside(play, rule, nodes, Beside::Abreast(rivals)))
     }
 
     fn aside(&self, play: Play, rule: Rule, nodes: Arc<AllNodes>, kind: Beside) -> Playback {

@@ -3,12 +3,13 @@
 use std::borrow::Cow;
 
 use super::all_nodes::AllNodes;
-use super::board::board;
 use super::kind_name::kind_name;
 use std::sync::Arc;
 
 use raystep_accel::{Grow, Mistake, Place, Prims, Structure, Value};
-use raystep_figure::{Build, Fact, ListingLine, Nodes, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told};
+use raystep_figure::{
+    Board, Build, Fact, ListingLine, Nodes, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told,
+};
 use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
 /// What a play is shown as: the only place that knows which kind that is. `instead` is what a builder weighed where
@@ -23,7 +24,10 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>)
         Tape::Build(build) => {
             Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, instead, flat })
         }
-        Tape::Board(filled) => Reel::new(board(filled)),
+        Tape::Board(filled) => Reel::new(match &all.board {
+            Some(panels) => panels.board(filled),
+            None => Board { panels: &[], events: &filled.events, names: &[] },
+        }),
         Tape::Pairs(pairs) => Reel::new(Pairs { cases: &pairs.cases, events: &pairs.events }),
         Tape::Walks(walks) => Reel::new(side_by_side(walks, &all.abreast, prims, flat)),
     }

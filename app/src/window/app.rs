@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use egui::{Frame, Margin, Panel, Ui, ViewportCommand, ViewportInfo};
-use raystep_accel::Place;
+use raystep_accel::{Place, Ray};
 use raystep_figure::{Role, Theme};
 use raystep_lesson::Library;
 use raystep_scene::Scene;
@@ -24,8 +24,10 @@ use super::work::errands::News;
 use super::work::exporting::{self, Window, Wish};
 use crate::fault::Fault;
 use crate::files;
+use crate::rating::rays;
 use crate::shown::beside::Beside;
 use crate::shown::command::Command;
+use crate::shown::heat::sentence;
 use crate::shown::pictures::Pictures;
 use crate::shown::playback::Playback;
 use crate::shown::state::State;
@@ -53,11 +55,16 @@ pub struct App {
     lessons: Option<PathBuf>,
     /// The mesh that was opened last, and where it lies.
     mesh: Option<(Arc<Scene>, PathBuf)>,
+    /// The ray of the pixel of a heat map that was clicked last, and what was counted of it.
+    stepped: Option<(Ray, u32)>,
     /// Keeps where the window stands.
     keeper: Option<Keeper>,
     /// Where it is to open once its mesh is there.
     reopens: Option<Last>,
 }
+
+/// Rays across and down by which all structures are measured.
+const JUDGED: [u32; 2] = [160, 120];
 
 /// A device was lost, and with it the window.
 pub(super) struct Lost {
@@ -92,6 +99,7 @@ impl App {
             problems: None,
             lessons: None,
             mesh: None,
+            stepped: None,
             keeper: None,
             reopens: None,
         }
@@ -210,6 +218,16 @@ impl App {
         self.underway.beside()
     }
 
+    /// Side of a pixel of the heat map that is shown, in points.
+    pub fn heat_pixel(&self) -> Option<u32> {
+        Some(self.underway.heat().0?.pixel)
+    }
+
+    /// The ray of the pixel of a heat map that was clicked last, and what was counted of it.
+    pub fn stepped(&self) -> Option<(Ray, u32)> {
+        self.stepped
+    }
+
     /// Whether nothing is built beside the UI thread, not even what was given up.
     pub fn is_idle(&self) -> bool {
         self.underway.is_idle()
@@ -238,11 +256,36 @@ impl App {
             Command::ZoomOut => egui::gui_zoom::zoom_out(context),
             Command::ZoomReset => context.set_zoom_factor(1.0),
             Command::Frame => self.frame_here(),
+            Command::Best => self.judge(ui),
+            Command::Offer(offer) if self.state.offers_best(offer) => self.judge(ui),
+            Command::Heat => {
+                self.state.apply(command);
+                if self.state.is_current() && !self.state.can_heat() {
+                    self.say(ui, "A heat map needs a solid scene and a structure; this slide has none.");
+                }
+            }
             Command::Break => {
                 let on = matches!(self.state.beside, Beside::Mistake(_));
                 self.break_it(ui, (!on).then_some(0));
             }
             other => self.state.apply(other),
+        }
+    }
+
+    /// Measures all structures over the mesh that was opened last, or the solid scene that is shown, or the teapot.
+    fn judge(&mut self, ui: &Ui) {
+        let shown = self.state.playback().map(|playback| playback.play.scene.clone());
+        let mesh = self.mesh.as_ref().map(|(mesh, _)| mesh.clone());
+        let scene = mesh.or(shown.filter(|scene| !scene.flat));
+        let scene = scene.or_else(|| Scene::named("teapot-6321").ok().map(Arc::new));
+        let Some(scene) = scene else { return };
+        let camera = self.kept.sight.camera_of(&self.state, &scene);
+        match rays(&camera, JUDGED) {
+            Ok(rays) => {
+                self.underway.judging.begin(scene, rays);
+                self.overlay.best();
+            }
+            Err(error) => self.say(ui, format!("The camera shoots no rays: {error}.")),
         }
     }
 
@@ -326,6 +369,8 @@ impl App {
             self.learn(ui, news);
         }
         self.catch_up_beside(ui);
+        self.underway.catch_up_heat(self.kept.heat.take_wish());
+        self.underway.judging.catch_up();
     }
 
     fn catch_up_beside(&mut self, ui: &Ui) {
@@ -422,11 +467,14 @@ impl App {
         let present = self.state.present;
         let in_bars = if present { None } else { self.bars(ui) };
         let mut asked = Vec::new();
+        let (heat, counting) = self.underway.heat();
         let page = Page {
             state: &self.state,
             beside: self.underway.beside(),
             mesh: self.underway.mesh(),
             making: self.underway.is_making(),
+            heat,
+            counting,
             lit: self.lit(),
             theme: self.theme,
         };
@@ -458,7 +506,22 @@ impl App {
                 panes::Asked::Cut(cut) => self.state.cut(cut),
                 panes::Asked::Try(cut) => self.state.try_cut(cut),
                 panes::Asked::Say(sentence) => self.say(ui, sentence),
+                panes::Asked::Count(of) => self.state.count(of),
+                panes::Asked::PixelRay { ray, count, of, seen } => {
+                    self.kept.sight.aspect = seen.aspect;
+                    self.stepped = Some((ray, count));
+                    if !self.state.step_ray(ray, seen.camera) {
+                        self.say(ui, sentence(count, of, &ray));
+                    }
+                }
+                panes::Asked::MapPixel(pixel) => {
+                    self.kept.sight.aspect = pixel.size[0] as f32 / pixel.size[1] as f32;
+                    if let Some(says) = self.state.open_pixel(&pixel) {
+                        self.say(ui, says);
+                    }
+                }
                 panes::Asked::Compare(kind) => self.state.compare(kind),
+                panes::Asked::Abreast(rivals) => self.state.compare_all(rivals),
                 panes::Asked::Pace(pace) => self.state.pace = pace,
             }
         }
@@ -467,7 +530,7 @@ impl App {
     /// Shows what lies over the page and does what it asks for.
     fn overlay(&mut self, ui: &Ui) {
         let tasks = self.underway.tasks();
-        let asked = self.overlay.show(ui, &self.state, &tasks, self.theme);
+        let asked = self.overlay.show(ui, &self.state, &tasks, &self.underway.judging, self.theme);
         if !asked.is_empty() {
             ui.ctx().request_repaint();
         }
@@ -482,6 +545,7 @@ impl App {
                 }
                 dialogs::Asked::ChooseMesh => self.underway.errands.ask_for_mesh(),
                 dialogs::Asked::Mesh(path) => self.open_mesh(path),
+                dialogs::Asked::Judged => self.underway.judging.end(),
                 dialogs::Asked::Stop(task) => self.underway.stop(&task, &mut self.state),
             }
         }

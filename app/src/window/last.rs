@@ -12,7 +12,7 @@ use raystep_scene::Scene;
 use serde::Serialize;
 use toml::{Table, Value};
 
-use crate::shown::beside::Beside;
+use crate::shown::beside::{Beside, Rivals};
 use crate::shown::command::QUARTERS;
 use crate::shown::state::State;
 use crate::shown::view::{RayChoice, View};
@@ -37,7 +37,7 @@ pub struct Last {
     speed: u8,
     present: bool,
     by_hand: bool,
-    /// The kind of the structure beside.
+    /// The kind of the structure beside, or several with commas between them.
     beside: Option<String>,
     /// Where the mesh lies that is shown instead of the slide's scene.
     mesh: Option<String>,
@@ -102,6 +102,7 @@ impl Last {
         };
         let beside = match state.beside {
             Beside::Structure(kind) => Some(kind.to_owned()),
+            Beside::Abreast(rivals) => Some(rivals.kinds().collect::<Vec<_>>().join(",")),
             Beside::Nothing | Beside::Mistake(_) => None,
         };
         let known = |(key, value): &(String, String)| is_parameter(key, value);
@@ -193,7 +194,7 @@ impl Last {
             "by_hand" => self.by_hand = flag()?,
             "beside" => {
                 let text = text()?;
-                let known = Rule::KINDS.contains(&text.as_str());
+                let known = rivals(&text).is_some();
                 self.beside =
                     Some(known.then_some(text).ok_or_else(|| format!("there are {}", Rule::KINDS.join(", ")))?);
             }
@@ -258,8 +259,8 @@ impl Last {
         state.grain = GRAINS.into_iter().find(|grain| grain.word() == self.grain).unwrap_or(state.grain);
         (state.speed, state.present, state.by_hand) = (self.speed, self.present, self.by_hand);
         state.reopen(view);
-        if let Some(kind) = Rule::KINDS.into_iter().find(|kind| Some(*kind) == self.beside.as_deref()) {
-            state.compare(kind);
+        if let Some(rivals) = self.beside.as_deref().and_then(rivals) {
+            state.compare_all(rivals);
         }
     }
 
@@ -277,6 +278,13 @@ impl Last {
     pub(super) fn aspect(&self) -> f32 {
         self.aspect
     }
+}
+
+/// The kinds of structures beside: one, or several with commas between them.
+fn rivals(text: &str) -> Option<Rivals> {
+    let known = |word: &str| Rule::KINDS.into_iter().find(|kind| *kind == word.trim());
+    let kinds: Option<Vec<&'static str>> = text.split(',').map(known).collect();
+    kinds.filter(|kinds| kinds.len() <= Rivals::MOST).map(Rivals::of)
 }
 
 /// A path by which it is found from everywhere; none that cannot be written down.

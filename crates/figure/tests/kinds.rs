@@ -5,12 +5,12 @@ use std::borrow::Cow;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{
-    Accel, Arrangement, CellId, Grow, NestedRule, PAIRS, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Trial,
-    Value,
+    Accel, Arrangement, CellId, Grow, NestedRule, PAIRS, Place, Prims, Ray, Reveal, Rule, Shape, Sphere, Structure,
+    Trial, Value,
 };
 use raystep_figure::{
-    Anchor, Ask, Build, Depth, Face, Fact, Figure, Film, Form, Ink, Instant, Kind, Look, Motion, Nodes, Pairs, Pane,
-    Reel, Role, Symbol, VolumeName, Walk, told,
+    Anchor, Ask, Board, Build, Depth, Face, Fact, Figure, Film, Form, Ink, Instant, Kind, Look, Map, Maps, Motion,
+    Nodes, Pairs, Pane, Panel, Reel, Role, Symbol, VolumeName, Walk, told,
 };
 
 const SIZE: Vec2 = Vec2::new(600.0, 200.0);
@@ -128,6 +128,53 @@ fn a_build_has_stored_at_its_end_what_the_structure_refers_to() {
         build.advance(&mut at, build.len());
         let (tally, stored) = (build.tally(&at), format!("{references} references stored"));
         assert!(tally.ends_with(&stored), "{kind}: {tally}, not {stored}");
+    }
+}
+
+#[test]
+fn a_pixel_of_a_heat_map_is_found_and_seen_from_near() {
+    let map = |entry: usize, counts: Vec<u32>| Map { entry, name: format!("map {entry}"), size: [4, 3], counts };
+    let few: Vec<u32> = (0..12).collect();
+    let many: Vec<u32> = few.iter().map(|count| count * 100).collect();
+    let maps = Maps::new("Where".to_owned(), String::new(), "tests".to_owned(), vec![map(0, few), map(1, many)]);
+    let reveal = |entry| Reveal::Map { entry, mean: 5.5, least: 0.0, most: 1100.0 };
+    let (panels, events, names) = ([Panel::Maps(maps)], [reveal(0), reveal(1)], ["a", "b"].map(str::to_owned));
+    let board = Board { panels: &panels, events: &events, names: &names };
+    check("a board", &board);
+    let reel = Reel::new(board);
+    let ask = Ask::new(Vec2::new(900.0, 400.0), Look::WINDOW);
+    let points = (0..90).flat_map(|x| (0..40).map(move |y| Vec2::new(x as f32 + 0.5, y as f32 + 0.5) * 10.0));
+    for (step, seen) in [(0, vec![]), (1, vec![0]), (2, vec![0, 1])] {
+        let instant = reel.at(step);
+        let still = reel.still(&instant);
+        let drawn = still.draw(Pane::Picture, &ask);
+        let mut found: Vec<(usize, [u32; 2])> = Vec::new();
+        for point in points.clone() {
+            let Some(pixel) = still.pixel_at(&ask, point) else { continue };
+            let [x, y] = pixel.at;
+            assert_eq!(pixel.count, (y * 4 + x) * if pixel.entry == 0 { 1 } else { 100 });
+            let over = drawn.marks.iter().any(|mark| match &mark.ink {
+                Ink::Image { min, max, image } => {
+                    image.width == 4 && point.cmpge(*min).all() && point.cmplt(*max).all()
+                }
+                _ => false,
+            });
+            assert!(over, "{point} lies on a picture");
+            let near = still.probe(&ask, &pixel).unwrap();
+            let says = |text: &str| {
+                near.marks.iter().any(|mark| matches!(&mark.ink, Ink::Text { text: own, .. } if own == text))
+            };
+            // The same ray in all the maps that are to be seen.
+            for entry in &seen {
+                let count = (y * 4 + x) * if *entry == 0 { 1 } else { 100 };
+                let noun = if count == 1 { "test" } else { "tests" };
+                assert!(says(&format!("{count} {noun}")), "{pixel:?} at step {step}");
+            }
+            found.push((pixel.entry, pixel.at));
+        }
+        found.sort_unstable();
+        found.dedup();
+        assert_eq!(found.len(), 12 * seen.len(), "every pixel can be pointed at, and none that is hidden");
     }
 }
 

@@ -187,7 +187,7 @@ impl Checker<'_> {
                     let known: Vec<&str> = known.iter().map(String::as_str).collect();
                     self.say(slide, spot, misspelt("slide", id, &known));
                 }
-                Act::Slide(_) => {}
+                Act::Slide(_) | Act::Best => {}
             }
         }
     }

@@ -38,8 +38,8 @@ mod walks;
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
 pub use board::{
-    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Formula, Given, Map, Maps, Measured, Meter, Number,
-    Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
+    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Entry, Formula, Given, Map, Maps, Measured, Meter,
+    Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
 };
 pub use check::{check, check_file};
 pub use condition::Condition;

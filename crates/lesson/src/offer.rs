@@ -23,10 +23,12 @@ pub enum Act {
     Compare(&'static str),
     /// Goes to the slide called so.
     Slide(String),
+    /// Measures all structures over the scene or the mesh that is open.
+    Best,
 }
 
 /// How they are written.
-const KINDS: [&str; 3] = ["set:KEY=VALUE", "compare:KIND", "slide:ID"];
+const KINDS: [&str; 4] = ["set:KEY=VALUE", "compare:KIND", "slide:ID", "best:all"];
 
 /// Takes the offers out of a line that begins at byte `at`: what is left of it is said.
 pub(crate) fn take(line: &str, at: usize, reading: &mut Reading<'_>) -> (String, Vec<Offer>) {
@@ -79,6 +81,7 @@ fn act(target: &str, at: usize, reading: &mut Reading<'_>) -> Option<Act> {
             }
             known.map(Act::Compare)
         }
+        "best" if what == "all" => Some(Act::Best),
         "slide" => Some(Act::Slide(what.to_owned())),
         _ => {
             reading.problem(at, misspelt("offer", target, &KINDS));

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::Ray;
+use raystep_accel::{Ray, Rule};
 
 use crate::reading::Reading;
 use crate::{Beat, Board, PairsTape, Plays, Problem, Spot, body, head};
@@ -233,6 +233,15 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// What a slide would write for a rule over a scene that is flat or not.
+    pub(crate) fn of(rule: &Rule, flat: bool) -> Plan {
+        let usual = Rule::default_for(rule.kind()).map(|usual| if flat { usual.flat() } else { usual });
+        let differs = usual.map(|usual| rule.differences(&usual)).unwrap_or_default();
+        let spot = Spot::default();
+        let setting = |(key, value): (&'static str, String)| Setting { key: key.to_owned(), value, spot };
+        Plan { kind: rule.kind().to_owned(), settings: differs.into_iter().map(setting).collect(), spot }
+    }
+
     /// No structure: every primitive is tested.
     pub(crate) fn all() -> Plan {
         Plan { kind: "list".to_owned(), settings: Vec::new(), spot: Spot::default() }

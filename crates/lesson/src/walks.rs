@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Accel, Cancelled, Grow, Observer, Ray, Structure, Trace, Visit};
+use raystep_accel::{Accel, Cancelled, Grow, Observer, Ray, Rule, Structure, Trace, Visit};
 use raystep_scene::Scene;
 
 use crate::{Plan, Tape, WalkTape};
@@ -38,6 +38,22 @@ impl WalksTape {
         }
         let (walks, order, reached) = (Vec::new(), Vec::new(), Vec::new());
         Ok(WalksTape { plans: plans.to_vec(), structures, walks, order, reached })
+    }
+
+    /// Structures that stand already over a scene that is flat or not, each with its rule.
+    pub fn of(built: Vec<(Rule, Arc<Structure>)>, flat: bool) -> WalksTape {
+        let plans = built.iter().map(|(rule, _)| Plan::of(rule, flat)).collect();
+        let structures = built.into_iter().map(|(_, structure)| structure).collect();
+        WalksTape { plans, structures, walks: Vec::new(), order: Vec::new(), reached: Vec::new() }
+    }
+
+    /// The step at which a walk has made its first `done` events, as far as it makes so many; when it is over, all are.
+    pub fn step_with(&self, walker: usize, done: usize) -> usize {
+        let own = self.order.iter().enumerate().filter(|(_, (other, _))| *other == walker);
+        match own.clone().count() <= done {
+            true => self.order.len(),
+            false => done.checked_sub(1).and_then(|last| own.map(|(at, _)| at + 1).nth(last)).unwrap_or(0),
+        }
     }
 
     /// Lets a ray walk through all of them.

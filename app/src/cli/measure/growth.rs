@@ -67,7 +67,7 @@ pub(super) fn measure(finest: u32, size: Size) -> Result<Vec<Point>, Fault> {
     let shot = look::Shot::of(&teapot(10)?, look::Look::Close, size, false);
     let rays = survey::rays(&shot.camera, size.into())?;
     let steps: Vec<u32> = STEPS.into_iter().filter(|steps| *steps <= finest).collect();
-    let bar = bar((lines().len() * (steps.len() * rays.len() + NEEDLES.len() * AT_NEEDLES)) as u64);
+    let bar = bar((lines().len() * (steps.len() * rays.len() + NEEDLES.len() * AT_NEEDLES)) as u64, "rays");
     let mut points = Vec::new();
     for steps in steps {
         points.extend(measure_all("growth", &teapot(steps)?.prims, &rays, &bar)?);

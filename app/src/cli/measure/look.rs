@@ -11,7 +11,7 @@ use crate::shown::camera::of_scene;
 
 /// A camera, as it is written on the command line.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Look {
+pub(in crate::cli) enum Look {
     /// As near as the whole object stays in the picture.
     Close,
     /// The scene's own view.
@@ -52,14 +52,14 @@ impl FromStr for Look {
 }
 
 /// What is shot: a picture from a camera, perhaps with a light.
-pub(super) struct Shot {
-    pub(super) camera: Camera,
-    pub(super) size: Size,
-    pub(super) light: Option<Vec3>,
+pub(in crate::cli) struct Shot {
+    pub(in crate::cli) camera: Camera,
+    pub(in crate::cli) size: Size,
+    pub(in crate::cli) light: Option<Vec3>,
 }
 
 impl Shot {
-    pub(super) fn of(scene: &Scene, look: Look, size: Size, shadows: bool) -> Shot {
+    pub(in crate::cli) fn of(scene: &Scene, look: Look, size: Size, shadows: bool) -> Shot {
         let pixels: glam::Vec2 = size.into();
         let camera = match look {
             Look::Free { eye, target, fov_degrees } => Camera::Solid { eye, target, up: scene.view.up, fov_degrees },

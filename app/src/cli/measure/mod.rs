@@ -1,14 +1,16 @@
 //! `raystep measure`: the lecture's tables, as printed and as measured here.
 
+mod best;
 mod fit;
 mod growth;
-mod look;
+pub(super) mod look;
 mod rows;
 mod survey;
 mod table;
 
 use std::collections::{HashMap, HashSet};
 use std::io::IsTerminal;
+use std::path::PathBuf;
 
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -30,6 +32,15 @@ pub struct MeasureArguments {
     /// A shipped scene.
     #[arg(long, value_name = "NAME", default_value = "teapot-6321")]
     scene: String,
+    /// With --best: a mesh of your own instead.
+    #[arg(long, value_name = "FILE.obj", requires = "best", conflicts_with = "scene")]
+    mesh: Option<PathBuf>,
+    /// All structures over one scene or mesh, and what each is good at, instead of the tables.
+    #[arg(long, conflicts_with_all = ["growth", "also", "shadows"])]
+    best: bool,
+    /// With --best: how long building and a ray take on this machine, now.
+    #[arg(long, requires = "best")]
+    times: bool,
     /// `close` (the object fills the picture), `scene` (the scene's own view), or EX,EY,EZ,TX,TY,TZ[,DEGREES]:
     /// the eye, what it looks at, and the vertical angle of view.
     #[arg(long, value_name = "CAMERA", default_value = "close", allow_hyphen_values = true)]
@@ -68,6 +79,9 @@ struct Measured {
 
 /// Measures and prints.
 pub(crate) fn run(arguments: &MeasureArguments) -> Result<(), Fault> {
+    if arguments.best {
+        return files::print(&best::run(arguments)?);
+    }
     if arguments.growth {
         let growth = growth::measure(arguments.finest, arguments.size)?;
         return files::print(&match (arguments.json, arguments.csv) {
@@ -96,7 +110,7 @@ fn measure(scene: &Scene, shot: &Shot, rows: Vec<Row>) -> Result<Vec<Measured>, 
     let rays = survey::rays(&shot.camera, shot.size.into())?;
     let bounds = scene.bounds();
     let lines: HashSet<&str> = rows.iter().map(|row| &*row.line).collect();
-    let bar = bar(lines.len() as u64 * rays.len() as u64);
+    let bar = bar(lines.len() as u64 * rays.len() as u64, "rays");
     let mut known: HashMap<String, (Survey, f64, usize)> = HashMap::new();
     let mut measured = Vec::new();
     for mut row in rows {
@@ -123,10 +137,10 @@ fn build(prims: &Prims, line: &str, flat: bool) -> Result<Structure, Fault> {
 }
 
 /// A bar on a terminal, nothing elsewhere.
-fn bar(rays: u64) -> ProgressBar {
+pub(super) fn bar(count: u64, of: &str) -> ProgressBar {
     if !std::io::stderr().is_terminal() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} rays, {eta} left");
-    ProgressBar::new(rays).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    let style = ProgressStyle::with_template(&format!("{{bar:40}} {{human_pos}}/{{human_len}} {of}, {{eta}} left"));
+    ProgressBar::new(count).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

@@ -3,6 +3,7 @@
 mod answering;
 #[cfg(test)]
 mod given_away;
+mod heat;
 mod held;
 mod stepping;
 mod wanting;
@@ -11,10 +12,10 @@ use std::sync::Arc;
 
 use raystep_accel::{Grain, Interval, Mistake, NodeId, Place, Rule};
 use raystep_figure::{Camera, Depth};
-use raystep_lesson::{Act, Library, Slide, Stage, StageKind};
+use raystep_lesson::{Act, Column, Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
 
-use super::beside::{Beside, Pace};
+use super::beside::{Beside, Pace, Rivals};
 use super::command::{Command, QUARTERS};
 use super::history::History;
 use super::playback::Playback;
@@ -42,10 +43,12 @@ pub struct State {
     pub locked: bool,
     /// What is shown beside the walk.
     pub beside: Beside,
-    /// The structure that is compared with when nothing else is said.
-    pub rival: &'static str,
+    /// The structures that are compared with when nothing else is said; of a solid scene the first one.
+    rivals: Rivals,
     /// How the walk beside keeps in step.
     pub pace: Pace,
+    /// What a heat map counts that is shown instead of space, where space is solid.
+    heat: Option<Column>,
     /// Whether what can be set by hand stands below the lesson.
     pub by_hand: bool,
     /// Whether the presenter's page is shown.
@@ -100,6 +103,7 @@ pub(crate) struct Stamp {
     waits: bool,
     beside: (Beside, Pace),
     modes: [bool; 5],
+    heat: Option<Column>,
     answered: Option<Answered>,
 }
 
@@ -133,8 +137,9 @@ impl State {
             motion: false,
             locked: false,
             beside: Beside::Nothing,
-            rival: "list",
+            rivals: Rivals::of(["list"]),
             pace: Pace::Event,
+            heat: None,
             by_hand: false,
             present: false,
             asking: false,
@@ -181,6 +186,7 @@ impl State {
             waits: self.wanted.is_some(),
             beside: (self.beside, self.pace),
             modes: [self.playing, self.predict, self.locked, self.present, self.asking],
+            heat: self.heat,
             answered: self.answered,
         }
     }
@@ -221,9 +227,10 @@ impl State {
             Command::Flat => self.show_stage(StageKind::Flat),
             Command::Solid => self.show_stage(StageKind::Solid),
             Command::Compare => {
-                let on = matches!(self.beside, Beside::Structure(_));
-                self.beside = if on { Beside::Nothing } else { Beside::Structure(self.rival) };
+                let on = matches!(self.beside, Beside::Structure(_) | Beside::Abreast(_));
+                self.compare_all(if on { Rivals::default() } else { self.rivals });
             }
+            Command::Heat => self.toggle_heat(),
             Command::ByHand => self.by_hand = !self.by_hand,
             Command::Present => self.present = !self.present,
             Command::ResetCamera => self.look(None),
@@ -247,6 +254,7 @@ impl State {
         self.keep();
         let stage = opening_stage(&self.library, slide, self.wished);
         self.beside = Beside::Nothing;
+        self.heat = None;
         self.want(View::of_slide(slide, stage), Landing::Opening);
     }
 
@@ -256,6 +264,7 @@ impl State {
         let offered = self.library.slides.get(slide).is_some_and(|slide| slide.stage(stage).is_some());
         if offered && stage != now {
             self.wished = stage;
+            self.heat = None;
             self.keep();
             self.want(View::of_slide(slide, stage), Landing::Opening);
         }
@@ -322,6 +331,8 @@ impl State {
                 }
             }
             Act::Compare(kind) => self.compare(kind),
+            // It stands over the page, which is no matter of what is shown.
+            Act::Best => {}
             Act::Slide(id) => {
                 let slide = self.library.slide(&id).map(|slide| &slide.file);
                 let index = self.library.slides.iter().position(|other| Some(&other.file) == slide);
@@ -330,6 +341,11 @@ impl State {
                 }
             }
         }
+    }
+
+    /// Whether what a beat offers with this number is to measure all structures.
+    pub fn offers_best(&self, offer: u8) -> bool {
+        self.offers().get(usize::from(offer)).is_some_and(|offer| offer.act == Act::Best)
     }
 
     /// A mesh instead of the slide's scene, with a ray through it.
@@ -351,8 +367,19 @@ impl State {
 
     /// Another structure beside the walk.
     pub fn compare(&mut self, kind: &'static str) {
-        self.rival = kind;
-        self.beside = Beside::Structure(kind);
+        self.compare_all(Rivals::of([kind]));
+    }
+
+    /// Other structures beside the walk: in a flat scene all of them, in a solid one the first.
+    pub fn compare_all(&mut self, rivals: Rivals) {
+        let flat = self.playback.as_ref().is_none_or(|playback| playback.play.scene.flat);
+        self.beside = match rivals.kinds().next() {
+            None => Beside::Nothing,
+            Some(first) => {
+                self.rivals = rivals;
+                if rivals.count() > 1 && flat { Beside::Abreast(rivals) } else { Beside::Structure(first) }
+            }
+        };
     }
 
     /// Another place to look from, as part of a change that is under way.
@@ -436,6 +463,7 @@ impl State {
         }
         (self.view.tried, self.trial) = (None, None);
         self.beside = Beside::Nothing;
+        self.heat = None;
     }
 
     fn undo(&mut self) {

@@ -1,6 +1,7 @@
 //! Steps: to one of them, on and back by a grain, and by themselves as time passes.
 
 use raystep_accel::Grain;
+use raystep_lesson::Tape;
 
 use super::{Landing, State};
 use crate::shown::beside::Pace;
@@ -19,6 +20,8 @@ impl State {
     pub fn go(&mut self, step: usize) {
         if let Some(playback) = &self.playback {
             self.view.step = step.min(playback.steps().last());
+            // What happens is seen in space.
+            self.heat = None;
             self.anchor = None;
             self.view.tried = None;
             self.trial = None;
@@ -50,6 +53,9 @@ impl State {
     /// question is open the walk beside waits at its beginning, since it may know the answer.
     pub fn beside_step(&self, beside: &Playback) -> usize {
         let (step, last) = (self.view.step, beside.steps().last());
+        if let (Tape::Walks(walks), None) = (&beside.play.tape, self.question()) {
+            return walks.step_with(0, step);
+        }
         match self.playback() {
             _ if self.question().is_some() => 0,
             Some(playback) if step == playback.steps().last() => last,
@@ -59,6 +65,7 @@ impl State {
     }
 
     pub(super) fn forward(&mut self, grain: Grain) {
+        self.heat = None;
         let Some(playback) = &self.playback else { return };
         let step = self.view.step;
         if self.question_waits() {
@@ -80,6 +87,7 @@ impl State {
     }
 
     pub(super) fn back(&mut self, grain: Grain) {
+        self.heat = None;
         if self.asking {
             // From the question back to what was said before it.
             self.asking = false;

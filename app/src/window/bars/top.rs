@@ -100,7 +100,7 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 (Command::Export, false, room.export),
                 (Command::Present, false, room.present),
                 (Command::Predict, state.predict, true),
-                (Command::Compare, matches!(state.beside, Beside::Structure(_)), true),
+                (Command::Compare, matches!(state.beside, Beside::Structure(_) | Beside::Abreast(_)), true),
             ];
             // Brute force has no structure that could be built.
             let builds = state.slide().is_some_and(|slide| slide.plays != Plays::Walk);
@@ -267,10 +267,12 @@ fn more(ui: &mut Ui, state: &State, theme: &Theme, room: &Room, asked: &mut Opti
             (Command::Redo, redo),
             (Command::ByHand, true),
             (Command::Restore, true),
+            (Command::Heat, state.slide().is_some_and(|slide| slide.plays != Plays::Board)),
             (Command::Frame, true),
             (Command::ResetCamera, true),
             (Command::ResetScene, true),
             (Command::Open, true),
+            (Command::Best, true),
             (Command::Copy, true),
             (Command::FullScreen, true),
             (Command::Palette, true),

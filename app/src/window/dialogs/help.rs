@@ -33,6 +33,7 @@ const COLUMNS: [&[Group]; 2] = [
             "The picture",
             &[
                 Command::Compare,
+                Command::Heat,
                 Command::Frame,
                 Command::ResetCamera,
                 Command::Deeper,

@@ -1,5 +1,6 @@
 //! What lies over the page for a while: dialogs, messages, and how far work has come.
 
+mod best;
 mod drop_hint;
 mod export;
 mod help;

@@ -7,11 +7,12 @@ use egui::Ui;
 use raystep_figure::Theme;
 
 use super::palette::Palette;
-use super::{drop_hint, export, help, open, palette, progress};
+use super::{best, drop_hint, export, help, open, palette, progress};
 use crate::fault::Fault;
 use crate::shown::command::Command;
 use crate::shown::state::State;
 use crate::window::work::exporting::Wish;
+use crate::window::work::judging::Judging;
 use crate::window::work::task::Task;
 
 /// The dialogs that are open.
@@ -19,6 +20,7 @@ use crate::window::work::task::Task;
 pub(crate) struct Overlay {
     palette: Option<Palette>,
     help: bool,
+    best: bool,
     export: Option<export::Form>,
     open: Option<open::Form>,
 }
@@ -39,12 +41,14 @@ pub(crate) enum Asked {
     Mesh(PathBuf),
     /// To give up what is under way.
     Stop(Arc<Task>),
+    /// Nobody looks at the measured structures any more.
+    Judged,
 }
 
 impl Overlay {
     /// Whether a dialog has the keys.
     pub(crate) fn is_open(&self) -> bool {
-        self.palette.is_some() || self.help || self.export.is_some() || self.open.is_some()
+        self.palette.is_some() || self.help || self.best || self.export.is_some() || self.open.is_some()
     }
 
     /// Opens the palette.
@@ -55,6 +59,11 @@ impl Overlay {
     /// Opens the page of keys, or closes it.
     pub(crate) fn help(&mut self) {
         self.help = !self.help;
+    }
+
+    /// Opens the page of all structures.
+    pub(crate) fn best(&mut self) {
+        self.best = true;
     }
 
     /// Opens the dialog that writes files.
@@ -91,7 +100,14 @@ impl Overlay {
     }
 
     /// Shows all of it; says what was asked for.
-    pub(crate) fn show(&mut self, ui: &Ui, state: &State, tasks: &[Arc<Task>], theme: &Theme) -> Vec<Asked> {
+    pub(crate) fn show(
+        &mut self,
+        ui: &Ui,
+        state: &State,
+        tasks: &[Arc<Task>],
+        judging: &Judging,
+        theme: &Theme,
+    ) -> Vec<Asked> {
         let mut asked = Vec::new();
         if let Some(palette) = &mut self.palette {
             let (close, chosen) = palette.show(ui, &state.library, theme);
@@ -105,6 +121,10 @@ impl Overlay {
         }
         if self.help && help::page(ui, theme) {
             self.help = false;
+        }
+        if self.best && best::page(ui, judging, theme) {
+            self.best = false;
+            asked.push(Asked::Judged);
         }
         match self.export.as_mut().and_then(|form| form.show(ui, state, theme)) {
             Some(export::Asked::Folder) => asked.push(Asked::ChooseFolder),

@@ -1,7 +1,7 @@
 //! Images of figures as textures, each uploaded once.
 
 use std::collections::HashMap;
-use std::hash::{DefaultHasher, Hash, Hasher};
+use std::sync::Arc;
 
 use egui::{ColorImage, Context, Id, TextureHandle, TextureOptions};
 use raystep_figure::Image;
@@ -9,18 +9,20 @@ use raystep_figure::Image;
 /// The most images kept.
 const MOST: usize = 24;
 
-/// All images that were shown, by their pixels.
+/// All images that were shown, by where their pixels lie: these are kept, so that no others come to lie there.
 #[derive(Clone, Default)]
-struct Uploaded(HashMap<u64, TextureHandle>);
+struct Uploaded(HashMap<(usize, u32), (Arc<[u8]>, TextureHandle)>);
 
 /// The texture of an image. Its pixels stay squares where they are stretched.
 pub(super) fn texture(context: &Context, image: &Image) -> TextureHandle {
-    let mut hasher = DefaultHasher::new();
-    (image.width, image.height, &image.rgba).hash(&mut hasher);
-    let (key, id) = (hasher.finish(), Id::unique("images of figures"));
-    let known = context.data(|data| data.get_temp::<Uploaded>(id).unwrap_or_default());
-    if let Some(texture) = known.0.get(&key) {
-        return texture.clone();
+    let key = (image.rgba.as_ptr() as usize, image.width);
+    let id = Id::unique("images of figures");
+    let known = context.data_mut(|data| {
+        let kept = data.get_temp_mut_or_default::<Uploaded>(id);
+        kept.0.get(&key).map(|(_, texture)| texture.clone())
+    });
+    if let Some(texture) = known {
+        return texture;
     }
     let size = [image.width as usize, image.height as usize];
     let pixels = ColorImage::from_rgba_unmultiplied(size, &image.rgba);
@@ -30,7 +32,7 @@ pub(super) fn texture(context: &Context, image: &Image) -> TextureHandle {
         if kept.0.len() >= MOST {
             kept.0.clear();
         }
-        kept.0.insert(key, texture.clone());
+        kept.0.insert(key, (image.rgba.clone(), texture.clone()));
     });
     texture
 }

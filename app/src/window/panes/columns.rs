@@ -9,6 +9,7 @@ use raystep_lesson::Show;
 use super::figure::figure;
 use super::page::{Asked, Kept, Page};
 use super::stage;
+use crate::shown::beside::Beside;
 use crate::shown::pictures::{Pane, Pictures, main_pane, shows_bytes};
 use crate::shown::state::State;
 use crate::window::look::remembered::Remembered;
@@ -32,8 +33,10 @@ pub(super) fn right(
     sizes: &mut Remembered,
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
-    // A board needs all the room, and nothing runs beside it.
-    if ![Pane::Listing, Pane::Changed, Pane::Stack, Pane::Work].into_iter().any(|pane| has(kept, pane)) {
+    // A board needs all the room, and nothing runs beside it. Walks side by side have their own trees and stacks.
+    if abreast(page.state)
+        || ![Pane::Listing, Pane::Changed, Pane::Stack, Pane::Work].into_iter().any(|pane| has(kept, pane))
+    {
         return None;
     }
     let whole = ui.ctx().content_rect().width();
@@ -139,6 +142,9 @@ pub(super) fn center(
     sizes: &mut Remembered,
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
+    if abreast(page.state) {
+        return stage::stages(ui, page, kept, asked);
+    }
     let height = ui.available_height();
     let frame = Frame::new().fill(fill(page.theme, Role::Panel));
     let mut under = None;
@@ -179,6 +185,11 @@ pub(super) fn center(
     let shown = ruler.show(ui, |ui| pane(ui, page, kept, if bytes { Pane::Bytes } else { Pane::Ruler }, asked));
     note(ui, remembered, shown.response.rect.height(), usual);
     shown.inner.or(stage::stages(ui, page, kept, asked)).or(under)
+}
+
+/// Whether several other structures stand beside the walk.
+fn abreast(state: &State) -> bool {
+    matches!(state.beside, Beside::Abreast(_)) && state.heat().is_none()
 }
 
 /// Whether there is anything to show in a pane.

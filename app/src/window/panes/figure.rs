@@ -66,6 +66,21 @@ pub(super) fn figure(
     if pane == Pane::Picture {
         meter::hold(ui, &response, rect, look, pictures, theme, &mut sight.hold, asked);
     }
+    let pixel = |pointer: egui::Pos2| {
+        let point = glam::Vec2::new(pointer.x - rect.left(), pointer.y - rect.top());
+        pictures.pixel_at(glam_size(rect), look, point)
+    };
+    let pointed = (pane == Pane::Picture).then(|| response.hover_pos().and_then(pixel)).flatten();
+    if let Some(pixel) = pointed {
+        if let Some(probe) = pictures.probe(glam_size(rect), look, &pixel) {
+            paint_figure(&ui.painter_at(rect), rect.min, &probe, theme, None);
+        }
+        ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
+        if response.clicked() {
+            asked.push(Asked::MapPixel(pixel));
+        }
+        return None;
+    }
     let at = |pointer: egui::Pos2| place_at(&drawn, rect.min, pointer);
     let under = response.hover_pos().and_then(at);
     let clicked = response.interact_pointer_pos().filter(|_| response.clicked()).map(at);

@@ -1,10 +1,14 @@
 //! The panes: the lesson, space, and the figures around it, as a study page or as the presenter's.
 
+mod abreast;
+mod abreast_kept;
 mod by_hand;
 mod changes;
 mod columns;
 mod figure;
 mod grip;
+mod heat;
+mod heat_kept;
 mod hold;
 mod inset;
 mod knob;

@@ -5,21 +5,25 @@ use std::sync::Arc;
 use egui::Ui;
 use glam::Vec3;
 use raystep_accel::{HandCut, Interval, Place, Ray};
-use raystep_figure::{Depth, Grip, Theme, TreeView};
+use raystep_figure::{Depth, Grip, Pixel, Theme, TreeView};
+use raystep_lesson::Column;
 use raystep_paint::Mesh;
 
+use super::abreast_kept::AbreastKept;
+use super::heat_kept::HeatKept;
 use super::hold::Moved;
 use super::moving::Moving;
 use super::notices::Notices;
 use super::sight::Sight;
 use super::speech::Fitted;
-use crate::shown::beside::Pace;
+use crate::shown::beside::{Pace, Rivals};
 use crate::shown::camera::Seen;
 use crate::shown::command::Command;
 use crate::shown::pictures::Pictures;
 use crate::shown::playback::Playback;
 use crate::shown::state::State;
 use crate::window::look::formulas::Formulas;
+use crate::window::work::heating::Level;
 
 /// What panes show.
 #[derive(Clone, Copy)]
@@ -31,6 +35,10 @@ pub(crate) struct Page<'a> {
     pub(crate) mesh: Option<&'a Arc<Mesh>>,
     /// Whether a walk is being made.
     pub(crate) making: bool,
+    /// The heat map as far as it is counted.
+    pub(crate) heat: Option<&'a Level>,
+    /// Whether a finer one is on its way.
+    pub(crate) counting: bool,
     /// The place that lights up.
     pub(crate) lit: Option<Place>,
     pub(crate) theme: &'a Theme,
@@ -71,8 +79,16 @@ pub(crate) enum Asked {
     Number(String, f64),
     /// A sentence for the user.
     Say(String),
+    /// Something else is counted in the heat map.
+    Count(Column),
+    /// A click on a pixel of the heat map: its ray and what was counted of it, and from where the ray is seen well.
+    PixelRay { ray: Ray, count: u32, of: Column, seen: Seen },
+    /// A click on a pixel of a board's heat map.
+    MapPixel(Pixel),
     /// Another structure beside the walk.
     Compare(&'static str),
+    /// Other structures beside the walk: up to three.
+    Abreast(Rivals),
     /// How the walk beside keeps in step.
     Pace(Pace),
 }
@@ -90,6 +106,10 @@ pub(crate) struct Kept {
     pub(super) tree: TreeView,
     /// The presenter's column of words, as it was fitted last.
     pub(super) column: Option<Fitted>,
+    /// Walks side by side, as they were drawn last.
+    pub(super) abreast: Option<AbreastKept>,
+    /// The heat map that is asked for, and its figure.
+    pub(crate) heat: HeatKept,
     /// What moves from its old place to its new one.
     pub(crate) moving: Moving,
     hovered: Option<Place>,

@@ -1,23 +1,34 @@
 //! The strip over the second picture: what it shows, and how it keeps in step.
 
-use egui::{Align, ComboBox, Layout, Rect, RichText, Ui, vec2};
+use egui::{Align, Checkbox, ComboBox, Layout, PopupCloseBehavior, Rect, RichText, Ui, vec2};
 use raystep_accel::Rule;
-use raystep_figure::Face;
+use raystep_figure::{Face, Role};
 
 use super::page::{Asked, Page};
-use crate::shown::beside::{Beside, Pace};
+use crate::shown::beside::{Beside, Pace, Rivals};
 use crate::shown::kind_name::kind_name;
 use crate::shown::state::State;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
+use crate::window::look::visuals::ink;
 
 /// Shows the strip; what is chosen is asked for.
 pub(super) fn choice(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<Asked>) {
     let inner = rect.shrink2(vec2(12.0, 3.0));
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center)));
     let state = page.state;
-    asked.extend(pace(&mut child, state.pace).map(Asked::Pace));
+    if matches!(state.beside, Beside::Abreast(_)) {
+        child.label(RichText::new("all at the same t").color(ink(page.theme, Role::Quiet)));
+    } else {
+        asked.extend(pace(&mut child, state.pace).map(Asked::Pace));
+    }
+    let flat = state.playback().is_some_and(|playback| playback.play.scene.flat);
     child.with_layout(Layout::left_to_right(Align::Center), |ui| match state.beside {
+        Beside::Structure(kind) if flat => asked.extend(several(ui, state, Rivals::of([kind])).map(Asked::Abreast)),
+        Beside::Abreast(rivals) => {
+            ui.label(RichText::new("Beside it").font(font(Face::Bold, 13.5)));
+            asked.extend(several(ui, state, rivals).map(Asked::Abreast));
+        }
         Beside::Structure(kind) => asked.extend(structures(ui, state, kind).map(Asked::Compare)),
         Beside::Mistake(index) => {
             let mistakes = state.playback().map_or(&[][..], |playback| &playback.mistakes);
@@ -29,7 +40,7 @@ pub(super) fn choice(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<As
 }
 
 /// The structures that this one can be compared with.
-fn structures(ui: &mut Ui, state: &State, now: &'static str) -> Option<&'static str> {
+pub(super) fn structures(ui: &mut Ui, state: &State, now: &'static str) -> Option<&'static str> {
     let mut chosen = None;
     let own = state.playback().map_or("", |playback| playback.rule.kind());
     let text = RichText::new(kind_name(now)).font(font(Face::Bold, 13.5));
@@ -41,6 +52,28 @@ fn structures(ui: &mut Ui, state: &State, now: &'static str) -> Option<&'static 
         }
     });
     controls::name(&combo.response, "Compare with");
+    chosen
+}
+
+/// Up to three structures that this one can be compared with.
+fn several(ui: &mut Ui, state: &State, now: Rivals) -> Option<Rivals> {
+    let mut chosen = None;
+    let own = state.playback().map_or("", |playback| playback.rule.kind());
+    let names: Vec<&str> = now.kinds().map(kind_name).collect();
+    let text = RichText::new(names.join(", ")).font(font(Face::Bold, 13.5));
+    let combo = ComboBox::from_id_salt("rivals").width(112.0).selected_text(text);
+    let combo = combo.close_behavior(PopupCloseBehavior::CloseOnClickOutside).show_ui(ui, |ui| {
+        for kind in Rule::KINDS.into_iter().filter(|kind| *kind != own) {
+            let mut on = now.has(kind);
+            let room = on || now.count() < Rivals::MOST;
+            let only = on && now.count() == 1;
+            let check = ui.add_enabled(room && !only, Checkbox::new(&mut on, kind_name(kind)));
+            if check.on_disabled_hover_text("From one to three stand beside it").changed() {
+                chosen = Some(if on { now.with(kind) } else { now.without(kind) });
+            }
+        }
+    });
+    controls::name(&combo.response, "Compare with up to three");
     chosen
 }
 

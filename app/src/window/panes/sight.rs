@@ -1,6 +1,7 @@
 //! How space is looked at: what draws it, and what the pointer has hold of.
 
 use raystep_figure::{Camera, Space};
+use raystep_scene::Scene;
 
 use super::hold::Hold;
 use super::solid::Solid;
@@ -69,6 +70,16 @@ impl Sight {
             return Seen { camera, aspect: self.aspect }.all_in(size);
         }
         Sight::home(state, space, size)
+    }
+
+    /// Where a scene's rays are shot from: from where it is seen now, if it is, else from near by.
+    pub(crate) fn camera_of(&self, state: &State, scene: &Scene) -> Camera {
+        let shown = state.playback().is_some_and(|playback| std::ptr::eq(&*playback.play.scene, scene));
+        if let Some(camera) = state.view.camera.filter(|_| shown) {
+            return camera;
+        }
+        let view = scene.close_view();
+        Camera::Solid { eye: view.eye, target: view.target, up: view.up, fov_degrees: view.fov_degrees }
     }
 
     /// The slide's own view.

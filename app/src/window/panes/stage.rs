@@ -6,7 +6,9 @@ use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Aabb, Accel, Cost, Event, Place, Ray, Structure, Verdict, Visit};
 use raystep_figure::{Camera, Face, Look, Role, Still, axes};
 
+use super::abreast;
 use super::figure;
+use super::heat;
 use super::hold::Hold;
 use super::inset;
 use super::levels;
@@ -29,8 +31,17 @@ use crate::window::look::visuals::line;
 /// Shows the stage in all the room there is; says which place the pointer is on.
 pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec<Asked>) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
-    if page.state.beside == Beside::Nothing {
+    if page.state.beside == Beside::Nothing || page.state.heat().is_some() {
         return stage(ui, page, kept, rect, true, 1.0, asked);
+    }
+    if matches!(page.state.beside, Beside::Abreast(_)) {
+        let (name, picture) = strip(rect, STRIP);
+        rival::choice(ui, page, name, asked);
+        match page.beside {
+            Some(walks) => abreast::show(ui, page, kept, walks, picture),
+            None => waiting(ui, page, picture),
+        }
+        return None;
     }
     let (left, right) = halves(page.state, rect);
     let (name, picture) = strip(left, STRIP);
@@ -103,6 +114,10 @@ pub(super) fn stage(
     scale: f32,
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
+    if let Some(of) = page.state.heat() {
+        heat::show(ui, page, kept, rect, of, scale, asked);
+        return None;
+    }
     let Kept { pictures, sight, tree, moving, .. } = kept;
     let Some(pictures) = pictures.as_mut().filter(|_| page.state.playback().is_some()) else {
         waiting(ui, page, rect);

@@ -3,6 +3,8 @@
 mod bench;
 pub(super) mod errands;
 pub(super) mod exporting;
+pub(super) mod heating;
+pub(super) mod judging;
 mod second;
 pub(super) mod task;
 mod underway;

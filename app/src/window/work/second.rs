@@ -63,6 +63,12 @@ impl Second {
             found(state, index, &shows);
         }
         let wrong = self.arrive(state);
+        // Only flat scenes are shown more than twice.
+        if let (Beside::Abreast(rivals), Some(playback)) = (state.beside, state.playback())
+            && !playback.play.scene.flat
+        {
+            state.compare_all(rivals);
+        }
         let beside = state.beside;
         let Some(playback) = state.playback().filter(|_| beside != Beside::Nothing).cloned() else {
             self.shown = None;
@@ -76,11 +82,16 @@ impl Second {
             return wrong;
         }
         // A second ray through a structure that stands already only walks.
-        let over =
-            |shown: &&Arc<Playback>| shown.kind == beside && Arc::ptr_eq(&shown.play.scene, &playback.play.scene);
+        let over = |shown: &&Arc<Playback>| {
+            // The walks side by side hold the structure that is shown as well.
+            let own = Arc::ptr_eq(&shown.play.structure, &playback.play.structure);
+            let whole = own || !matches!(beside, Beside::Abreast(_));
+            shown.kind == beside && whole && Arc::ptr_eq(&shown.play.scene, &playback.play.scene)
+        };
         let stands = self.shown.as_ref().filter(over).map(|shown| shown.built());
         let prims = playback.play.scene.prims.len();
         let at_once = match (&stands, beside) {
+            (_, Beside::Abreast(_)) => builds_quickly(prims),
             (Some(built), _) => walks_quickly(&built.structure, prims),
             (None, Beside::Mistake(_)) => walks_quickly(&playback.play.structure, prims),
             (None, _) => builds_quickly(prims),
@@ -153,17 +164,34 @@ fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task)
         Beside::Structure(kind) => {
             let built = match stands {
                 Some(built) => built,
+                None => usual(playback, kind, task)?,
+            };
+            playback.through(built).ok_or_else(no_ray)
+        }
+        Beside::Abreast(rivals) => {
+            let made = match stands {
+                Some(built) => playback.abreast_of(built, rivals),
                 None => {
-                    let rule = Rule::default_for(kind).map_err(|error| Failure::Wrong(error.to_string()))?;
-                    let scene = playback.play.scene.clone();
-                    let rule = if scene.flat { rule.flat() } else { rule };
-                    build(scene, rule, Plays::Walk, None, Care::Full, task)?
+                    let others: Result<Vec<Built>, Failure> =
+                        rivals.kinds().map(|kind| usual(playback, kind, task)).collect();
+                    playback.abreast(others?, rivals)
                 }
             };
-            let none = || Failure::Wrong("A build has no ray to compare: go to a slide on which one walks.".to_owned());
-            playback.through(built).ok_or_else(none)
+            made.ok_or_else(no_ray)
         }
     }
+}
+
+/// A structure of this kind over the same scene, with the usual parameters.
+fn usual(playback: &Playback, kind: &str, task: &Task) -> Result<Built, Failure> {
+    let rule = Rule::default_for(kind).map_err(|error| Failure::Wrong(error.to_string()))?;
+    let scene = playback.play.scene.clone();
+    let rule = if scene.flat { rule.flat() } else { rule };
+    build(scene, rule, Plays::Walk, None, Care::Full, task)
+}
+
+fn no_ray() -> Failure {
+    Failure::Wrong("A build has no ray to compare: go to a slide on which one walks.".to_owned())
 }
 
 /// Where a mistake shows: on the ray that walks, on another of these, or on none.

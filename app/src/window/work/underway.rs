@@ -5,10 +5,13 @@ use std::sync::Arc;
 use raystep_paint::Mesh;
 
 use super::errands::Errands;
+use super::heating::{Heating, Level};
+use super::judging::Judging;
 use super::second::Second;
 use super::task::Task;
 use super::workshop::{Failure, Made, Workshop};
 use crate::shown::beside::Beside;
+use crate::shown::heat::Wish;
 use crate::shown::playback::Playback;
 use crate::shown::state::State;
 
@@ -16,9 +19,12 @@ use crate::shown::state::State;
 pub(crate) struct Underway {
     workshop: Workshop,
     second: Second,
+    heating: Heating,
     mesh: Option<Arc<Mesh>>,
     /// The draft that is not to be refined.
     left: Option<Arc<Playback>>,
+    /// All structures, measured one after the other.
+    pub(crate) judging: Judging,
     /// What happens outside the window.
     pub(crate) errands: Errands,
 }
@@ -28,8 +34,10 @@ impl Underway {
         Underway {
             workshop: Workshop::new(context.clone()),
             second: Second::new(context),
+            heating: Heating::new(context),
             mesh: None,
             left: None,
+            judging: Judging::new(context),
             errands: Errands::new(context.clone()),
         }
     }
@@ -58,9 +66,19 @@ impl Underway {
         self.workshop.task().is_some()
     }
 
-    /// Whether nothing is built any more, not even what was given up.
+    /// Whether nothing is built or counted any more, not even what was given up.
     pub(crate) fn is_idle(&self) -> bool {
-        self.workshop.is_idle()
+        self.workshop.is_idle() && self.heating.is_idle() && self.judging.is_idle()
+    }
+
+    /// The heat map as far as it is counted, and whether a finer one is on its way.
+    pub(crate) fn heat(&self) -> (Option<&Level>, bool) {
+        (self.heating.shown(), self.heating.is_underway())
+    }
+
+    /// Counts the heat map that is wished for, as far as it is not there.
+    pub(crate) fn catch_up_heat(&mut self, wish: Option<Wish>) {
+        self.heating.catch_up(wish);
     }
 
     /// Makes the walk that the state asks for, as far as it is not there. Says what went wrong.
@@ -125,7 +143,8 @@ impl Underway {
     /// Everything that is under way.
     pub(crate) fn tasks(&mut self) -> Vec<Arc<Task>> {
         let mut tasks = self.errands.tasks().to_vec();
-        tasks.extend(self.workshop.task().into_iter().chain(self.second.task()).cloned());
+        let making = self.workshop.task().into_iter().chain(self.second.task());
+        tasks.extend(making.chain(self.heating.task()).cloned());
         tasks
     }
 
@@ -139,6 +158,9 @@ impl Underway {
         if beside {
             self.stop_beside(state);
         }
+        if is(self.heating.task()) {
+            self.heating.cancel();
+        }
         task.stop();
     }
 
@@ -149,6 +171,7 @@ impl Underway {
         }
         self.stop_making(state);
         self.stop_beside(state);
+        self.heating.cancel();
     }
 
     fn stop_making(&mut self, state: &mut State) {

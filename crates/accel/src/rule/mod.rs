@@ -117,6 +117,13 @@ impl Rule {
         rule.slots().into_iter().filter(|slot| !slot.is_unset()).map(Slot::parameter).collect()
     }
 
+    /// What must be set so that `from`, a rule of the same kind, becomes this one: keys and values.
+    pub fn differences(&self, from: &Rule) -> Vec<(&'static str, String)> {
+        let before = from.parameters();
+        let is_new = |own: &Parameter| !before.iter().any(|old| old.key == own.key && old.value == own.value);
+        self.parameters().into_iter().filter(is_new).map(|own| (own.key, own.value)).collect()
+    }
+
     /// Sets the parameter called `key` to the value that `text` spells.
     ///
     /// # Errors

@@ -1,21 +1,22 @@
 //! A board that is filled: tables and charts.
 
+use glam::Vec2;
 use raystep_accel::Reveal;
 
 use super::{Instant, Kind};
 use crate::page::Figure;
-use crate::panes::{Ask, KnobLine, Pane, Panel, board, knobs};
+use crate::panes::{Ask, KnobLine, Pane, Panel, Pixel, board, knobs, pixel_at, probe};
 use crate::words::Fact;
 
 /// Tables and charts, and what comes to be seen on them.
 #[derive(Clone, Debug)]
 pub struct Board<'a> {
     /// What stands on it.
-    pub panels: Vec<Panel>,
+    pub panels: &'a [Panel],
     /// What comes to be seen, in order.
     pub events: &'a [Reveal],
     /// What each of these is called.
-    pub names: Vec<String>,
+    pub names: &'a [String],
 }
 
 impl Kind for Board<'_> {
@@ -37,7 +38,15 @@ impl Kind for Board<'_> {
     }
 
     fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
-        (pane == Pane::Picture).then(|| board(&self.panels, *at.state(), ask))
+        (pane == Pane::Picture).then(|| board(self.panels, *at.state(), ask))
+    }
+
+    fn pixel_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+        pixel_at(self.panels, *at.state(), ask, point)
+    }
+
+    fn probe(&self, at: &Instant, ask: &Ask<'_>, pixel: &Pixel) -> Option<Figure> {
+        Some(probe(self.panels, *at.state(), ask, pixel))
     }
 
     fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {

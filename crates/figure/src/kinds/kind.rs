@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Cost, Direction, HandCut, Place, Prims};
 
 use super::Instant;
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, RulerScale, symbol_on_track};
+use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, Pixel, RulerScale, symbol_on_track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName};
 use crate::world::{Depth, Form, Space};
@@ -169,6 +169,18 @@ pub trait Kind {
     fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
         let _ = ask;
         Vec::new()
+    }
+
+    /// The pixel of a heat map at a point of the picture in the middle of the page.
+    fn pixel_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+        let _ = (at, ask, point);
+        None
+    }
+
+    /// What lies over that picture where a pixel of a heat map is pointed at.
+    fn probe(&self, at: &Instant, ask: &Ask<'_>, pixel: &Pixel) -> Option<Figure> {
+        let _ = (at, ask, pixel);
+        None
     }
 
     /// Shows the answers of an open question where they lie. What happens knows nothing of them.

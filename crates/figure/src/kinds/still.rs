@@ -7,7 +7,7 @@ use raystep_accel::{Aabb, Cost, HandCut, Place};
 
 use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, RulerScale, legend, line_at, track};
+use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, Pixel, RulerScale, legend, line_at, track};
 use crate::theme::Role;
 use crate::words::{Fact, Symbol};
 use crate::world::{Depth, Form, Space, SpaceMark, edges};
@@ -149,6 +149,16 @@ impl<'a> Still<'a> {
     /// Where the numbers lie that can be moved by hand, in the picture that is asked for.
     pub fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
         self.kind.knobs(ask)
+    }
+
+    /// The pixel of a heat map at a point of the picture in the middle of the page.
+    pub fn pixel_at(&self, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+        self.kind.pixel_at(self.at, ask, point)
+    }
+
+    /// What lies over that picture where a pixel of a heat map is pointed at.
+    pub fn probe(&self, ask: &Ask<'_>, pixel: &Pixel) -> Option<Figure> {
+        self.kind.probe(self.at, ask, pixel)
     }
 
     /// How many rows its stack has.

@@ -20,10 +20,10 @@ mod weighing;
 mod work;
 
 pub use board::{
-    Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Row, Scale,
-    Table,
+    Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Pixel, Row,
+    Scale, Table,
 };
-pub(crate) use board::{board, knobs};
+pub(crate) use board::{board, knobs, pixel_at, probe};
 pub use bytes::bytes;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};

@@ -58,8 +58,10 @@ const ABREAST: usize = 3;
 /// The pictures and counts of many walks, in rows.
 fn map(walkers: &[Walker<'_>], ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
-    let rows = walkers.len().div_ceil(ABREAST);
-    let size = Vec2::new(ask.size.x / ABREAST as f32, ask.size.y / rows as f32);
+    // Four make a square.
+    let across = if walkers.len() == 4 { 2 } else { ABREAST };
+    let rows = walkers.len().div_ceil(across);
+    let size = Vec2::new(ask.size.x / across as f32, ask.size.y / rows as f32);
     let look = Look { text: ask.look.text.min(size.x / 26.0).min(size.y / 18.0), ..ask.look };
     for (index, walker) in walkers.iter().enumerate() {
         let mut column = Figure::new(size);
@@ -68,12 +70,12 @@ fn map(walkers: &[Walker<'_>], ask: &Ask<'_>) -> Figure {
         let picture = Vec2::new(size.x - 2.0 * look.margin(), size.y - top - look.text * 4.6);
         picture_and_counts(&mut column, walker, top, picture, &look);
         crop(&mut column, 0.0);
-        let corner = Vec2::new((index % ABREAST) as f32, (index / ABREAST) as f32) * size;
+        let corner = Vec2::new((index % across) as f32, (index / across) as f32) * size;
         figure.marks.extend(column.marks.into_iter().map(|mark| mark.moved(corner)));
-        if index % ABREAST > 0 {
+        if index % across > 0 {
             figure.add(Role::Panel, None, line(corner, corner + Vec2::new(0.0, size.y)));
         }
-        if index % ABREAST == 0 && index > 0 {
+        if index % across == 0 && index > 0 {
             figure.add(Role::Panel, None, line(corner, corner + Vec2::new(ask.size.x, 0.0)));
         }
     }

@@ -6,7 +6,6 @@ use crate::reading::Reading;
 
 use crate::{Plan, Spot, head, limits, template};
 
-use super::maps::COUNTS;
 use super::{Column, Formula};
 
 /// A chart of a board.
@@ -140,9 +139,9 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let stroke = match (point, law, scenes) {
         (None, None, Some((_, scenes))) => {
             let (of_at, of) = of.unwrap_or((at, Column::Tests.name().to_owned()));
-            let known = COUNTS.into_iter().find(|column| column.name() == of);
+            let known = Column::COUNTS.into_iter().find(|column| column.name() == of);
             if known.is_none() {
-                reading.problem(of_at, misspelt("count", &of, &COUNTS.map(Column::name)));
+                reading.problem(of_at, misspelt("count", &of, &Column::COUNTS.map(Column::name)));
             }
             if plan.is_none() {
                 reading.problem(at, "nothing is built: write `structure = { kind = \"kd\" }`");

@@ -31,18 +31,15 @@ pub struct Map {
     pub(crate) step: Option<f32>,
 }
 
-/// What a map can count.
-pub(super) const COUNTS: [Column; 3] = [Column::Tests, Column::Visits, Column::Boxes];
-
 /// Reads `[[heat]]`.
 pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Maps> {
     let (title, about) = (keys.need::<String>("title", reading), keys.get::<String>("about", reading));
     let of = match keys.get::<String>("of", reading) {
         None => Some(Column::Tests),
         Some((at, of)) => {
-            let known = COUNTS.into_iter().find(|column| column.name() == of);
+            let known = Column::COUNTS.into_iter().find(|column| column.name() == of);
             if known.is_none() {
-                reading.problem(at, misspelt("count", &of, &COUNTS.map(Column::name)));
+                reading.problem(at, misspelt("count", &of, &Column::COUNTS.map(Column::name)));
             }
             known
         }

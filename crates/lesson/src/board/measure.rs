@@ -1,8 +1,8 @@
 //! What is measured here: what a structure costs the rays of a picture, in counts, which are the same everywhere.
 
 use glam::Vec2;
-use raystep_accel::{Accel, Cancelled, Cost, Grow, Observer, Primitives, Structure, pinhole};
-use raystep_scene::Scene;
+use raystep_accel::{Accel, Cancelled, Cost, Grow, Observer, Primitives, Ray, RayError, Structure, pinhole};
+use raystep_scene::{Scene, View};
 
 use crate::Plan;
 
@@ -42,6 +42,14 @@ pub struct Counted {
 }
 
 impl Counted {
+    /// The ray that was shot through a pixel, where there are so many across and down.
+    ///
+    /// # Errors
+    /// The camera sees nothing.
+    pub fn ray(scene: &Scene, size: [u32; 2], at: [u32; 2]) -> Result<Ray, RayError> {
+        through(&scene.close_view(), size, at)
+    }
+
     /// The mean of all rays.
     pub fn mean(&self) -> f64 {
         self.counts.iter().map(|count| f64::from(*count)).sum::<f64>() / self.counts.len().max(1) as f64
@@ -76,9 +84,9 @@ impl Measured {
         let cells = structure.grid().map_or(0, |grid| grid.cell_count() as u64);
         Ok(Some(Measured {
             rays: u64::from(rays),
-            tests: each(cost.prim_tests),
-            visits: each(entered(&cost)),
-            boxes: each(cost.box_tests),
+            tests: each(Column::Tests.count(&cost)),
+            visits: each(Column::Visits.count(&cost)),
+            boxes: each(Column::Boxes.count(&cost)),
             nodes: structure.node_count() as u64 + cells,
             bytes: structure.bytes() as u64,
         }))
@@ -129,20 +137,10 @@ impl Counted {
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Counted>, Cancelled> {
         let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
-        let count = |cost: Cost| match of {
-            Column::Visits => entered(&cost),
-            Column::Boxes => cost.box_tests,
-            _ => cost.prim_tests,
-        };
         let size = care.of(MAP);
-        let counts = shoot(&structure, scene, size, watch)?.map(|own| count(own) as u32).collect();
+        let counts = shoot(&structure, scene, size, watch)?.map(|own| of.count(&own) as u32).collect();
         Ok(Some(Counted { size, counts }))
     }
-}
-
-/// Nodes or cells entered.
-fn entered(cost: &Cost) -> u64 {
-    cost.node_visits + cost.cell_steps
 }
 
 fn built(plan: &Plan, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<Option<Structure>, Cancelled> {
@@ -150,6 +148,13 @@ fn built(plan: &Plan, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<
         Ok(rule) => Structure::build(&scene.prims, &rule, watch).map(Some),
         Err(_) => Ok(None),
     }
+}
+
+/// The ray through the middle of a pixel.
+fn through(view: &View, [width, height]: [u32; 2], [x, y]: [u32; 2]) -> Result<Ray, RayError> {
+    let size = Vec2::new(width as f32, height as f32);
+    let at = (Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
+    pinhole(view.eye, view.target, view.up, view.fov_degrees, at, size.x / size.y)
 }
 
 /// What each ray of a picture costs, rows from above.
@@ -160,13 +165,10 @@ fn shoot(
     watch: &impl Observer<Grow>,
 ) -> Result<impl Iterator<Item = Cost>, Cancelled> {
     let view = scene.close_view();
-    let size = Vec2::new(width as f32, height as f32);
     let cost = |x: u32, y: u32| {
-        let at = (Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
-        let ray = pinhole(view.eye, view.target, view.up, view.fov_degrees, at, size.x / size.y);
         let mut cost = Cost::default();
         // A camera that sees nothing shoots rays that cost nothing.
-        if let Ok(ray) = ray {
+        if let Ok(ray) = through(&view, [width, height], [x, y]) {
             structure.intersect(&scene.prims, &ray, &mut cost);
         }
         cost

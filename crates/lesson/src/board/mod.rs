@@ -20,7 +20,7 @@ pub use formula::Formula;
 pub use maps::{Map, Maps};
 pub use measure::{Counted, Measured};
 pub use meter::{Given, Meter, Number, Numbers};
-pub use panel::{Board, Panel};
+pub use panel::{Board, Entry, Panel};
 pub use picture::{Picture, Pictures, Rendered};
 pub use table::{Cell, Column, Row, Table};
 pub use tape::BoardTape;

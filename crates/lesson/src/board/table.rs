@@ -1,6 +1,6 @@
 //! A table: rows of named things, columns of what was printed, what follows from it, and what is measured here.
 
-use raystep_accel::BvhVolume;
+use raystep_accel::{BvhVolume, Cost};
 
 use crate::keys::Keys;
 use crate::problem::misspelt;
@@ -69,6 +69,18 @@ impl Column {
         ("cuts", Column::Cuts),
         ("vain", Column::Vain),
     ];
+
+    /// What can be counted of a ray.
+    pub const COUNTS: [Column; 3] = [Column::Tests, Column::Visits, Column::Boxes];
+
+    /// What a ray has cost, of those that can be counted: tests of primitives where it is none of them.
+    pub fn count(self, cost: &Cost) -> u64 {
+        match self {
+            Column::Visits => cost.node_visits + cost.cell_steps,
+            Column::Boxes => cost.box_tests,
+            _ => cost.prim_tests,
+        }
+    }
 
     /// How slides write it.
     pub fn name(self) -> &'static str {

@@ -1,15 +1,14 @@
 //! Heat maps beside each other: one colour a count, one scale for all, a histogram for each.
 
-use std::sync::Arc;
-
 use glam::Vec2;
 
+use super::heat_scale::{image, legend, outline, shares};
 use super::{Filled, place};
-use crate::page::{Anchor, Figure, Image, Ink, Look, block, line, write};
-use crate::theme::{Face, Role, text_width};
+use crate::page::{Anchor, Figure, Image, Ink, Look, write};
+use crate::theme::{Face, Role};
 use crate::words::number;
 
-/// Heat maps of a board.
+/// Heat maps of a board. Their colours are made once, when the maps are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Maps {
     /// What they are about.
@@ -20,6 +19,9 @@ pub struct Maps {
     pub of: String,
     /// The maps.
     pub maps: Vec<Map>,
+    /// The largest count of all maps: the upper end of their scale.
+    most: u32,
+    inked: Vec<Inked>,
 }
 
 /// A heat map.
@@ -35,70 +37,133 @@ pub struct Map {
     pub counts: Vec<u32>,
 }
 
-/// Bars of a histogram.
-const BARS: usize = 24;
-
-impl Maps {
-    /// The largest count of all maps: the upper end of their scale.
-    fn most(&self) -> u32 {
-        self.maps.iter().flat_map(|map| map.counts.iter().copied()).max().unwrap_or(1).max(2)
-    }
+/// What follows from the counts of a map.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Inked {
+    pub(super) image: Image,
+    /// The share of its rays in each part of the scale, from its lower end.
+    pub(super) shares: Vec<f32>,
+    mean: f64,
+    /// The smallest and the largest count.
+    range: [u32; 2],
 }
 
-/// How far up the scale a count lies: 0 for 1, 1 for the most. The scale is one of factors.
-fn part(count: f64, most: u32) -> f64 {
-    libm::log2(count.max(1.0)) / libm::log2(f64::from(most))
+/// A pixel of a heat map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixel {
+    /// When its map comes to be seen.
+    pub entry: usize,
+    /// How many pixels lie left of it and above it.
+    pub at: [u32; 2],
+    /// Pixels of the map, across and down.
+    pub size: [u32; 2],
+    /// What its ray costs.
+    pub count: u32,
+}
+
+/// Room right of a map, for its scale and histogram, in letters.
+const SCALE: f32 = 9.0;
+/// Room below a map, for its name and numbers, in letters.
+const BELOW: f32 = 4.2;
+
+impl Maps {
+    /// Maps on one scale; `of` is what is counted.
+    pub fn new(title: String, about: String, of: String, maps: Vec<Map>) -> Maps {
+        let most = maps.iter().flat_map(|map| map.counts.iter().copied()).max().unwrap_or(1).max(2);
+        let inked = maps.iter().map(|map| Inked {
+            image: image(map, most),
+            shares: shares(map, most),
+            mean: map.counts.iter().map(|count| f64::from(*count)).sum::<f64>() / map.counts.len().max(1) as f64,
+            range: [map.counts.iter().min(), map.counts.iter().max()].map(|count| count.copied().unwrap_or(0)),
+        });
+        let inked = inked.collect();
+        Maps { title, about, of, maps, most, inked }
+    }
+
+    /// The largest count of all maps, at least 2.
+    pub(super) fn most(&self) -> u32 {
+        self.most
+    }
+
+    pub(super) fn inked(&self, map: usize) -> Option<&Inked> {
+        self.inked.get(map)
+    }
+
+    /// The pixels of a map as they are drawn.
+    pub fn image(&self, map: usize) -> Option<&Image> {
+        self.inked.get(map).map(|inked| &inked.image)
+    }
+
+    /// The largest picture of each of so many maps in a room of this size.
+    pub fn picture(room: Vec2, count: usize, look: &Look) -> Vec2 {
+        let share = (room.x - 2.0 * look.margin()) / count.max(1) as f32;
+        let high = room.y - top(count, look) - look.text * BELOW;
+        Vec2::new(share - look.text * (SCALE + 1.0), high).max(Vec2::splat(look.text * 4.0))
+    }
+
+    /// The room that so many maps of this size need.
+    pub fn room(picture: Vec2, count: usize, look: &Look) -> Vec2 {
+        let across = (picture.x + look.text * (SCALE + 1.0)) * count.max(1) as f32 + 2.0 * look.margin();
+        Vec2::new(across, picture.y + top(count, look) + look.text * BELOW)
+    }
+
+    /// Where the maps lie: the upper left corner of each and the lower right one.
+    pub(super) fn corners(&self, room: Vec2, look: &Look) -> Vec<[Vec2; 2]> {
+        let most = Maps::picture(room, self.maps.len(), look);
+        let [width, height] = self.maps.first().map_or([4, 3], |map| map.size);
+        let aspect = width as f32 / height as f32;
+        let high = (most.x / aspect).min(most.y);
+        let size = Vec2::new(high * aspect, high);
+        let corner = |index: usize| {
+            let along = (size.x + look.text * (SCALE + 1.0)) * index as f32;
+            Vec2::new(look.margin() + along, top(self.maps.len(), look))
+        };
+        (0..self.maps.len()).map(corner).map(|min| [min, min + size]).collect()
+    }
+
+    /// The pixel at a point, of those maps that are `shown`.
+    pub(super) fn pixel_at(
+        &self,
+        room: Vec2,
+        look: &Look,
+        point: Vec2,
+        shown: &dyn Fn(usize) -> bool,
+    ) -> Option<Pixel> {
+        let corners = self.corners(room, look);
+        let mut maps = self.maps.iter().zip(corners).filter(|(map, _)| shown(map.entry));
+        let (map, [min, max]) = maps.find(|(_, [min, max])| point.cmpge(*min).all() && point.cmplt(*max).all())?;
+        let [width, height] = map.size;
+        let part = (point - min) / (max - min);
+        let along = |part: f32, of: u32| ((part * of as f32) as u32).min(of.saturating_sub(1));
+        let at = [along(part.x, width), along(part.y, height)];
+        Some(Pixel { entry: map.entry, at, size: map.size, count: map.count(at)? })
+    }
 }
 
 impl Map {
-    /// Its picture. Nothing is white: rays that cost nothing.
-    fn image(&self, most: u32) -> Image {
-        let colour = |count: &u32| {
-            if *count == 0 {
-                return [255, 255, 255, 255];
-            }
-            let colorous::Color { r, g, b } = colorous::VIRIDIS.eval_continuous(part(f64::from(*count), most));
-            [r, g, b, 255]
-        };
-        let rgba: Arc<[u8]> = self.counts.iter().flat_map(colour).collect();
-        Image { width: self.size[0], height: self.size[1], rgba }
+    /// What the ray of a pixel costs.
+    pub(super) fn count(&self, [x, y]: [u32; 2]) -> Option<u32> {
+        self.counts.get(y as usize * self.size[0] as usize + x as usize).copied()
     }
+}
 
-    /// The share of its rays in each part of the scale, from its lower end.
-    fn shares(&self, most: u32) -> Vec<f32> {
-        let mut shares = vec![0.0; BARS];
-        for count in self.counts.iter().filter(|count| **count > 0) {
-            let bar = (part(f64::from(*count), most) * BARS as f64) as usize;
-            shares[bar.min(BARS - 1)] += 1.0 / self.counts.len() as f32;
-        }
-        shares
-    }
-
-    fn mean(&self) -> f64 {
-        self.counts.iter().map(|count| f64::from(*count)).sum::<f64>() / self.counts.len().max(1) as f64
-    }
+/// Where maps begin below their title. A single one stands on whole points: so a picture of as many pixels stays sharp.
+fn top(count: usize, look: &Look) -> f32 {
+    let top = look.heading(&mut Figure::new(Vec2::ZERO), "", "") + look.text * 0.8;
+    if count == 1 { top.ceil() } else { top }
 }
 
 pub(super) fn draw(maps: &Maps, filled: Filled, room: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
     let u = look.text;
-    let top = look.heading(&mut figure, &maps.title, &maps.about) + u * 0.8;
-    let most = maps.most();
-    let (left, below) = (look.margin(), u * 4.2);
-    // A scale with the histogram of its map stands right of each.
-    let scale = u * 9.0;
-    let share = (room.x - 2.0 * left) / maps.maps.len().max(1) as f32;
-    let [width, height] = maps.maps.first().map_or([4, 3], |map| map.size);
-    let aspect = width as f32 / height as f32;
-    let high = ((share - scale - u) / aspect).min(room.y - top - below).max(u * 4.0);
-    let wide = high * aspect;
-    for (index, map) in maps.maps.iter().enumerate() {
-        let min = Vec2::new(left + (wide + scale + u) * index as f32, top);
-        let max = min + Vec2::new(wide, high);
+    look.heading(&mut figure, &maps.title, &maps.about);
+    for (index, ((map, inked), [min, max])) in
+        maps.maps.iter().zip(&maps.inked).zip(maps.corners(room, look)).enumerate()
+    {
         let shown = filled.shows(map.entry);
         let place = place(map.entry).filter(|_| shown);
         if shown {
-            figure.add(Role::Scene, place, Ink::Image { min, max, image: map.image(most) });
+            figure.add(Role::Scene, place, Ink::Image { min, max, image: inked.image.clone() });
         }
         figure.add(Role::Edge, place, outline(min, max));
         if filled.is_asked(map.entry) {
@@ -108,73 +173,12 @@ pub(super) fn draw(maps: &Maps, filled: Filled, room: Vec2, look: &Look) -> Figu
         let role = if shown { Role::Text } else { Role::Quiet };
         write(&mut figure, role, place, name, &map.name, u * 1.05, Face::Bold, Anchor::Start);
         if shown {
-            let says = format!("mean {}, most {}", number(map.mean() as f32), map.counts.iter().max().unwrap_or(&0));
+            let [least, most] = inked.range;
+            let says = format!("mean {}, from {least} to {most}", number(inked.mean as f32));
             let at = name + Vec2::new(0.0, u * 1.5);
             write(&mut figure, Role::Missed, place, at, &says, u, Face::Regular, Anchor::Start);
-            legend(&mut figure, maps, map, most, Vec2::new(max.x + u * 0.8, min.y), high, look);
+            legend(&mut figure, maps, index, Vec2::new(max.x + u * 0.8, min.y), max.y - min.y, look);
         }
     }
     figure
-}
-
-/// A closed line.
-fn outline(min: Vec2, max: Vec2) -> Ink {
-    Ink::Line { points: vec![min, Vec2::new(max.x, min.y), max, Vec2::new(min.x, max.y), min] }
-}
-
-/// The scale of colours in numbers, beside it how many rays cost as much.
-fn legend(figure: &mut Figure, maps: &Maps, map: &Map, most: u32, corner: Vec2, high: f32, look: &Look) {
-    let (u, small) = (look.text, look.small());
-    let bar = Vec2::new(u * 0.9, high - u * 2.6);
-    let top = corner + Vec2::new(0.0, u * 0.6);
-    let steps = 64;
-    let rgba: Arc<[u8]> = (0..steps)
-        .flat_map(|step| {
-            let along = 1.0 - (f64::from(step) + 0.5) / f64::from(steps);
-            let colorous::Color { r, g, b } = colorous::VIRIDIS.eval_continuous(along);
-            [r, g, b, 255]
-        })
-        .collect();
-    let image = Image { width: 1, height: steps, rgba };
-    figure.add(Role::Scene, None, Ink::Image { min: top, max: top + bar, image });
-    figure.add(Role::Edge, None, outline(top, top + bar));
-    // Rays that cost nothing have a swatch of their own.
-    let nothing = map.counts.contains(&0);
-    if nothing {
-        let corner = top + Vec2::new(0.0, bar.y + u * 0.6);
-        figure.add(Role::Edge, None, outline(corner, corner + Vec2::splat(bar.x)));
-        let at = corner + Vec2::new(bar.x + u * 0.5, bar.x * 0.5);
-        write(figure, Role::Quiet, None, at, "0", small, Face::Regular, Anchor::Start);
-    }
-    let at = |count: f64| top.y + bar.y * (1.0 - part(count, most) as f32);
-    let mut last = f32::INFINITY;
-    let round = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0, 5000.0, 10_000.0];
-    let marks = round.into_iter().filter(|count| *count < f64::from(most) / 1.4).chain([f64::from(most)]);
-    let widest = text_width(&most.to_string(), Face::Regular, small);
-    for count in marks {
-        let y = at(count);
-        if last - y < u * 1.1 && count < f64::from(most) {
-            continue;
-        }
-        last = y;
-        let tick = Vec2::new(top.x + bar.x, y);
-        figure.add(Role::Edge, None, line(tick, tick + Vec2::new(u * 0.25, 0.0)));
-        let words = tick + Vec2::new(u * 0.5, 0.0);
-        write(figure, Role::Quiet, None, words, &number(count as f32), small, Face::Regular, Anchor::Start);
-    }
-    let shares = map.shares(most);
-    let largest = shares.iter().copied().fold(0.0, f32::max).max(1e-6);
-    let left = top.x + bar.x + u * 1.0 + widest;
-    let room = u * 3.4;
-    let step = bar.y / BARS as f32;
-    for (index, share) in shares.iter().enumerate().filter(|(_, share)| **share > 0.0) {
-        let y = top.y + bar.y - step * (index as f32 + 1.0);
-        let size = Vec2::new((room * share / largest).max(1.0), step * 0.8);
-        figure.add(Role::Scene, None, block(Vec2::new(left, y), size, 0.0));
-    }
-    let under = Vec2::new(top.x, corner.y + high + u * 0.9);
-    let says = format!("{} per ray", maps.of);
-    write(figure, Role::Quiet, None, under, &says, small, Face::Regular, Anchor::Start);
-    let bars = Vec2::new(top.x, under.y + u * 1.3);
-    write(figure, Role::Quiet, None, bars, "bars: share of rays", small, Face::Regular, Anchor::Start);
 }

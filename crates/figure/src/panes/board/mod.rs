@@ -2,16 +2,18 @@
 //! from the beginning.
 
 mod chart;
+mod heat_scale;
 mod maps;
 mod meter;
 mod pictures;
+mod probe;
 mod table;
 
 use glam::Vec2;
 use raystep_accel::{CellId, Place};
 
 pub use chart::{Chart, Curve, Dot, Drawn, Scale};
-pub use maps::{Map, Maps};
+pub use maps::{Map, Maps, Pixel};
 pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};
@@ -64,7 +66,8 @@ fn place(entry: usize) -> Option<Place> {
 
 /// Letters that are small enough for all panels: what stands in the presenter's hall is large, but a table may not be cut.
 fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
-    let beside = wide && panels.len() > 1 && panels.iter().any(|panel| matches!(panel, Panel::Chart(_)));
+    // What follows a chart stands beside it; a chart that follows stands below.
+    let beside = wide && panels.len() > 1 && matches!(panels.first(), Some(Panel::Chart(_)));
     let (mut across, mut up) = (0.0_f32, 0.0_f32);
     for panel in panels {
         let [width, height] = match panel {
@@ -135,4 +138,30 @@ pub(crate) fn knobs(panels: &[Panel], ask: &Ask<'_>) -> Vec<KnobLine> {
         _ => None,
     });
     lines.flatten().collect()
+}
+
+/// The pixel of a heat map at a point of the board.
+pub(crate) fn pixel_at(panels: &[Panel], step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+    let filled = Filled { step, asks: ask.hide };
+    let (look, rooms) = layout(panels, ask);
+    panels.iter().zip(rooms).find_map(|(panel, [corner, room])| match panel {
+        Panel::Maps(maps) => maps.pixel_at(room, &look, point - corner, &|entry| filled.shows(entry)),
+        _ => None,
+    })
+}
+
+/// What lies over the board where a pixel of a heat map is pointed at.
+pub(crate) fn probe(panels: &[Panel], step: usize, ask: &Ask<'_>, pixel: &Pixel) -> Figure {
+    let mut figure = Figure::new(ask.size);
+    let filled = Filled { step, asks: ask.hide };
+    let (look, rooms) = layout(panels, ask);
+    for (panel, [corner, room]) in panels.iter().zip(rooms) {
+        if let Panel::Maps(maps) = panel
+            && maps.maps.iter().any(|map| map.entry == pixel.entry)
+        {
+            let part = probe::draw(maps, pixel, room, &look, &|entry| filled.shows(entry));
+            figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(corner)));
+        }
+    }
+    figure
 }

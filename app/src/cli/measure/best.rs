@@ -1,0 +1,111 @@
+//! `raystep measure --best`: which structure is best for a scene or a mesh?
+
+use indicatif::ProgressBar;
+use raystep_accel::Primitives;
+use raystep_figure::number;
+use serde::Serialize;
+
+use super::look::Shot;
+use super::{MeasureArguments, bar, table};
+use crate::cli::subject;
+use crate::counts::thousands;
+use crate::fault::Fault;
+use crate::rating::{Rated, rate, rays, rules, told};
+
+/// A structure as files hold it; times are left out unless they are asked for.
+#[derive(Serialize)]
+struct Record {
+    structure: &'static str,
+    rule: String,
+    rays: u64,
+    tests_per_ray: f64,
+    visits_per_ray: f64,
+    boxes_per_ray: f64,
+    nodes: u64,
+    bytes: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    build_ms: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ray_us: Option<f64>,
+}
+
+/// Measures all structures, and says what was found.
+pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
+    let scene = match &arguments.mesh {
+        Some(path) => subject::mesh(path)?,
+        None => subject::named(&arguments.scene)?,
+    };
+    if scene.flat {
+        return Err(Fault::new(format!(
+            "{} is flat: rays through a picture would fall onto it from above; name a solid scene or a mesh",
+            scene.name
+        )));
+    }
+    let shot = Shot::of(&scene, arguments.camera, arguments.size, false);
+    let pixels: glam::Vec2 = shot.size.into();
+    let wrong = |error: raystep_accel::RayError| Fault::new(format!("the camera shoots no rays: {error}"));
+    let rays = rays(&shot.camera, [pixels.x as u32, pixels.y as u32]).map_err(wrong)?;
+    let rules = rules();
+    let bar: ProgressBar = bar(rules.len() as u64, "structures");
+    let mut rated = Vec::new();
+    for rule in &rules {
+        rated.extend(rate(&scene, rule, &rays, &|| true));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let records: Vec<Record> = rated.iter().map(|rated| record(rated, arguments.times)).collect();
+    match (arguments.json, arguments.csv) {
+        (true, _) => table::to_json(&records),
+        (_, true) => table::to_csv(records.iter()),
+        _ => {
+            let about = format!(
+                "{}: {} primitives; {} rays, one for each pixel of a picture of {}. Brute force is asked by every n-th.\n",
+                scene.name,
+                thousands(scene.prims.len() as u64),
+                thousands(rays.len() as u64),
+                shot.size
+            );
+            Ok(about + &text(&rated, arguments.times))
+        }
+    }
+}
+
+fn record(rated: &Rated, times: bool) -> Record {
+    let parameters: String = rated.rule.parameters().iter().map(|p| format!(" {}={}", p.key, p.value)).collect();
+    Record {
+        structure: rated.rule.kind(),
+        rule: format!("{}{parameters}", rated.rule.kind()),
+        rays: rated.rays,
+        tests_per_ray: rated.tests,
+        visits_per_ray: rated.visits,
+        boxes_per_ray: rated.boxes,
+        nodes: rated.nodes,
+        bytes: rated.bytes,
+        build_ms: times.then_some(rated.build_ms),
+        ray_us: times.then_some(rated.ray_us),
+    }
+}
+
+/// The table, then a sentence for each.
+fn text(rated: &[Rated], times: bool) -> String {
+    let heads = ["tests/ray", "visits/ray", "boxes/ray", "nodes, cells", "bytes"];
+    let mut page = format!("\n{:<14}{}", "structure", heads.map(|head| format!(" {head:>14}")).concat());
+    if times {
+        page += &format!(" {:>12} {:>12}", "build ms", "one ray, us");
+    }
+    page.push('\n');
+    for rated in rated {
+        let [tests, visits, boxes] = [rated.tests, rated.visits, rated.boxes].map(|value| format!("{value:.2}"));
+        let cells = [tests, visits, boxes, thousands(rated.nodes), thousands(rated.bytes)];
+        page += &format!("{:<14}{}", rated.name, cells.map(|cell| format!(" {cell:>14}")).concat());
+        if times {
+            page += &format!(" {:>12} {:>12}", number(rated.build_ms as f32), number(rated.ray_us as f32));
+        }
+        page.push('\n');
+    }
+    page.push('\n');
+    for sentence in told(rated, times) {
+        page += &format!("{sentence}\n");
+    }
+    page + "\nLess is better in every column. Steps are visits (nodes or cells entered) and boxes (volumes tested) together.\n"
+}

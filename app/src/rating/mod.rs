@@ -1,0 +1,10 @@
+//! Which structure is best? All of them over one scene and the same rays: what each costs, in a table, a chart and a
+//! sentence.
+
+mod drawn;
+mod measure;
+mod told;
+
+pub(crate) use drawn::Rating;
+pub(crate) use measure::{Rated, rate, rays, rules};
+pub(crate) use told::told;

@@ -1,0 +1,188 @@
+//! Heat maps of any structure over any solid scene: what each ray of a camera costs, pixel by pixel.
+
+use std::sync::Arc;
+
+use glam::Vec2;
+use rayon::prelude::*;
+use raystep_accel::{Accel, Cost, Ray, RayError, Reveal, Structure};
+use raystep_figure::{Board, Camera, Instant, Map, Maps, Panel, Pixel, Reel};
+use raystep_lesson::Column;
+use raystep_scene::Scene;
+
+use super::board::counted;
+
+/// What a heat map is to show.
+#[derive(Clone, Debug)]
+pub(crate) struct Wish {
+    /// What is hit.
+    pub(crate) scene: Arc<Scene>,
+    /// Through what, each with a name: a map for each, all on one scale.
+    pub(crate) structures: Vec<(String, Arc<Structure>)>,
+    /// What is counted.
+    pub(crate) of: Column,
+    /// From where.
+    pub(crate) camera: Camera,
+    /// Width and height of the picture in points.
+    pub(crate) size: Vec2,
+}
+
+/// A heat map that was counted.
+#[derive(Debug)]
+pub(crate) struct Heated {
+    /// What it shows.
+    pub(crate) wish: Wish,
+    /// Rays across and down.
+    pub(crate) rays: [u32; 2],
+    panels: [Panel; 1],
+    events: Vec<Reveal>,
+    names: Vec<String>,
+}
+
+impl Wish {
+    /// Whether both show the same.
+    pub(crate) fn is_same(&self, other: &Wish) -> bool {
+        let same =
+            |(a, b): (&(String, Arc<Structure>), &(String, Arc<Structure>))| a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1);
+        self.structures.len() == other.structures.len()
+            && self.structures.iter().zip(&other.structures).all(same)
+            && Arc::ptr_eq(&self.scene, &other.scene)
+            && (self.of, self.camera, self.size) == (other.of, other.camera, other.size)
+    }
+
+    /// The ray through the middle of a pixel, where there are so many across and down.
+    ///
+    /// # Errors
+    /// The camera sees nothing: its eye lies at what it looks at.
+    pub(crate) fn ray(&self, [across, down]: [u32; 2], [x, y]: [u32; 2]) -> Result<Ray, RayError> {
+        let part = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / Vec2::new(across as f32, down as f32);
+        self.camera.ray(part * self.size, self.size)
+    }
+
+    /// Counts what so many rays across and down cost, row by row; nothing if `go_on` says so before a row.
+    pub(crate) fn count(self, rays: [u32; 2], go_on: &(dyn Fn() -> bool + Sync)) -> Option<Heated> {
+        let counts: Option<Vec<Vec<u32>>> =
+            self.structures.iter().map(|(_, structure)| self.count_one(structure, rays, go_on)).collect();
+        Some(Heated::of(self, rays, counts?))
+    }
+
+    fn count_one(&self, structure: &Structure, rays: [u32; 2], go_on: &(dyn Fn() -> bool + Sync)) -> Option<Vec<u32>> {
+        let one = |at: [u32; 2]| {
+            let mut cost = Cost::default();
+            // A camera that sees nothing shoots rays that cost nothing.
+            if let Ok(ray) = self.ray(rays, at) {
+                structure.intersect(&self.scene.prims, &ray, &mut cost);
+            }
+            u32::try_from(self.of.count(&cost)).unwrap_or(u32::MAX)
+        };
+        let row = |y: u32| go_on().then(|| (0..rays[0]).map(|x| one([x, y])).collect::<Vec<u32>>());
+        let rows: Option<Vec<Vec<u32>>> = (0..rays[1]).into_par_iter().map(row).collect();
+        Some(rows?.concat())
+    }
+}
+
+impl Heated {
+    fn of(wish: Wish, rays: [u32; 2], counts: Vec<Vec<u32>>) -> Heated {
+        let named = wish.structures.iter().zip(counts).enumerate();
+        let map = |(entry, ((name, _), counts)): (usize, (&(String, _), Vec<u32>))| Map {
+            entry,
+            name: name.clone(),
+            size: rays,
+            counts,
+        };
+        let maps: Vec<Map> = named.map(map).collect();
+        let title = format!("{} per ray", capital(counted(wish.of)));
+        let about = format!("{}, a ray for each of {} × {} pixels", wish.scene.title, rays[0], rays[1]);
+        let maps = Maps::new(title, about, counted(wish.of).to_owned(), maps);
+        let event = |map: &Map| {
+            let all = map.counts.iter().map(|count| f64::from(*count));
+            let mean = (all.clone().sum::<f64>() / map.counts.len().max(1) as f64) as f32;
+            let least = all.clone().fold(f64::INFINITY, f64::min) as f32;
+            Reveal::Map { entry: map.entry as u32, mean, least, most: all.fold(0.0, f64::max) as f32 }
+        };
+        let events = maps.maps.iter().map(event).collect();
+        let names = maps.maps.iter().map(|map| map.name.clone()).collect();
+        Heated { wish, rays, panels: [Panel::Maps(maps)], events, names }
+    }
+
+    /// The maps, to be drawn as those of a board are.
+    pub(crate) fn reel(&self) -> Reel<'_> {
+        Reel::new(Board { panels: &self.panels, events: &self.events, names: &self.names })
+    }
+
+    /// All of them to be seen.
+    pub(crate) fn instant(&self) -> Instant {
+        self.reel().at(self.events.len())
+    }
+
+    /// The maps.
+    pub(crate) fn maps(&self) -> Option<&Maps> {
+        match &self.panels {
+            [Panel::Maps(maps)] => Some(maps),
+            _ => None,
+        }
+    }
+
+    /// The ray of a pixel.
+    pub(crate) fn ray_of(&self, pixel: &Pixel) -> Option<Ray> {
+        self.wish.ray(pixel.size, pixel.at).ok()
+    }
+}
+
+/// What a pixel says in a sentence: its number and its ray.
+pub(crate) fn sentence(count: u32, of: Column, ray: &Ray) -> String {
+    let [o, d] = [ray.o, ray.d].map(|v| {
+        let [x, y, z] = v.to_array().map(raystep_figure::number);
+        format!("({x}, {y}, {z})")
+    });
+    format!("{count} {} on the ray from {o} along {d}.", counted(of))
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use raystep_accel::Rule;
+
+    use super::*;
+
+    fn wish(kind: &str, of: Column) -> Wish {
+        let scene = Scene::named("teapot:3x3").unwrap();
+        let structure = Structure::build(&scene.prims, &Rule::default_for(kind).unwrap(), &mut ()).unwrap();
+        let view = scene.close_view();
+        let camera = Camera::Solid { eye: view.eye, target: view.target, up: view.up, fov_degrees: view.fov_degrees };
+        let structures = vec![(kind.to_owned(), Arc::new(structure))];
+        Wish { scene: Arc::new(scene), structures, of, camera, size: Vec2::new(60.0, 40.0) }
+    }
+
+    #[test]
+    fn a_pixel_is_what_its_ray_costs() {
+        for (kind, of) in
+            [("kd", Column::Tests), ("bvh", Column::Boxes), ("grid", Column::Visits), ("list", Column::Tests)]
+        {
+            let heated = wish(kind, of).count([30, 20], &|| true).unwrap();
+            let maps = heated.maps().unwrap();
+            let mut different = false;
+            for (index, count) in maps.maps[0].counts.iter().enumerate() {
+                let at = [index as u32 % 30, index as u32 / 30];
+                let ray = heated.ray_of(&Pixel { entry: 0, at, size: [30, 20], count: *count }).unwrap();
+                let mut cost = Cost::default();
+                heated.wish.structures[0].1.intersect(&heated.wish.scene.prims, &ray, &mut cost);
+                assert_eq!(u64::from(*count), of.count(&cost), "{kind} at {at:?}");
+                different |= *count != maps.maps[0].counts[0];
+            }
+            assert_eq!(
+                different,
+                kind != "list",
+                "{kind}: brute force costs the same everywhere, and nothing else does"
+            );
+        }
+    }
+
+    #[test]
+    fn counting_is_given_up_before_a_row() {
+        assert!(wish("kd", Column::Tests).count([30, 20], &|| false).is_none());
+    }
+}
