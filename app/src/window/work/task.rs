@@ -71,6 +71,8 @@ impl Task {
         let (name, unit) = (&self.name, self.unit);
         match (self.done.load(Ordering::Relaxed), self.of.load(Ordering::Relaxed)) {
             (0, 0) => name.clone(),
+            // Nobody asks how many of what.
+            (_, 0) if unit.is_empty() => name.clone(),
             (done, 0) => format!("{name}: {} {unit}", thousands(u64::from(done))),
             (done, of) => format!("{name}: {} of {of} {unit}", done.min(of)),
         }
@@ -85,6 +87,9 @@ mod tests {
     fn a_task_says_how_far_it_is() {
         let task = Task::new("Writing", "pictures");
         assert_eq!(task.says(), "Writing");
+        let uncounted = Task::new("Measuring", "");
+        uncounted.reach(3);
+        assert_eq!(uncounted.says(), "Measuring");
         task.reach(3);
         assert_eq!((task.says().as_str(), task.part()), ("Writing: 3 pictures", None));
         task.reach(1_203_004);
