@@ -40,7 +40,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
         role: match column {
             Column::Printed | Column::Nodes | Column::Bytes => Role::Text,
             Column::Total => Role::Quiet,
-            Column::Computed | Column::Visits | Column::Boxes => Role::Value,
+            Column::Computed | Column::Visits | Column::Boxes | Column::Alive => Role::Value,
             Column::Tests => Role::Missed,
         },
         given: matches!(column, Column::Printed | Column::Total),
@@ -76,6 +76,8 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Visits | Column::Boxes | Column::Nodes if measured.nodes == 0 => "\u{2013}".to_owned(),
         Column::Visits => digits(measured.visits),
         Column::Boxes => digits(measured.boxes),
+        Column::Alive if measured.alive.is_nan() => "\u{2013}".to_owned(),
+        Column::Alive => digits(measured.alive),
         Column::Bytes if measured.bytes == 0 => "\u{2013}".to_owned(),
         Column::Nodes => grouped(measured.nodes),
         Column::Bytes => grouped(measured.bytes),

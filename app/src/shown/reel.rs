@@ -8,7 +8,7 @@ use super::kind_name::kind_name;
 use std::sync::Arc;
 
 use raystep_accel::{Grow, Mistake, Place, Prims, Structure, Value};
-use raystep_figure::{Build, Fact, ListingLine, Nodes, Pane, Reel, Symbol, VolumeName, Walk, Walks, told};
+use raystep_figure::{Build, Fact, ListingLine, Nodes, PacketWalk, Pane, Reel, Symbol, VolumeName, Walk, Walks, told};
 use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
 /// What a play is shown as: the only place that knows which kind that is. `instead` is what a builder weighed where
@@ -24,6 +24,10 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>)
             Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, instead, flat })
         }
         Tape::Board(filled) => Reel::new(board(filled)),
+        Tape::Packet(packet) => {
+            let (rays, events, lost, alone) = (&packet.rays[..], &packet.events[..], packet.lost, &packet.costs[..]);
+            Reel::new(PacketWalk { structure, prims, nodes, rays, events, lost, alone, flat })
+        }
         Tape::Walks(walks) => Reel::new(side_by_side(walks, &all.abreast, prims, flat)),
     }
 }
@@ -51,6 +55,7 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
         Plays::Walk => "Before the walk: the ray has met nothing yet.",
         Plays::Build => "Before the build: the primitives lie there, and nothing is known of them yet.",
         Plays::Walks => "Before the walks: the ray has met nothing yet.",
+        Plays::Packet => "Before the walk: the rays have met nothing yet.",
         Plays::Board => "Nothing is filled in yet.",
     }
 }

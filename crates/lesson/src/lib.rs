@@ -21,6 +21,8 @@ mod library;
 mod limits;
 mod listing;
 mod offer;
+mod packet;
+mod packets;
 mod play;
 mod plays;
 mod problem;
@@ -37,7 +39,7 @@ mod walks;
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
 pub use board::{
-    Board, BoardTape, Cell, Chart, Column, Counted, Drawn, Formula, Map, Maps, Measured, Panel, Picture, Pictures,
+    Board, BoardTape, Cell, Chart, Column, Counted, Drawn, Formula, How, Map, Maps, Measured, Panel, Picture, Pictures,
     Rendered, Row, Scale, Stroke, Table,
 };
 pub use check::{check, check_file};
@@ -46,6 +48,7 @@ pub use facts::Facts;
 pub use library::Library;
 pub use listing::{Line, Listing};
 pub use offer::{Act, Offer};
+pub use packet::PacketTape;
 pub use play::{Built, Play, PlayError};
 pub use plays::Plays;
 pub use problem::{Problem, Spot};

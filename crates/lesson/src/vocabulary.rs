@@ -10,7 +10,8 @@ impl Plays {
     pub(crate) fn events(self) -> Vec<&'static str> {
         let mut known: Vec<&'static str> = Vec::new();
         for name in self.vocabulary().iter().flat_map(|(names, _)| names.iter().copied()) {
-            for word in [name.split('.').next().unwrap_or(name), name] {
+            let beginnings = name.match_indices('.').map(|(dot, _)| &name[..dot]);
+            for word in beginnings.chain([name]) {
                 if !known.contains(&word) {
                     known.push(word);
                 }
@@ -25,7 +26,13 @@ impl Plays {
         let mut variants =
             known.filter(|(known, _)| known.iter().any(|name| names(event, name))).map(|(_, fields)| *fields);
         let first = variants.next().unwrap_or_default();
-        variants.fold(first.to_vec(), |common, fields| common.into_iter().filter(|f| fields.contains(f)).collect())
+        let mut common =
+            variants.fold(first.to_vec(), |common, fields| common.into_iter().filter(|f| fields.contains(f)).collect());
+        // Whatever a packet does, it says who takes part.
+        if self == Plays::Packet {
+            common.push("lanes");
+        }
+        common
     }
 }
 

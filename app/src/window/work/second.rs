@@ -160,8 +160,13 @@ fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task)
                     build(scene, rule, Plays::Walk, None, task)?
                 }
             };
-            let none = || Failure::Wrong("A build has no ray to compare: go to a slide on which one walks.".to_owned());
-            playback.through(built).ok_or_else(none)
+            let none = match playback.play.tape.plays() {
+                Plays::Packet => {
+                    "Packets walk kd-trees, BSP trees and hierarchies of volumes: compare with one of these."
+                }
+                _ => "A build has no ray to compare: go to a slide on which one walks.",
+            };
+            playback.through(built).ok_or_else(|| Failure::Wrong(none.to_owned()))
         }
     }
 }

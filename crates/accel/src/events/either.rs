@@ -1,6 +1,6 @@
-//! An event of a walk, of a build or of a board, for whoever shows them all.
+//! An event of a walk, of a packet, of a build or of a board, for whoever shows them all.
 
-use super::{Grain, Grow, Place, Reveal, Value, Visit};
+use super::{Grain, Grow, PacketVisit, Place, Reveal, Value, Visit};
 
 /// Something that a walk or a builder did, or that came to be seen on a board.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,6 +11,8 @@ pub enum Event {
     Build(Grow),
     /// It came to be seen on a board.
     Board(Reveal),
+    /// The walk of a packet did it.
+    Packet(PacketVisit),
 }
 
 /// Asks whichever it is.
@@ -20,6 +22,7 @@ macro_rules! either {
             Event::Walk($inner) => $ask,
             Event::Build($inner) => $ask,
             Event::Board($inner) => $ask,
+            Event::Packet($inner) => $ask,
         }
     };
 }
@@ -53,6 +56,10 @@ impl Event {
 
     /// Whether flat scenes leave it out: builders of flat scenes do nothing across z.
     pub fn concerns_z(&self) -> bool {
-        matches!(self, Event::Walk(visit) if visit.concerns_z())
+        match self {
+            Event::Walk(visit) => visit.concerns_z(),
+            Event::Packet(visit) => visit.concerns_z(),
+            Event::Build(_) | Event::Board(_) => false,
+        }
     }
 }

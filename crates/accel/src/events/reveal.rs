@@ -8,7 +8,7 @@ vocabulary! {
     pub enum Reveal {
         /// A row of a table: tests per ray as printed, their printed total, what follows from other printed numbers,
         /// and what was measured here, a ray: tests of primitives, nodes or cells entered, volumes tested; then how
-        /// many nodes or cells the structure has, and how many bytes.
+        /// many nodes or cells the structure has, and how many bytes; of packets how many lanes took part in a visit.
         Row ["row"] {
             entry: u32,
             printed: f32,
@@ -19,6 +19,7 @@ vocabulary! {
             boxes: f32,
             nodes: f32,
             bytes: f32,
+            alive: f32,
         }
         /// A point of a chart.
         Point ["point"] { entry: u32, x: f32, y: f32 }

@@ -13,7 +13,7 @@ mod tape;
 pub use chart::{Chart, Drawn, Scale, Stroke};
 pub use formula::Formula;
 pub use maps::{Map, Maps};
-pub use measure::{Counted, Measured};
+pub use measure::{Counted, How, Measured};
 pub use panel::{Board, Panel};
 pub use picture::{Picture, Pictures, Rendered};
 pub use table::{Cell, Column, Row, Table};

@@ -41,9 +41,9 @@ impl BoardTape {
             let measured = match entry {
                 Entry::Row(row) => match &row.plan {
                     Some(plan) => match row.scene.as_deref().map(Scene::named) {
-                        Some(Ok(own)) => Measured::of(plan, &own, watch)?,
+                        Some(Ok(own)) => Measured::of(plan, row.how, &own, watch)?,
                         Some(Err(_)) => None,
-                        None => Measured::of(plan, scene, watch)?,
+                        None => Measured::of(plan, row.how, scene, watch)?,
                     },
                     None => None,
                 },
@@ -119,6 +119,7 @@ fn reveal(
                 boxes: here(|measured| measured.boxes),
                 nodes: here(|measured| measured.nodes as f64),
                 bytes: here(|measured| measured.bytes as f64),
+                alive: here(|measured| measured.alive),
             }
         }
         Entry::Drawn(drawn) => match &drawn.stroke {

@@ -1,12 +1,13 @@
 //! What events of walks and of builds have in common, and how views call them.
 
 pub(crate) mod grow;
+mod packet;
 mod reveal;
 pub(crate) mod visit;
 
 use std::borrow::Cow;
 
-use raystep_accel::{Event, Place, Value, Visit};
+use raystep_accel::{Event, PacketStep, PacketVisit, Place, Value, Visit};
 
 use crate::theme::Role;
 use crate::words::VolumeName;
@@ -72,6 +73,7 @@ impl Fact for Event {
             Event::Walk(visit) => visit.symbol(),
             Event::Build(grow) => grow.symbol(),
             Event::Board(reveal) => reveal.symbol(),
+            Event::Packet(visit) => visit.symbol(),
         }
     }
 
@@ -80,6 +82,7 @@ impl Fact for Event {
             Event::Walk(visit) => visit.short(volume),
             Event::Build(grow) => grow.short(volume),
             Event::Board(reveal) => reveal.short(volume),
+            Event::Packet(visit) => visit.short(volume),
         }
     }
 
@@ -88,6 +91,7 @@ impl Fact for Event {
             Event::Walk(visit) => visit.sentence(volume),
             Event::Build(grow) => grow.sentence(volume),
             Event::Board(reveal) => reveal.sentence(volume),
+            Event::Packet(visit) => visit.sentence(volume),
         }
     }
 }
@@ -145,7 +149,10 @@ pub fn short(event: &(impl Fact + ?Sized), volume: VolumeName) -> Cow<'static, s
 pub fn veiled(event: &Event) -> Event {
     match event {
         Event::Walk(event) => Event::Walk(veiled_visit(event)),
-        Event::Build(_) | Event::Board(_) => *event,
+        Event::Packet(PacketVisit { lanes, step: PacketStep::Lane(visit) }) => {
+            Event::Packet(PacketVisit { lanes: *lanes, step: PacketStep::Lane(veiled_visit(visit)) })
+        }
+        Event::Build(_) | Event::Board(_) | Event::Packet(_) => *event,
     }
 }
 
