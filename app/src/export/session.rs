@@ -6,7 +6,7 @@ use raystep_figure::{
     Ask, Camera, Figure, Look, Pane, Reel, Scenery, Still, Theme, VolumeName, close_up, inset_size, sentence,
     set_inset, short, stage as picture_of, told,
 };
-use raystep_lesson::{Medium, NamedRay, Play, Tape};
+use raystep_lesson::{Medium, NamedRay, Play, Plays, Tape};
 use raystep_print::{Plate, Record, Told, json, plate};
 
 use super::ground::Ground;
@@ -132,6 +132,12 @@ impl<'a> Session<'a> {
             }
             Tape::Build(build) => Told::Build(&build.events),
             Tape::Board(filled) => Told::Board(&filled.events),
+            Tape::Packet(packet) => Told::Packet {
+                name: self.ray.as_deref(),
+                rays: &packet.rays,
+                events: &packet.events,
+                found: &packet.found,
+            },
             Tape::Pairs(pairs) => Told::Pairs(&pairs.events),
             // The first of the walks: the others are the same ray's.
             Tape::Walks(walks) => match walks.walks.first() {
@@ -190,6 +196,7 @@ impl<'a> Session<'a> {
         let event = self.play.event(step);
         let (heading, caption) = self.said(event.as_ref(), step, beat);
         let about = match (&self.ray, &self.play.tape) {
+            (Some(ray), Tape::Packet(_)) => format!("{} · rays: {ray}", self.ground.about),
             (Some(ray), _) => format!("{} · ray: {ray}", self.ground.about),
             (None, Tape::Board(_) | Tape::Pairs(_)) => self.ground.about.clone(),
             (None, _) => format!("{} · how it is built", self.ground.about),
@@ -212,8 +219,10 @@ impl<'a> Session<'a> {
     /// The heading and the text of a step: a beat's if one stands here, else what the event says.
     fn said(&self, event: Option<&Event>, step: usize, beat: Option<usize>) -> (String, String) {
         let Some(event) = event else {
-            let says = self.ray.as_ref().map(|ray| format!("The ray **{ray}** is about to start."));
             let plays = self.play.tape.plays();
+            let what = if plays == Plays::Packet { "The rays" } else { "The ray" };
+            let is = if plays == Plays::Packet { "are" } else { "is" };
+            let says = self.ray.as_ref().map(|ray| format!("{what} **{ray}** {is} about to start."));
             return ("The beginning".to_owned(), says.unwrap_or_else(|| beginning(plays).to_owned()));
         };
         let here = |beat: &usize| self.step_of(*beat) == Some(step);

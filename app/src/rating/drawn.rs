@@ -42,6 +42,7 @@ impl Rating {
             area: f32::NAN,
             cuts: f32::NAN,
             vain: f32::NAN,
+            alive: f32::NAN,
         };
         let events = rated.iter().enumerate().map(event).collect();
         Rating { panels, events, names: rated.iter().map(|rated| rated.name.clone()).collect() }

@@ -132,7 +132,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
         role: match column {
             Column::Printed | Column::Nodes | Column::Bytes => Role::Text,
             Column::Total => Role::Quiet,
-            Column::Computed | Column::Visits | Column::Boxes | Column::Cuts => Role::Value,
+            Column::Computed | Column::Visits | Column::Boxes | Column::Cuts | Column::Alive => Role::Value,
             Column::Content | Column::Area => Role::Text,
             Column::Tests | Column::Vain => Role::Missed,
         },
@@ -172,6 +172,8 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Visits | Column::Boxes | Column::Nodes if measured.nodes == 0 => "\u{2013}".to_owned(),
         Column::Visits => digits(measured.visits),
         Column::Boxes => digits(measured.boxes),
+        Column::Alive if measured.alive.is_nan() => "\u{2013}".to_owned(),
+        Column::Alive => digits(measured.alive),
         Column::Bytes if measured.bytes == 0 => "\u{2013}".to_owned(),
         Column::Nodes => thousands(measured.nodes),
         Column::Bytes => thousands(measured.bytes),

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Accel, Cost, Event, Grow, Hit, Mistake, NodeId, Ray, Rule, Structure, Trace, Visit};
+use raystep_accel::{
+    Accel, Cost, Event, Fill, Grow, Hit, Mistake, NodeId, Packet, Ray, Rule, Structure, Trace, Visit, Want,
+};
 use raystep_figure::{Film, Instant, Reel};
-use raystep_lesson::{BuildTape, Care, Choice, Play, Plays, Slide, Stage, Tape, WalkTape, WalksTape};
+use raystep_lesson::{BuildTape, Care, Choice, PacketTape, Play, Plays, Slide, Stage, Tape, WalkTape, WalksTape};
 use raystep_scene::Scene;
 
 use super::all_nodes::AllNodes;
@@ -98,8 +100,13 @@ impl Playback {
         };
         let film = Film::new(&reel(&play, &nodes, None));
         let reached = reached(&play.tape);
-        // Only walks go wrong.
-        let mistakes = Mistake::of_kind(rule.kind()).filter(|_| play.tape.plays() == Plays::Walk).collect();
+        // Only walks go wrong, those of packets in their own way.
+        let made_here = |mistake: &Mistake| match play.tape.plays() {
+            Plays::Walk => !mistake.is_of_packets(),
+            Plays::Packet => mistake.is_of_packets(),
+            Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs => false,
+        };
+        let mistakes = Mistake::of_kind(rule.kind()).filter(made_here).collect();
         let (kind, posed) = (Beside::Nothing, Vec::new());
         let instead = None;
         let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached, instead };
@@ -115,9 +122,21 @@ impl Playback {
     /// The same ray through the same structure with a mistake made.
     pub fn mistaken(&self, index: usize) -> Option<Playback> {
         let (mistake, ray) = (*self.mistakes.get(index)?, self.play.tape.ray()?);
-        let mut tape = Trace::new(MOST);
-        let hit = mistake.walk(&self.play.structure, &self.play.scene.prims, &ray, &mut tape);
-        let tape = Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit });
+        let (structure, prims) = (&self.play.structure, &self.play.scene.prims);
+        let tape = match &self.play.tape {
+            Tape::Packet(right) => {
+                let mut tape = Trace::new(MOST);
+                let found = mistake.walk_packet(structure, prims, Packet::of(&right.rays)?, &mut tape)?;
+                let found = found[..right.rays.len()].to_vec();
+                let right = PacketTape::clone(right);
+                Tape::Packet(Arc::new(PacketTape { events: tape.events, lost: tape.lost, found, ..right }))
+            }
+            _ => {
+                let mut tape = Trace::new(MOST);
+                let hit = mistake.walk(structure, prims, &ray, &mut tape);
+                Tape::Walk(WalkTape { ray, events: tape.events, lost: tape.lost, hit })
+            }
+        };
         let play = Play::new(self.play.scene.clone(), self.play.structure.clone(), tape, &[]);
         Some(self.aside(play, self.rule, self.nodes.clone(), Beside::Mistake(index)))
     }
@@ -126,6 +145,13 @@ impl Playback {
     pub fn shows(&self, index: usize, ray: &Ray) -> bool {
         let Some(mistake) = self.mistakes.get(index) else { return false };
         let (structure, prims) = (&self.play.structure, &self.play.scene.prims);
+        if let Tape::Packet(packet) = &self.play.tape {
+            let rays = packet.packet_of(*ray);
+            let Some(packet) = Packet::of(&rays) else { return false };
+            let (mut right, mut wrong) = (Fill::default(), Fill::default());
+            let answer = structure.walk_packet(prims, packet, Want::Nearest, &mut right);
+            return mistake.walk_packet(structure, prims, packet, &mut wrong) != answer || right != wrong;
+        }
         let (mut right, mut wrong) = (Cost::default(), Cost::default());
         let answer = structure.intersect(prims, ray, &mut right);
         mistake.walk(structure, prims, ray, &mut wrong) != answer || right != wrong
@@ -135,7 +161,15 @@ impl Playback {
     pub fn through(&self, built: Built) -> Option<Playback> {
         let Built { scene, rule, structure, nodes, seconds, .. } = built;
         let kind = Beside::Structure(rule.kind());
-        let tape = Tape::walk(&scene, &structure, self.play.tape.ray()?);
+        let ray = self.play.tape.ray()?;
+        let tape = match &self.play.tape {
+            Tape::Packet(packet) => {
+                let tape = packet.walk(&scene, &structure, ray);
+                // Not every structure is walked by packets.
+                (!tape.events.is_empty()).then(|| Tape::Packet(Arc::new(tape)))?
+            }
+            _ => Tape::walk(&scene, &structure, ray),
+        };
         let play = Play::new(scene, structure, tape, &[]);
         Some(Playback { seconds, ..self.aside(play, rule, nodes, kind) })
     }
@@ -243,7 +277,8 @@ impl Playback {
         self.reel().still(instant).cost()
     }
 
-    /// What a walk ends with: the answer's t and primitive, or nothing. A build has no answer.
+    /// What a walk ends with: the answer's t and primitive, or nothing; of a packet that of its first ray. A build has no
+    /// answer.
     pub fn answer(&self) -> Option<Option<Hit>> {
         match &self.play.tape {
             Tape::Walk(walk) => Some(walk.hit),
@@ -251,6 +286,7 @@ impl Playback {
                 Some(Tape::Walk(walk)) => Some(walk.hit),
                 _ => None,
             },
+            Tape::Packet(packet) => packet.found.first().copied(),
             Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) => None,
         }
     }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use raystep_accel::{Grow, Mistake, Place, Prims, Structure, Value};
 use raystep_figure::{
-    Board, Build, Fact, ListingLine, Nodes, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told,
+    Board, Build, Fact, ListingLine, Nodes, PacketWalk, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told,
 };
 use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
@@ -29,6 +29,10 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>)
             None => Board { panels: &[], events: &filled.events, names: &[] },
         }),
         Tape::Pairs(pairs) => Reel::new(Pairs { cases: &pairs.cases, events: &pairs.events }),
+        Tape::Packet(packet) => {
+            let (rays, events, lost, alone) = (&packet.rays[..], &packet.events[..], packet.lost, &packet.costs[..]);
+            Reel::new(PacketWalk { structure, prims, nodes, rays, events, lost, alone, flat })
+        }
         Tape::Walks(walks) => Reel::new(side_by_side(walks, &all.abreast, prims, flat)),
     }
 }
@@ -56,6 +60,7 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
         Plays::Walk => "Before the walk: the ray has met nothing yet.",
         Plays::Build => "Before the build: the primitives lie there, and nothing is known of them yet.",
         Plays::Walks => "Before the walks: the ray has met nothing yet.",
+        Plays::Packet => "Before the walk: the rays have met nothing yet.",
         Plays::Board => "Nothing is filled in yet.",
         Plays::Pairs => "Nothing is laid out yet.",
     }

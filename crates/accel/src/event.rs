@@ -1,6 +1,6 @@
-//! An event of a walk, of a build, of a board or of a pair of objects, for whoever shows them all.
+//! An event of a walk, of a packet, of a build, of a board or of a pair of objects, for whoever shows them all.
 
-use crate::{Grain, Grow, Place, Reveal, Trial, Value, Visit};
+use crate::{Grain, Grow, PacketVisit, Place, Reveal, Trial, Value, Visit};
 
 /// Something that a walk or a builder did, that came to be seen on a board, or that a test of two objects did.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub enum Event {
     Board(Reveal),
     /// A test of two objects did it.
     Pair(Trial),
+    /// The walk of a packet did it.
+    Packet(PacketVisit),
 }
 
 /// Asks whichever it is.
@@ -23,6 +25,7 @@ macro_rules! either {
             Event::Build($inner) => $ask,
             Event::Board($inner) => $ask,
             Event::Pair($inner) => $ask,
+            Event::Packet($inner) => $ask,
         }
     };
 }
@@ -56,6 +59,10 @@ impl Event {
 
     /// Whether flat scenes leave it out: builders of flat scenes do nothing across z.
     pub fn concerns_z(&self) -> bool {
-        matches!(self, Event::Walk(visit) if visit.concerns_z())
+        match self {
+            Event::Walk(visit) => visit.concerns_z(),
+            Event::Packet(visit) => visit.concerns_z(),
+            Event::Build(_) | Event::Board(_) | Event::Pair(_) => false,
+        }
     }
 }

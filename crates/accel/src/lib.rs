@@ -59,8 +59,8 @@ pub(crate) use common::around;
 pub use common::{Accel, Margin, Random};
 pub use event::Event;
 pub use events::{
-    Cancelled, CellId, Cost, Each, Ending, Grain, Grow, Lanes, LeafReason, NodeId, Observer, Place, PrimId, Probed,
-    Reveal, Side, Trace, Value, Verdict, Visit,
+    Abreast, Cancelled, CellId, Cost, Each, Ending, Grain, Grow, Lanes, LeafReason, NodeId, Observer, PacketStep,
+    PacketVisit, Place, PrimId, Probed, Reveal, Side, Trace, Value, Verdict, Visit,
 };
 pub use geometry::{Aabb, Axes, Axis, Direction, Interval, Measure, Obb, Ray, RayError, pinhole};
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
@@ -74,7 +74,7 @@ pub use objects::{
 };
 pub use octree::{Octree, Outside};
 pub use one_box::OneBox;
-pub use packet::{Abreast, Fill, Found, Packet, PacketStep, PacketVisit, WalkPackets, Width};
+pub use packet::{Fill, Found, Packet, WalkPackets, Width};
 pub use prims::{Best, Hit, Mesh, Primitives, Want, test};
 pub use rule::{
     Allowed, BspPlanes, BspRule, BvhBuilder, BvhOrder, BvhRule, BvhSplit, BvhVolume, ByHand, GridRule, HandCut, KdRule,

@@ -15,7 +15,7 @@ fn play(walk: impl Fn(&mut (Vec<Visit>, Cost)) -> Option<Hit>) -> (Option<Verdic
 
 /// The right walk and the mistaken one on the mistake's example.
 fn both(mistake: Mistake) -> [(Option<Verdict>, Option<Hit>, u64); 2] {
-    let Example { shapes, rule, ray } = mistake.example();
+    let Example { shapes, rule, ray, .. } = mistake.example();
     let prims = shapes.as_slice();
     assert_eq!(rule.kind(), mistake.kind());
     let structure = Structure::build(&prims, &rule, &mut ()).unwrap();
@@ -67,6 +67,32 @@ fn a_missing_order_or_cut_shows_in_the_cost() {
         assert_eq!(wrong.1, right.1, "{mistake:?}");
         assert_eq!((right.2, wrong.2), (1, 2), "{mistake:?}");
     }
+}
+
+#[test]
+fn a_packet_that_follows_most_of_its_rays_loses_a_hit() {
+    let Example { shapes, rule, ray, others } = Mistake::KdPacketMajority.example();
+    let (prims, rays) = (shapes.as_slice(), [&[ray], others.as_slice()].concat());
+    let tree = Structure::build(&prims, &rule, &mut ()).unwrap();
+    let packet = Packet::of(&rays).unwrap();
+    let right = tree.walk_packet(&prims, packet, Want::Nearest, &mut ()).unwrap();
+    for (ray, found) in rays.iter().zip(right) {
+        assert_eq!(found, List.intersect(&prims, ray, &mut ()));
+    }
+    let mut fill = Fill::default();
+    let wrong = Mistake::KdPacketMajority.walk_packet(&tree, &prims, packet, &mut fill).unwrap();
+    assert_eq!((rounded(right[0]), rounded(wrong[0])), (hit(2.5, 0), None));
+    assert_eq!(right[1..], wrong[1..]);
+    // The root by all four, and the leaf at the right by three; the one at the left stays closed.
+    assert_eq!(fill, Fill { visits: 2, lane_visits: 7, lanes: 8 });
+    // What single rays do wrong no packet does.
+    assert_eq!(Mistake::KdAnyHit.walk_packet(&tree, &prims, packet, &mut ()), Some(right));
+}
+
+#[test]
+fn packets_have_room_for_one_to_sixteen_rays() {
+    let widths = [0, 1, 4, 5, 8, 9, 16, 17].map(|rays| Width::of(rays).map(Width::lanes));
+    assert_eq!(widths, [None, Some(4), Some(4), Some(8), Some(8), Some(16), Some(16), None]);
 }
 
 #[test]

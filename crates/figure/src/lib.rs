@@ -27,8 +27,8 @@ mod world;
 
 pub use kinds::{Board, Film, Guess, Instant, Kind, Pairs, Reel, Still, Walks};
 pub use moments::{
-    Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Taken, Tally,
-    Tested, Waiting, Walk, Weighed,
+    Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PacketMoment, PacketWalk, PrimTest, SlabCut, SlabTest,
+    Stepping, Taken, Tally, Tested, Waiting, Walk, Weighed,
 };
 pub use page::{Anchor, Figure, Image, Ink, Look, Mark, Motion, nothing};
 pub use panes::{

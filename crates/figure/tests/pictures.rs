@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 use raystep_accel::{Place, Structure};
-use raystep_figure::{Ask, Build, Depth, Figure, Form, Ink, Look, Nodes, Pane, Reel, Role, Space, Walk};
+use raystep_figure::{Ask, Build, Depth, Figure, Form, Ink, Look, Nodes, PacketWalk, Pane, Reel, Role, Space, Walk};
 use raystep_lesson::{Library, Play, Plays, Slide, Stage, Tape};
 
 /// Cells along a ray, in a grid within a cell too.
@@ -29,7 +29,7 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
             let built = stage.build(slide.plays).expect("a shipped stage");
             let nodes = Nodes::of(&built.structure);
             let rays: Vec<_> = match slide.plays {
-                Plays::Walk => stage.rays.iter().map(|ray| Some(ray.ray)).collect(),
+                Plays::Walk | Plays::Packet => stage.rays.iter().map(|ray| Some(ray.ray)).collect(),
                 _ => vec![None],
             };
             for ray in rays {
@@ -49,6 +49,11 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
                         instead: None,
                         flat,
                     }),
+                    Tape::Packet(packet) => {
+                        let (rays, events, lost) = (&packet.rays[..], &packet.events[..], packet.lost);
+                        let alone = &packet.costs[..];
+                        Reel::new(PacketWalk { structure, prims, nodes: &nodes, rays, events, lost, alone, flat })
+                    }
                     Tape::Walks(_) | Tape::Board(_) | Tape::Pairs(_) => continue,
                 };
                 check(slide, stage, &play, &reel, &nodes);

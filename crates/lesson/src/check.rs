@@ -41,6 +41,9 @@ fn check_those(library: &Library, setter: Setter<'_>, wanted: impl Fn(&Slide) ->
     checker.problems
 }
 
+/// The kinds of structures that packets walk.
+pub(crate) const PACKET_KINDS: [&str; 3] = ["kd", "bsp", "bvh"];
+
 struct Checker<'a> {
     library: &'a Library,
     setter: Setter<'a>,
@@ -242,6 +245,11 @@ impl Checker<'_> {
                 }
             }
         }
+        if slide.plays == Plays::Packet && good && !PACKET_KINDS.contains(&stage.plan.kind.as_str()) {
+            let message = format!("packets do not walk a structure of the kind `{}`: ", stage.plan.kind);
+            self.say(slide, stage.plan.spot, message + &format!("they walk {}", listed(&PACKET_KINDS)));
+            good = false;
+        }
         if !good {
             return None;
         }
@@ -379,6 +387,10 @@ impl Checker<'_> {
             match right {
                 Value::Number(_) if crate::choices::is_cut(ask, event) => allowed.extend(crate::choices::CUTS),
                 Value::Place(_) | Value::Number(_) => allowed.extend(event.fields().iter().filter(alike)),
+                Value::Lanes(_) => {
+                    allowed.extend(crate::choices::LANES);
+                    allowed.extend(event.fields().iter().filter(alike));
+                }
                 Value::Count(_) if answer.parse::<u32>().is_ok() => continue,
                 Value::Count(_) => {
                     allowed.push("all");
@@ -433,18 +445,18 @@ impl Checker<'_> {
 /// What is built, in words: slides share it.
 fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     let settings: Vec<_> = plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
-    // A board measures what its own slide asks for, and walks have structures of their own.
+    // A board measures what its own slide asks for, walks have structures of their own, pairs and packets are the slide's.
     let own = stage.board.is_some() || !stage.abreast.is_empty() || !stage.pairs.is_empty();
-    let own = if own { slide.file.as_str() } else { "" };
+    let own = if own || slide.plays == Plays::Packet { slide.file.as_str() } else { "" };
     format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 
 /// The values of a fact of a beat, wherever in the play it is one.
 fn examples<'a>(beat: &'a Beat, fact: &'a str, play: &'a Play) -> impl Iterator<Item = Value> + 'a {
     let (event, field, count) = match fact.rsplit_once('.') {
-        Some(("count" | "beside.count", _)) => (None, "", Some(Value::Count(0))),
+        Some(("count" | "beside.count" | "alone.count", _)) => (None, "", Some(Value::Count(0))),
         // `count.slab.divide`: what is counted has a name of two words.
-        Some((event, _)) if event.starts_with("count.") || event.starts_with("beside.") => (None, "", None),
+        Some((event, _)) if ["count.", "beside.", "alone."].iter().any(|of| event.starts_with(of)) => (None, "", None),
         Some((event, field)) => (Some(event), field, None),
         None => (Some(beat.at.event.as_str()), fact, None),
     };

@@ -1,6 +1,6 @@
 //! The possible answers of a question, read off what is played.
 
-use raystep_accel::{Axis, Event, Grow, Place, Structure, Value, Visit};
+use raystep_accel::{Axis, Event, Grow, Lanes, Place, Structure, Value, Visit};
 
 use crate::{About, Ask, Choice, Play, Reason, Tape, names};
 
@@ -10,6 +10,13 @@ pub(crate) const CUTS: [&str; 2] = ["middle", "even"];
 
 /// How a slide writes that no walk has the fewest alone.
 pub(crate) const ALIKE: &str = "alike";
+
+/// The answers to the question which rays of a packet take part that are no fields of its event: those of this step,
+/// every ray that there is, those that the right answer leaves out.
+pub(crate) const LANES: [&str; 3] = ["lanes", "all", "rest"];
+
+/// Most answers of a question about rays: there are four keys.
+const LETTERS: usize = 4;
 
 /// As many answers as a question about a number offers.
 const NUMBERS: usize = 3;
@@ -37,8 +44,9 @@ impl Ask {
             Value::Place(_) => self.places(&event),
             Value::Number(_) => self.numbers(&event, right),
             Value::Count(count) => self.counts(play, &event, count),
-            // Only packets have lanes, and no play is one; boxes cannot be chosen from.
-            Value::Lanes(_) | Value::Box(_) => Vec::new(),
+            Value::Lanes(right) => self.lanes(play, &event, right),
+            // Boxes cannot be chosen from.
+            Value::Box(_) => Vec::new(),
         };
         let choice = |(answer, value): (String, Value)| Choice {
             label: self.label(&answer).or_else(|| side(&play.structure, &event, &value, play.scene.flat)),
@@ -213,6 +221,27 @@ impl Ask {
         }
         choices.sort_by(|a, b| number(&a.value).total_cmp(&number(&b.value)));
         choices
+    }
+
+    /// Which rays of a packet take part: the right ones, the others that the event names, all, and those left out. In the
+    /// order of their masks, which tells nothing.
+    fn lanes(&self, play: &Play, event: &Event, right: Lanes) -> Vec<(String, Value)> {
+        let About::Field(asked) = &self.about else { return Vec::new() };
+        let Tape::Packet(packet) = &play.tape else { return Vec::new() };
+        let there = Lanes::of(right.width(), |lane| lane < packet.rays.len());
+        let named = event.fields().iter().chain(&["lanes"]).filter_map(|field| match event.field(field) {
+            Some(Value::Lanes(lanes)) => Some(((*field).to_owned(), lanes)),
+            _ => None,
+        });
+        let rest = Lanes::of(right.width(), |lane| there.has(lane) && !right.has(lane));
+        let mut answers = vec![(asked.clone(), right)];
+        for (answer, lanes) in named.chain([("rest".to_owned(), rest), ("all".to_owned(), there)]) {
+            if answers.len() < LETTERS && !answers.iter().any(|(_, other)| *other == lanes) {
+                answers.push((answer, lanes));
+            }
+        }
+        answers.sort_by_key(|(_, lanes)| lanes.mask());
+        answers.into_iter().map(|(answer, lanes)| (answer, Value::Lanes(lanes))).collect()
     }
 
     /// The right count, those that the slide gives a reason for (a number, a field, an event of the walk,

@@ -157,6 +157,7 @@ pub(crate) fn number_of(value: &Value) -> Option<f64> {
     match *value {
         Value::Number(number) => Some(number.into()),
         Value::Count(count) => Some(count.into()),
+        Value::Lanes(lanes) => Some(lanes.count().into()),
         _ => None,
     }
 }

@@ -4,7 +4,7 @@ use raystep_accel::{Event, Value};
 
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{Play, StageKind, Tape, WalksTape, names};
+use crate::{Play, Plays, StageKind, Tape, WalksTape, names};
 
 /// What a slide can say at a step of what is played. Nothing in it comes from later steps.
 #[derive(Clone, Copy, Debug)]
@@ -35,14 +35,17 @@ impl<'a> Facts<'a> {
     }
 
     /// A fact by its name: `t` of this event, `plane.d` of the last such event before it, `count.test` of all
-    /// such events so far, `beside.count.test` of the play beside at its end, `Nx` of a board's meter. Nothing if that
-    /// never happened.
+    /// such events so far, `beside.count.test` of the play beside at its end, `alone.count.test` of the rays of a packet
+    /// one by one, `Nx` of a board's meter. Nothing if that never happened.
     pub fn field(&self, name: &str) -> Option<Value> {
         if let Some(name) = name.strip_prefix(BESIDE) {
             // Of the play beside everything has happened, its last event too.
             let tape = self.beside?;
             let event = tape.event(tape.len().checked_sub(1)?)?;
             return Facts { tape, beside: None, step: tape.len() + 1, event, stage: self.stage }.field(name);
+        }
+        if let (Tape::Packet(packet), Some(name)) = (self.tape, name.strip_prefix(ALONE)) {
+            return packet.count_alone(name.strip_prefix(COUNT)?).map(Value::Count);
         }
         if let (Tape::Walks(walks), Some((own, rest))) = (self.tape, name.split_once('.'))
             && let Some(walker) = walks.names().iter().position(|known| known == own)
@@ -80,6 +83,7 @@ impl<'a> Facts<'a> {
 
 const BESIDE: &str = "beside.";
 const COUNT: &str = "count.";
+const ALONE: &str = "alone.";
 
 /// Says so if there can be no such fact where a beat waits for `event`.
 pub(crate) fn check_fact(event: &str, name: &str, at: usize, reading: &mut Reading<'_>) {
@@ -91,6 +95,16 @@ pub(crate) fn check_fact(event: &str, name: &str, at: usize, reading: &mut Readi
         }
         None => (name, at),
     };
+    if let Some(name) = name.strip_prefix(ALONE).filter(|_| reading.plays == Plays::Packet) {
+        let at = at + ALONE.len();
+        match name.strip_prefix(COUNT) {
+            Some(counted) => {
+                check_event(counted, at + COUNT.len(), reading);
+            }
+            None => reading.problem(at, "of rays one by one only counts are known, as in `alone.count.enter`"),
+        }
+        return;
+    }
     let own = name.split_once('.').filter(|(own, _)| reading.abreast.iter().any(|known| known == own));
     let (name, at) = own.map_or((name, at), |(own, rest)| (rest, at + own.len() + 1));
     if let Some(counted) = name.strip_prefix(COUNT) {

@@ -9,7 +9,9 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
-use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, pairs, wait, walks};
+use crate::{
+    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, packets, pairs, wait, walks,
+};
 
 /// No tree is deeper.
 const LEVELS: f32 = 64.0;
@@ -60,7 +62,7 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     let listing = match reading.plays {
         // No algorithm runs on a board, and no one algorithm where several structures are walked.
         Plays::Board | Plays::Walks | Plays::Pairs => keys.get::<String>("listing", reading),
-        Plays::Walk | Plays::Build => keys.need::<String>("listing", reading),
+        Plays::Walk | Plays::Build | Plays::Packet => keys.need::<String>("listing", reading),
     };
     let (listing_at, listing) = listing.unwrap_or_default();
     let show = show(&mut keys, reading);
@@ -88,7 +90,7 @@ fn short_lines(message: &str) -> String {
 }
 
 /// Says so if a name is too long to be shown anywhere.
-fn check_length(what: &str, at: usize, text: &str, reading: &mut Reading<'_>) {
+pub(crate) fn check_length(what: &str, at: usize, text: &str, reading: &mut Reading<'_>) {
     let letters = text.chars().count();
     if letters > limits::TITLE {
         reading.problem(at, format!("{what} has {letters} letters: at most {} can be shown", limits::TITLE));
@@ -96,7 +98,7 @@ fn check_length(what: &str, at: usize, text: &str, reading: &mut Reading<'_>) {
 }
 
 /// Says so if a list is longer than anything that is read or played.
-fn check_count(what: &str, at: usize, count: usize, most: usize, reading: &mut Reading<'_>) -> bool {
+pub(crate) fn check_count(what: &str, at: usize, count: usize, most: usize, reading: &mut Reading<'_>) -> bool {
     let good = count <= most;
     if !good {
         reading.problem(at, format!("here are {count} {what}: at most {most} are allowed"));
@@ -212,6 +214,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     };
     let rays = match reading.plays {
         Plays::Walk | Plays::Walks => rays(keys, reading),
+        Plays::Packet => packets::read(keys, reading),
         Plays::Build | Plays::Board | Plays::Pairs => no_rays(keys, reading),
     };
     let board = (reading.plays == Plays::Board).then(|| Arc::new(board::read(keys, reading)));
@@ -355,11 +358,15 @@ fn ray(value: &Spanned<DeValue<'_>>, reading: &mut Reading<'_>) -> Option<NamedR
     let valid = raystep_accel::Ray::new(from, direction).and_then(|ray| ray.within(range[0], range[1]));
     let ray =
         valid.map_err(|error| reading.problem(direction_at, format!("the ray cannot be walked: {error}"))).ok()?;
-    let (promises_at, promises) = promises.unwrap_or_default();
-    check_count("promises", promises_at, promises.len(), limits::ENTRIES, reading);
-    let promises = promises.iter().take(limits::ENTRIES);
-    let promises = promises.filter_map(|text| wait::parse(text, promises_at, reading)).collect();
-    Some(NamedRay { name, ray, promises, spot: reading.spot(at), name_spot: reading.spot(name_at) })
+    let promises = self::promises(promises.unwrap_or_default(), reading);
+    let (others, spot, name_spot) = (Vec::new(), reading.spot(at), reading.spot(name_at));
+    Some(NamedRay { name, ray, others, promises, spot, name_spot })
+}
+
+/// Events that a walk must contain.
+pub(crate) fn promises((at, texts): At<Vec<String>>, reading: &mut Reading<'_>) -> Vec<wait::Wait> {
+    check_count("promises", at, texts.len(), limits::ENTRIES, reading);
+    texts.iter().take(limits::ENTRIES).filter_map(|text| wait::parse(text, at, reading)).collect()
 }
 
 /// A camera from which something can be seen.

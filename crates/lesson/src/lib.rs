@@ -21,6 +21,8 @@ mod library;
 mod limits;
 mod listing;
 mod offer;
+mod packet;
+mod packets;
 mod pairs;
 mod play;
 mod plays;
@@ -38,8 +40,8 @@ mod walks;
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
 pub use board::{
-    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Entry, Formula, Given, Map, Maps, Measured, Meter,
-    Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
+    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Entry, Formula, Given, How, Map, Maps, Measured,
+    Meter, Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
 };
 pub use check::{check, check_file};
 pub use condition::Condition;
@@ -47,6 +49,7 @@ pub use facts::Facts;
 pub use library::Library;
 pub use listing::{Line, Listing};
 pub use offer::{Act, Offer};
+pub use packet::PacketTape;
 pub use pairs::PairsTape;
 pub use play::{Built, Play, PlayError};
 pub use plays::Plays;

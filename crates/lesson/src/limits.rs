@@ -6,6 +6,8 @@ pub(crate) const BYTES: usize = 128 * 1024;
 pub(crate) const BEATS: usize = 64;
 /// Rays of a stage.
 pub(crate) const RAYS: usize = 32;
+/// Rays of a packet, the fewest and the most.
+pub(crate) const LANES: [usize; 2] = [2, 16];
 /// Promises of a ray, numbers of a slide, panes that it shows.
 pub(crate) const ENTRIES: usize = 32;
 /// Rows, points and lines of a board.

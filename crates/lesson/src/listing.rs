@@ -66,7 +66,8 @@ impl Listing {
     }
 }
 
-/// Whose algorithm it is: a walk's, a builder's or that of pairs, whichever knows most of the events that it names.
+/// Whose algorithm it is: a walk's, a packet's, a builder's or that of pairs, whichever knows most of the events that it
+/// names.
 fn whose(reading: &Reading<'_>) -> Plays {
     let labels = reading.lines().filter_map(|(_, line)| line.split_once(" | "));
     let words: Vec<&str> =
@@ -75,7 +76,8 @@ fn whose(reading: &Reading<'_>) -> Plays {
         let events = plays.events();
         words.iter().filter(|word| events.contains(word)).count()
     };
-    let others = [Plays::Build, Plays::Pairs];
+    // What a lane of a packet does goes by the names of walks.
+    let others = [Plays::Build, Plays::Pairs, Plays::Packet];
     others.into_iter().fold(Plays::Walk, |best, other| if known(other) > known(best) { other } else { best })
 }
 

@@ -8,7 +8,7 @@ use thiserror::Error;
 
 use crate::{Beat, Care, Plan, Plays, Stage, Tape};
 
-/// The walk of one ray through a structure, the building of one, or a board, beside the beats of a slide.
+/// The walk of one ray or of a packet through a structure, the building of one, or a board, beside the beats of a slide.
 #[derive(Clone, Debug)]
 pub struct Play {
     /// What the structure was built over.
@@ -30,7 +30,7 @@ pub struct Built {
     pub scene: Arc<Scene>,
     /// The structure.
     pub structure: Arc<Structure>,
-    /// What is played without a ray: how it was built, or a board.
+    /// What is played without a ray, or by more than one: how it was built, a board, packets.
     pub told: Option<Tape>,
 }
 
@@ -112,7 +112,7 @@ impl Built {
     /// What happens.
     fn tape(&self, ray: Option<Ray>) -> Option<Tape> {
         match (&self.told, ray) {
-            (Some(told), _) => Some(told.with_ray(&self.scene, ray)),
+            (Some(told), _) => Some(told.with_ray(&self.scene, &self.structure, ray)),
             (None, Some(ray)) => Some(Tape::walk(&self.scene, &self.structure, ray)),
             (None, None) => None,
         }

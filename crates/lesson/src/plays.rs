@@ -1,6 +1,7 @@
-//! What a slide plays: a ray's walk, the building of its structure, a board that is filled, or pairs of objects.
+//! What a slide plays: a ray's walk, that of several rays at once, the building of a structure, a board that is filled,
+//! or pairs of objects.
 
-use raystep_accel::{Grow, Reveal, Trial, Visit};
+use raystep_accel::{Grow, PacketVisit, Reveal, Trial, Visit};
 
 /// Names of events, each group with the fields that they have.
 type Vocabulary = &'static [(&'static [&'static str], &'static [&'static str])];
@@ -15,6 +16,8 @@ pub enum Plays {
     Build,
     /// A ray's walks through several structures, side by side.
     Walks,
+    /// The walk of several rays that go through the structure together.
+    Packet,
     /// The filling of tables and charts; there is no ray.
     Board,
     /// The tests of pairs of objects, one after the other; there is no structure.
@@ -23,11 +26,11 @@ pub enum Plays {
 
 impl Plays {
     /// All of them.
-    pub const ALL: [Plays; 5] = [Plays::Walk, Plays::Build, Plays::Walks, Plays::Board, Plays::Pairs];
+    pub const ALL: [Plays; 6] = [Plays::Walk, Plays::Build, Plays::Walks, Plays::Packet, Plays::Board, Plays::Pairs];
 
-    /// Whether a ray walks.
+    /// Whether a ray walks, alone or with others.
     pub fn has_rays(self) -> bool {
-        matches!(self, Plays::Walk | Plays::Walks)
+        matches!(self, Plays::Walk | Plays::Walks | Plays::Packet)
     }
 
     /// How a slide writes it, and what it is called.
@@ -36,6 +39,7 @@ impl Plays {
             Plays::Walk => "walk",
             Plays::Build => "build",
             Plays::Walks => "walks",
+            Plays::Packet => "packet",
             Plays::Board => "board",
             Plays::Pairs => "pairs",
         }
@@ -46,6 +50,7 @@ impl Plays {
         match self {
             Plays::Walk | Plays::Walks => Visit::NAMES,
             Plays::Build => Grow::NAMES,
+            Plays::Packet => PacketVisit::NAMES,
             Plays::Board => Reveal::NAMES,
             Plays::Pairs => Trial::NAMES,
         }

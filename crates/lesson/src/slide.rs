@@ -21,7 +21,7 @@ pub struct Slide {
     pub numbers: Vec<String>,
     /// What it is called.
     pub title: String,
-    /// A walk, a build or a board.
+    /// A walk, a packet, a build or a board.
     pub plays: Plays,
     /// The name of its listing.
     pub listing: String,
@@ -186,7 +186,8 @@ pub struct Stage {
     pub plan: Plan,
     /// Which structure plays beside, for its numbers on paper.
     pub beside: Option<Plan>,
-    /// Its rays, at least two, the first the slide's own; none where a build is played.
+    /// Its rays, at least two, the first the slide's own; none where a build is played. Where packets walk, the first ray
+    /// of each stands for it.
     pub rays: Vec<NamedRay>,
     /// The structures that a ray walks side by side, where that is played: two or three.
     pub abreast: Vec<Plan>,
@@ -274,6 +275,8 @@ pub struct NamedRay {
     /// The ray. Its direction has length one if the slide says `towards`, and stands as it is if it says
     /// `direction`.
     pub ray: Ray,
+    /// The rays that walk with it, where it is the first of a packet.
+    pub others: Vec<Ray>,
     /// Events that its walk must contain.
     pub promises: Vec<crate::Wait>,
     /// Where it stands in the file.

@@ -1,5 +1,5 @@
-//! What is played, event by event: a ray's walk, the building of the structure, a board that is filled, or pairs of
-//! objects that are tested.
+//! What is played, event by event: a ray's walk, a packet's, the building of the structure, a board that is filled, or
+//! pairs of objects that are tested.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::sync::Arc;
 use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Value, Visit};
 use raystep_scene::Scene;
 
-use crate::{BoardTape, Care, PairsTape, Plays, Stage, WalksTape, names};
+use crate::{BoardTape, Care, PacketTape, PairsTape, Plays, Stage, WalksTape, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -24,6 +24,8 @@ pub enum Tape {
     Build(Arc<BuildTape>),
     /// A ray walks through several structures.
     Walks(Arc<WalksTape>),
+    /// Several rays walk together.
+    Packet(Arc<PacketTape>),
     /// A board is filled.
     Board(Arc<BoardTape>),
     /// Pairs of objects are tested.
@@ -69,6 +71,7 @@ impl Tape {
             Tape::Walk(_) => Plays::Walk,
             Tape::Build(_) => Plays::Build,
             Tape::Walks(_) => Plays::Walks,
+            Tape::Packet(_) => Plays::Packet,
             Tape::Board(_) => Plays::Board,
             Tape::Pairs(_) => Plays::Pairs,
         }
@@ -80,6 +83,7 @@ impl Tape {
             Tape::Walk(walk) => walk.events.len(),
             Tape::Build(build) => build.events.len(),
             Tape::Walks(walks) => walks.order.len(),
+            Tape::Packet(packet) => packet.events.len(),
             Tape::Board(board) => board.events.len(),
             Tape::Pairs(pairs) => pairs.events.len(),
         }
@@ -96,6 +100,7 @@ impl Tape {
             Tape::Walk(walk) => walk.lost,
             Tape::Build(build) => build.lost.values().sum(),
             Tape::Walks(walks) => walks.walks.iter().map(Tape::lost).sum(),
+            Tape::Packet(packet) => packet.lost,
             Tape::Board(_) | Tape::Pairs(_) => 0,
         }
     }
@@ -109,6 +114,7 @@ impl Tape {
                 let (walker, index) = *walks.order.get(index)?;
                 walks.walks.get(walker)?.event(index)
             }
+            Tape::Packet(packet) => packet.events.get(index).copied().map(Event::Packet),
             Tape::Board(board) => board.events.get(index).copied().map(Event::Board),
             Tape::Pairs(pairs) => pairs.events.get(index).copied().map(Event::Pair),
         }
@@ -124,7 +130,7 @@ impl Tape {
         let kept = match self {
             Tape::Walk(walk) => walk.lost == 0,
             Tape::Build(build) => !build.lost.keys().any(|lost| names(name, lost)),
-            Tape::Walks(_) => self.lost() == 0,
+            Tape::Walks(_) | Tape::Packet(_) => self.lost() == 0,
             Tape::Board(_) | Tape::Pairs(_) => true,
         };
         let counted = || self.events().take(step).filter(|event| names(name, event.name())).count() as u32;
@@ -133,13 +139,18 @@ impl Tape {
 
     /// The same tape for whichever ray comes next, if it is more than one ray's walk.
     pub fn without_ray(&self) -> Option<Tape> {
-        (self.plays() != Plays::Walk).then(|| self.clone())
+        match self {
+            Tape::Walk(_) => None,
+            Tape::Packet(packet) => Some(Tape::Packet(Arc::new(packet.again()))),
+            Tape::Build(_) | Tape::Walks(_) | Tape::Board(_) | Tape::Pairs(_) => Some(self.clone()),
+        }
     }
 
     /// The tape once this ray walks.
-    pub(crate) fn with_ray(&self, scene: &Scene, ray: Option<Ray>) -> Tape {
+    pub(crate) fn with_ray(&self, scene: &Scene, structure: &Structure, ray: Option<Ray>) -> Tape {
         match (self, ray) {
             (Tape::Walks(walks), Some(ray)) => Tape::Walks(Arc::new(walks.walk(scene, ray))),
+            (Tape::Packet(packet), Some(ray)) => Tape::Packet(Arc::new(packet.walk(scene, structure, ray))),
             (tape, _) => tape.clone(),
         }
     }
@@ -171,11 +182,12 @@ impl Tape {
         }
     }
 
-    /// The ray that walks, if one does.
+    /// The ray that walks, if one does; of a packet the first.
     pub fn ray(&self) -> Option<Ray> {
         match self {
             Tape::Walk(walk) => Some(walk.ray),
             Tape::Walks(walks) => walks.walks.first()?.ray(),
+            Tape::Packet(packet) => packet.rays.first().copied(),
             Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) => None,
         }
     }
@@ -186,7 +198,7 @@ impl Tape {
     pub fn care(&self) -> Care {
         match self {
             Tape::Board(filled) => filled.care,
-            Tape::Walk(_) | Tape::Walks(_) | Tape::Build(_) | Tape::Pairs(_) => Care::Full,
+            Tape::Walk(_) | Tape::Walks(_) | Tape::Packet(_) | Tape::Build(_) | Tape::Pairs(_) => Care::Full,
         }
     }
 
@@ -221,7 +233,11 @@ impl Tape {
                 let pairs = Tape::Pairs(Arc::new(PairsTape::new(&stage.pairs, &[])));
                 Ok((Structure::build(&scene.prims, rule, watch)?, Some(pairs)))
             }
-            (Plays::Walk | Plays::Walks | Plays::Board | Plays::Pairs, _) => {
+            (Plays::Packet, Some(stage)) => {
+                let packets = PacketTape::of(PacketTape::packets_of(&stage.rays));
+                Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Packet(Arc::new(packets)))))
+            }
+            (Plays::Walk | Plays::Walks | Plays::Packet | Plays::Board | Plays::Pairs, _) => {
                 Ok((Structure::build(&scene.prims, rule, watch)?, None))
             }
         }

@@ -12,7 +12,8 @@ impl Plays {
     pub(crate) fn events(self) -> Vec<&'static str> {
         let mut known: Vec<&'static str> = Vec::new();
         for name in self.vocabulary().iter().flat_map(|(names, _)| names.iter().copied()) {
-            for word in [name.split('.').next().unwrap_or(name), name] {
+            let beginnings = name.match_indices('.').map(|(dot, _)| &name[..dot]);
+            for word in beginnings.chain([name]) {
                 if !known.contains(&word) {
                     known.push(word);
                 }
@@ -32,7 +33,12 @@ impl Plays {
             common.into_iter().filter(|f| fields.contains(f)).collect()
         });
         let others = fields.into_iter().filter(|field| !of_all.contains(field));
-        of_all.iter().copied().chain(others).collect()
+        let mut common: Vec<_> = of_all.iter().copied().chain(others).collect();
+        // Whatever a packet does, it says who takes part.
+        if self == Plays::Packet {
+            common.push("lanes");
+        }
+        common
     }
 }
 

@@ -89,7 +89,7 @@ pub(crate) fn says(value: &Value, text: &str) -> bool {
         Value::Count(count) => text.parse() == Ok(count),
         Value::Number(number) => text.parse() == Ok(number),
         Value::Place(place) => text == id_text(place),
-        Value::Lanes(lanes) => text == lanes.to_string(),
+        Value::Lanes(lanes) => text == lanes.to_string() || text.parse() == Ok(lanes.count()),
         Value::Box(_) => false,
     }
 }

@@ -1,6 +1,7 @@
-//! A walk, a build, a board or pairs as JSON, for other programs. `TRACE.md` beside this crate describes every key.
+//! A walk, a packet, a build, a board or pairs as JSON, for other programs. `TRACE.md` beside this crate describes every
+//! key.
 
-use raystep_accel::{Cost, Event, Grow, Hit, Observer, Place, Ray, Reveal, Trial, Value, Visit};
+use raystep_accel::{Cost, Event, Fill, Grow, Hit, Observer, PacketVisit, Place, Ray, Reveal, Trial, Value, Visit};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// What is written: what it is about, and what happened.
@@ -40,13 +41,24 @@ pub enum Told<'a> {
     },
     /// The structure was built.
     Build(&'a [Grow]),
+    /// Several rays walked together.
+    Packet {
+        /// What they are called together, if they have a name.
+        name: Option<&'a str>,
+        /// The rays, one a lane.
+        rays: &'a [Ray],
+        /// What they did, together and each for itself.
+        events: &'a [PacketVisit],
+        /// The answer of each.
+        found: &'a [Option<Hit>],
+    },
     /// A board was filled.
     Board(&'a [Reveal]),
     /// Pairs of objects were tested.
     Pairs(&'a [Trial]),
 }
 
-/// The walk, the build, the board or the pairs as JSON text, ending with a newline.
+/// The walk, the packet, the build, the board or the pairs as JSON text, ending with a newline.
 pub fn json(record: &Record<'_>) -> String {
     let structure =
         Built { kind: record.kind, parameters: Pairs(record.parameters), nodes: record.nodes, bytes: record.bytes };
@@ -64,17 +76,30 @@ pub fn json(record: &Record<'_>) -> String {
                 scene,
                 origin,
                 structure,
-                ray: Line {
-                    name,
-                    o: [0, 1, 2].map(|axis| Coordinate { seen: ray.o[axis], from: record.origin[axis] }),
-                    d: ray.d.to_array().map(Number),
-                    t_min: Number(ray.t_min),
-                    t_max: Number(ray.t_max),
-                },
-                hit: hit.map(|hit| Answer { t: Number(hit.t), prim: hit.prim.0 }),
+                ray: line(name, ray, record.origin),
+                hit: hit.map(answer),
                 cost: Counters(cost),
                 lost,
                 events: steps(events.iter().copied().map(Event::Walk)),
+            })
+        }
+        Told::Packet { name, rays, events, found } => {
+            let mut fill = Fill::default();
+            events.iter().for_each(|event| fill.on(*event));
+            text(&Abreast {
+                format: "raystep-packet",
+                version,
+                scene,
+                origin,
+                structure,
+                name,
+                rays: rays.iter().map(|ray| line(None, ray, record.origin)).collect(),
+                hits: found.iter().map(|found| found.map(answer)).collect(),
+                visits: fill.visits,
+                lane_visits: fill.lane_visits,
+                lanes: fill.lanes,
+                lost,
+                events: steps(events.iter().copied().map(Event::Packet)),
             })
         }
         Told::Build(events) => {
@@ -90,6 +115,20 @@ pub fn json(record: &Record<'_>) -> String {
             text(&Grown { format: "raystep-pairs", version, scene, origin, structure, lost, events })
         }
     }
+}
+
+fn line<'a>(name: Option<&'a str>, ray: &Ray, origin: [f64; 3]) -> Line<'a> {
+    Line {
+        name,
+        o: [0, 1, 2].map(|axis| Coordinate { seen: ray.o[axis], from: origin[axis] }),
+        d: ray.d.to_array().map(Number),
+        t_min: Number(ray.t_min),
+        t_max: Number(ray.t_max),
+    }
+}
+
+fn answer(hit: Hit) -> Answer {
+    Answer { t: Number(hit.t), prim: hit.prim.0 }
 }
 
 /// Only numbers, texts and maps with text keys: nothing that could fail.
@@ -112,6 +151,24 @@ struct Walked<'a> {
     ray: Line<'a>,
     hit: Option<Answer>,
     cost: Counters,
+    lost: u64,
+    events: Vec<Step>,
+}
+
+#[derive(serde::Serialize)]
+struct Abreast<'a> {
+    format: &'static str,
+    version: u32,
+    scene: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    origin: Option<[f64; 3]>,
+    structure: Built<'a>,
+    name: Option<&'a str>,
+    rays: Vec<Line<'a>>,
+    hits: Vec<Option<Answer>>,
+    visits: u64,
+    lane_visits: u64,
+    lanes: u64,
     lost: u64,
     events: Vec<Step>,
 }
@@ -222,6 +279,9 @@ impl Serialize for Step {
         map.serialize_entry("name", self.event.name())?;
         map.serialize_entry("grain", self.event.grain().word())?;
         map.serialize_entry("at", &Field(Value::Place(self.event.place())))?;
+        if let Event::Packet(visit) = self.event {
+            map.serialize_entry("lanes", &Field(Value::Lanes(visit.lanes)))?;
+        }
         for name in self.event.fields() {
             if let Some(value) = self.event.field(name).filter(|_| *name != "place") {
                 map.serialize_entry(name, &Field(value))?;

@@ -141,7 +141,9 @@ fn paint_shape(painter: &Painter, origin: Pos2, ink: &Ink, style: &Style) {
     let pattern = stroke.dash.pattern(stroke.width);
     let mut shapes = Vec::new();
     let path = outline::path(ink, origin);
-    Shape::dashed_line_many(&path, line, pattern[0], pattern[1], &mut shapes);
+    // Parts and gaps in turn.
+    let every = |first: usize| pattern.iter().skip(first).step_by(2).copied().collect::<Vec<f32>>();
+    Shape::dashed_line_many_with_offset(&path, line, &every(0), &every(1), 0.0, &mut shapes);
     painter.extend(shapes);
 }
 

@@ -74,7 +74,9 @@ fn stacked(
         if !has(kept, shown) {
             continue;
         }
-        let usual = height * part;
+        // What follows from what is shown is higher, and never so high that the walk disappears.
+        let own = kept.pictures.as_ref().and_then(|pictures| pictures.height(shown, &Look::WINDOW)).unwrap_or(0.0);
+        let usual = (height * part).max(own.min(height * 0.38));
         let panel = Panel::bottom(salt(name, *size, height))
             .frame(Frame::new())
             .resizable(true)

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::{Align2, Rect, Ui, pos2, vec2};
 use raystep_accel::{Aabb, Accel, Cost, Event, Place, Ray, Structure, Verdict, Visit};
 use raystep_figure::{Camera, Face, Look, Role, Still, axes};
+use raystep_lesson::{PacketTape, Tape};
 
 use super::abreast;
 use super::figure;
@@ -255,6 +256,9 @@ fn verdict(state: &State, beside: &Playback) -> Option<(String, Role)> {
         Some(hit) => format!("primitive {} at t = {}", hit.prim.0, raystep_figure::number(hit.t)),
         None => "no hit".to_owned(),
     };
+    if let (Tape::Packet(right), Tape::Packet(beside)) = (&right.play.tape, &beside.play.tape) {
+        return Some(packets_verdict(right, beside));
+    }
     let verdicts = (box_verdict(right), box_verdict(beside));
     let (answer, wrong) = (right.answer()?, beside.answer()?);
     let last = |playback: &Playback| playback.cost(playback.steps().last());
@@ -269,6 +273,21 @@ fn verdict(state: &State, beside: &Playback) -> Option<(String, Role)> {
         }
         _ => ("The same answer, with other work.".to_owned(), Role::Text),
     })
+}
+
+/// What a packet comes to that goes wrong: which of its rays have another answer.
+fn packets_verdict(right: &PacketTape, beside: &PacketTape) -> (String, Role) {
+    let differs = |(lane, (a, b)): (usize, _)| (a != b).then(|| (lane + 1).to_string());
+    let pairs = right.found.iter().zip(&beside.found);
+    let wrong: Vec<String> = pairs.enumerate().filter_map(differs).collect();
+    match wrong.as_slice() {
+        [] if right.events == beside.events => {
+            ("No difference for these rays: the same answers after the same work.".to_owned(), Role::Text)
+        }
+        [] => ("The same answers, with other work.".to_owned(), Role::Text),
+        [one] => (format!("Wrong: ray {one} has another answer."), Role::Wrong),
+        [most @ .., last] => (format!("Wrong: rays {} and {last} have other answers.", most.join(", ")), Role::Wrong),
+    }
 }
 
 /// Whether the last volume that was tested was met, where a walk tests nothing else.

@@ -177,7 +177,13 @@ fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task)
                     playback.abreast(others?, rivals)
                 }
             };
-            made.ok_or_else(no_ray)
+            made.ok_or_else(|| match playback.play.tape.plays() {
+                Plays::Packet => Failure::Wrong(
+                    "Packets walk kd-trees, BSP trees and hierarchies of volumes: compare with one of these."
+                        .to_owned(),
+                ),
+                _ => no_ray(),
+            })
         }
     }
 }

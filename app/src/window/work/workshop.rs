@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
-use raystep_lesson::{Board, Care, Library, Plan, Plays, Slide, Stage, Tape};
+use raystep_lesson::{Board, Care, Library, PacketTape, Plan, Plays, Slide, Stage, Tape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
@@ -265,7 +265,12 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
                 (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
-            build(scene, rule, slide.plays, Some(&stage), order.care, task)?
+            let built = build(scene, rule, slide.plays, Some(&stage), order.care, task)?;
+            match (slide.plays, example) {
+                // A mistake's own scene has rays of its own.
+                (Plays::Packet, Some(mistake)) => Built { told: Some(rays_of(*mistake)), ..built },
+                _ => built,
+            }
         }
     };
     let mesh = mesh(&order, &built.scene, task);
@@ -311,6 +316,13 @@ fn scene_of(mistake: Mistake) -> Scene {
     Scene { name, title, prims, flat: true, view, note: String::new(), origin: glam::DVec3::ZERO }
 }
 
+/// The rays with which a packet makes a mistake there.
+fn rays_of(mistake: Mistake) -> Tape {
+    let example = mistake.example();
+    let rays = [&[example.ray], example.others.as_slice()].concat();
+    Tape::Packet(Arc::new(PacketTape::of(vec![rays])))
+}
+
 /// Counts what a builder has settled and asks it to give up.
 struct Watch<'a>(&'a Task);
 
@@ -331,17 +343,18 @@ fn fits(built: &Built, view: &View, library: &Library) -> bool {
     let Some((slide, stage)) = slide_and_stage(view, library) else { return false };
     // How it was built is kept only where it is played, and a board is its own slide's.
     built.told.as_ref().map_or(Plays::Walk, Tape::plays) == slide.plays
-        && is_of(built.told.as_ref(), stage)
+        && (view.example.is_some() || is_of(built.told.as_ref(), stage))
         && is_over(built, view, library)
         && rule_of(view, stage, built.scene.flat).is_ok_and(|rule| rule == built.rule)
 }
 
-/// Whether a kept tape is no board's, or this stage's board's.
+/// Whether a kept tape is no board's, or this stage's board's; and its packets are the stage's.
 fn is_of(told: Option<&Tape>, stage: &Stage) -> bool {
     match told {
         Some(Tape::Board(filled)) => stage.board.as_ref() == Some(&filled.board),
         Some(Tape::Walks(walks)) => stage.abreast == walks.plans,
         Some(Tape::Pairs(pairs)) => stage.pairs == pairs.pairs,
+        Some(Tape::Packet(packet)) => PacketTape::packets_of(&stage.rays) == packet.packets,
         _ => true,
     }
 }
@@ -368,13 +381,15 @@ fn care_of(built: &Built) -> Care {
     built.told.as_ref().map_or(Care::Full, Tape::care)
 }
 
-/// What a kept structure has beside it: the board that it fills, the structures that are walked with it, the pairs.
-fn others(built: &Built) -> (Option<&Board>, &[Plan], &[u32]) {
+/// What a kept structure has beside it: the board that it fills, the structures that are walked with it, the pairs, the
+/// packets that walk it.
+fn others(built: &Built) -> (Option<&Board>, &[Plan], &[u32], &[Vec<Ray>]) {
     match &built.told {
-        Some(Tape::Board(filled)) => (Some(filled.board.as_ref()), &[], &[]),
-        Some(Tape::Walks(walks)) => (None, &walks.plans, &[]),
-        Some(Tape::Pairs(pairs)) => (None, &[], &pairs.pairs),
-        _ => (None, &[], &[]),
+        Some(Tape::Board(filled)) => (Some(filled.board.as_ref()), &[], &[], &[]),
+        Some(Tape::Walks(walks)) => (None, &walks.plans, &[], &[]),
+        Some(Tape::Pairs(pairs)) => (None, &[], &pairs.pairs, &[]),
+        Some(Tape::Packet(packet)) => (None, &[], &[], &packet.packets),
+        _ => (None, &[], &[], &[]),
     }
 }
 

@@ -1,5 +1,6 @@
-//! What is told: the events of walks, of builds and of boards, the places that they are about, and who listens.
+//! What is told: the events of walks, of packets, of builds and of boards, the places that they are about, and who listens.
 
+mod abreast;
 mod cost;
 mod grow;
 mod lanes;
@@ -11,6 +12,7 @@ mod value;
 mod visit;
 mod vocabulary;
 
+pub use abreast::{Abreast, PacketStep, PacketVisit};
 pub use cost::Cost;
 pub use grow::{Grow, LeafReason};
 pub use lanes::Lanes;

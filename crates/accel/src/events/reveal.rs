@@ -10,7 +10,7 @@ vocabulary! {
         /// and what was measured here, a ray: tests of primitives, nodes or cells entered, volumes tested; then how
         /// many nodes or cells the structure has, and how many bytes. Of a single volume around everything: how much room
         /// it encloses, its surface, how many cuts a test of it takes, its bytes, and the share of the rays that meet it
-        /// and nothing in it.
+        /// and nothing in it. Of packets how many lanes took part in a visit.
         Row ["row"] {
             entry: u32,
             printed: f32,
@@ -25,6 +25,7 @@ vocabulary! {
             area: f32,
             cuts: f32,
             vain: f32,
+            alive: f32,
         }
         /// A point of a chart.
         Point ["point"] { entry: u32, x: f32, y: f32 }

@@ -14,6 +14,8 @@ pub struct Example {
     pub rule: Rule,
     /// The ray.
     pub ray: Ray,
+    /// The rays that walk with it, if a packet makes the mistake.
+    pub others: Vec<Ray>,
 }
 
 impl Mistake {
@@ -53,8 +55,14 @@ impl Mistake {
                 let rule = Rule::Bvh(BvhRule { leaf_size: 1, ..BvhRule::default() });
                 (shapes, rule, ray([10.0, 1.0], [-1.0, 0.0]))
             }
+            // The plane x = 4: three rays rise right of it and miss, the first one left of it, where a disc is hit.
+            Mistake::KdPacketMajority => {
+                let shapes = vec![disc([2.0, 2.0], 0.5)];
+                (in_a_box([0.0, 0.0], [8.0, 4.0], shapes), one_plane(), ray([2.0, -1.0], [0.0, 1.0]))
+            }
         };
-        Example { shapes, rule: rule.flat(), ray }
+        let others = if self.is_of_packets() { [5.0, 6.0, 7.0].map(ray_up).to_vec() } else { Vec::new() };
+        Example { shapes, rule: rule.flat(), ray, others }
     }
 }
 
@@ -68,6 +76,10 @@ fn disc([x, y]: [f32; 2], radius: f32) -> Shape<'static> {
 
 fn ray([x, y]: [f32; 2], [dx, dy]: [f32; 2]) -> Ray {
     Ray::new(Vec3::new(x, y, 0.0), Vec3::new(dx, dy, 0.0)).expect("the examples' rays are finite")
+}
+
+fn ray_up(x: f32) -> Ray {
+    ray([x, -1.0], [0.0, 1.0])
 }
 
 /// Two short walls, in the lower left and the upper right corner, make the box of the scene a round one.

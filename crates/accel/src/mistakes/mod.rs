@@ -9,6 +9,7 @@ mod grid_forgets;
 mod grid_stops_early;
 mod kd_any_hit;
 mod kd_left_first;
+mod kd_packet_majority;
 mod slab_behind;
 mod slab_no_swap;
 mod slab_strict;
@@ -16,7 +17,7 @@ mod slab_strict;
 pub use example::Example;
 
 use crate::bvh::each;
-use crate::{Accel, Hit, Observer, Primitives, Ray, Structure, Visit};
+use crate::{Accel, Found, Hit, Observer, Packet, PacketVisit, Primitives, Ray, Structure, Visit, Want};
 
 /// A mistaken walk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -39,11 +40,13 @@ pub enum Mistake {
     BvhUnordered,
     /// The walk of boxes opens what lies behind the best hit.
     BvhNoCut,
+    /// The whole packet goes where most of its rays go.
+    KdPacketMajority,
 }
 
 impl Mistake {
     /// All of them, in the order of the lecture.
-    pub const ALL: [Mistake; 9] = [
+    pub const ALL: [Mistake; 10] = [
         Mistake::SlabNoSwap,
         Mistake::SlabStrict,
         Mistake::SlabBehind,
@@ -53,6 +56,7 @@ impl Mistake {
         Mistake::KdAnyHit,
         Mistake::BvhUnordered,
         Mistake::BvhNoCut,
+        Mistake::KdPacketMajority,
     ];
 
     /// Those that can be made in a structure of this kind.
@@ -65,7 +69,7 @@ impl Mistake {
         match self {
             Mistake::SlabNoSwap | Mistake::SlabStrict | Mistake::SlabBehind => "slab",
             Mistake::GridStopsEarly | Mistake::GridForgets => "grid",
-            Mistake::KdLeftFirst | Mistake::KdAnyHit => "kd",
+            Mistake::KdLeftFirst | Mistake::KdAnyHit | Mistake::KdPacketMajority => "kd",
             Mistake::BvhUnordered | Mistake::BvhNoCut => "bvh",
         }
     }
@@ -82,6 +86,7 @@ impl Mistake {
             Mistake::KdAnyHit => "kd-any-hit",
             Mistake::BvhUnordered => "bvh-unordered",
             Mistake::BvhNoCut => "bvh-no-cut",
+            Mistake::KdPacketMajority => "kd-packet-majority",
         }
     }
 
@@ -97,6 +102,7 @@ impl Mistake {
             Mistake::KdAnyHit => "Stop at the first leaf with a hit",
             Mistake::BvhUnordered => "Open the left child first",
             Mistake::BvhNoCut => "Open every box that is met",
+            Mistake::KdPacketMajority => "All go where most rays go",
         }
     }
 
@@ -112,6 +118,7 @@ impl Mistake {
             Mistake::KdAnyHit => ("pop", "return the hit, if there is one"),
             Mistake::BvhUnordered => ("split", "near ← the left child"),
             Mistake::BvhNoCut => ("drop", "open it, whatever t_best is"),
+            Mistake::KdPacketMajority => ("packet.push", "only if half of the rays or more need it"),
         }
     }
 
@@ -145,6 +152,31 @@ impl Mistake {
             Mistake::BvhNoCut => {
                 "The answer stays right, but boxes that begin behind the best hit are opened all the same."
             }
+            Mistake::KdPacketMajority => {
+                "A ray that goes another way than most never sees its side of the plane, and what it would hit there is lost."
+            }
+        }
+    }
+
+    /// Whether it is made in the walk of a packet; else in that of a single ray.
+    pub fn is_of_packets(self) -> bool {
+        self == Mistake::KdPacketMajority
+    }
+
+    /// The mistaken walk of a packet, in a structure that packets can walk. A mistake that a packet cannot make is not
+    /// made: the walk is right.
+    pub fn walk_packet(
+        self,
+        structure: &Structure,
+        prims: &impl Primitives,
+        packet: Packet<'_>,
+        watch: &mut impl Observer<PacketVisit>,
+    ) -> Option<Found> {
+        match (self, structure) {
+            (Mistake::KdPacketMajority, Structure::Kd(tree)) => {
+                Some(kd_packet_majority::walk(tree, prims, packet, watch))
+            }
+            _ => structure.walk_packet(prims, packet, Want::Nearest, watch),
         }
     }
 

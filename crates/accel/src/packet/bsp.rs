@@ -1,10 +1,10 @@
 //! A packet walks a kd-tree or a BSP tree: every lane splits its own interval.
 
 use super::walk::{Part, Walk};
-use super::{Found, Packet, PacketVisit, WalkPackets};
+use super::{Found, Packet, WalkPackets};
 use crate::bsp::{Node, Plane, PlaneTree, split};
 use crate::common::{Mailbox, Part as LanePart};
-use crate::{Accel, Lanes, List, NodeId, Observer, Primitives, Want};
+use crate::{Accel, Lanes, List, NodeId, Observer, PacketVisit, Primitives, Want};
 
 impl<N: Node> WalkPackets for PlaneTree<N> {
     fn walk_packet(

@@ -1,9 +1,9 @@
 //! A packet walks a hierarchy of volumes: a node is opened for the lanes that meet its volume.
 
 use super::walk::{Part, Walk};
-use super::{Found, Packet, PacketVisit, WalkPackets};
+use super::{Found, Packet, WalkPackets};
 use crate::bvh::{BvhWalk, each};
-use crate::{Accel, AnyBvh, Bvh, List, NodeId, Observer, Primitives, Volume, Want};
+use crate::{Accel, AnyBvh, Bvh, List, NodeId, Observer, PacketVisit, Primitives, Volume, Want};
 
 impl<V: Volume> WalkPackets for Bvh<V> {
     /// Always in order and with the early exit, whatever the rule says of single rays.

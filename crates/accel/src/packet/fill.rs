@@ -1,7 +1,6 @@
 //! How well a packet's lanes are used.
 
-use super::{Abreast, PacketStep, PacketVisit};
-use crate::Observer;
+use crate::{Abreast, Observer, PacketStep, PacketVisit};
 
 /// Counts visits and who takes part in them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

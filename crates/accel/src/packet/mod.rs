@@ -6,14 +6,12 @@
 mod bsp;
 mod bvh;
 mod fill;
-mod visit;
-mod walk;
+pub(crate) mod walk;
 
 pub use fill::Fill;
-pub use visit::{Abreast, PacketStep, PacketVisit};
 
 use crate::events::words;
-use crate::{Hit, Lanes, Observer, Primitives, Ray, Structure, Want};
+use crate::{Hit, Lanes, Observer, PacketVisit, Primitives, Ray, Structure, Want};
 
 words! {
     /// How many rays walk together.
@@ -32,6 +30,11 @@ impl Width {
     pub fn lanes(self) -> usize {
         4 << self as usize
     }
+
+    /// The narrowest packet in which so many rays find a lane each; nothing if they are too many, or none.
+    pub fn of(rays: usize) -> Option<Width> {
+        Width::ALL.iter().copied().find(|width| (1..=width.lanes()).contains(&rays))
+    }
 }
 
 /// Rays that walk together, one a lane.
@@ -45,6 +48,11 @@ impl<'a> Packet<'a> {
     /// The rays in packets, in order. In the last one some lanes may be left without a ray.
     pub fn all(rays: &'a [Ray], width: Width) -> impl Iterator<Item = Packet<'a>> {
         rays.chunks(width.lanes()).map(move |rays| Packet { rays, width })
+    }
+
+    /// These rays as one packet; nothing if they are none, or more than the widest packet takes.
+    pub fn of(rays: &'a [Ray]) -> Option<Packet<'a>> {
+        Width::of(rays.len()).map(|width| Packet { rays, width })
     }
 
     /// The rays, one a lane.

@@ -1,56 +1,59 @@
 //! What walks of packets have in common, whatever the tree.
 
-use super::{Abreast, Found, Packet, PacketStep, PacketVisit};
+use super::{Found, Packet};
 use crate::common::Mailbox;
-use crate::{Best, Interval, Lanes, NodeId, Observer, PrimId, Primitives, Ray, Visit, Want, test};
+use crate::{
+    Abreast, Best, Interval, Lanes, NodeId, Observer, PacketStep, PacketVisit, PrimId, Primitives, Ray, Visit, Want,
+    test,
+};
 
 const EMPTY: Interval = Interval { near: f32::INFINITY, far: f32::NEG_INFINITY };
 
 /// A node and, for every lane, the part of its ray that may lie in it: an empty one takes no part.
 #[derive(Clone, Copy)]
-pub(super) struct Part {
-    pub(super) node: NodeId,
-    pub(super) live: [Interval; Lanes::MOST],
+pub(crate) struct Part {
+    pub(crate) node: NodeId,
+    pub(crate) live: [Interval; Lanes::MOST],
 }
 
 impl Part {
     /// A node that no lane has come to yet.
-    pub(super) fn new(node: NodeId) -> Part {
+    pub(crate) fn new(node: NodeId) -> Part {
         Part { node, live: [EMPTY; Lanes::MOST] }
     }
 }
 
 /// A walk: the rays, what each has found, and the nodes that wait.
-pub(super) struct Walk<'a, P, W> {
-    pub(super) packet: Packet<'a>,
-    pub(super) prims: &'a P,
-    pub(super) best: [Best; Lanes::MOST],
+pub(crate) struct Walk<'a, P, W> {
+    pub(crate) packet: Packet<'a>,
+    pub(crate) prims: &'a P,
+    pub(crate) best: [Best; Lanes::MOST],
     stack: Vec<Part>,
     watch: &'a mut W,
 }
 
 impl<'a, P: Primitives, W: Observer<PacketVisit>> Walk<'a, P, W> {
-    pub(super) fn new(packet: Packet<'a>, prims: &'a P, want: Want, watch: &'a mut W) -> Walk<'a, P, W> {
+    pub(crate) fn new(packet: Packet<'a>, prims: &'a P, want: Want, watch: &'a mut W) -> Walk<'a, P, W> {
         Walk { packet, prims, best: [Best::new(want); Lanes::MOST], stack: Vec::new(), watch }
     }
 
     /// The lanes that have a ray.
-    pub(super) fn rays(&self) -> impl Iterator<Item = (usize, &'a Ray)> + use<'a, P, W> {
+    pub(crate) fn rays(&self) -> impl Iterator<Item = (usize, &'a Ray)> + use<'a, P, W> {
         self.packet.rays().iter().enumerate()
     }
 
     /// The lanes that take part, with their rays and their intervals.
-    pub(super) fn lanes(&self, here: &Part) -> impl Iterator<Item = (usize, &'a Ray, Interval)> + use<'a, P, W> {
+    pub(crate) fn lanes(&self, here: &Part) -> impl Iterator<Item = (usize, &'a Ray, Interval)> + use<'a, P, W> {
         let (lanes, live) = (self.taking_part(here), here.live);
         self.rays().filter(move |&(lane, _)| lanes.has(lane)).map(move |(lane, ray)| (lane, ray, live[lane]))
     }
 
     /// Tells what a single lane does.
-    pub(super) fn lane(&mut self, lane: usize) -> OneLane<'_, W> {
+    pub(crate) fn lane(&mut self, lane: usize) -> OneLane<'_, W> {
         OneLane { lanes: Lanes::one(self.packet.width(), lane), watch: self.watch }
     }
 
-    fn taking_part(&self, here: &Part) -> Lanes {
+    pub(crate) fn taking_part(&self, here: &Part) -> Lanes {
         Lanes::of(self.packet.width(), |lane| !here.live[lane].is_empty())
     }
 
@@ -59,17 +62,17 @@ impl<'a, P: Primitives, W: Observer<PacketVisit>> Walk<'a, P, W> {
     }
 
     /// The root, if any lane meets it.
-    pub(super) fn start(&self, root: Part) -> Option<Part> {
+    pub(crate) fn start(&self, root: Part) -> Option<Part> {
         (!self.taking_part(&root).is_empty()).then_some(root)
     }
 
     /// Enters a node, once for all its lanes.
-    pub(super) fn enter(&mut self, here: &Part, prims: u32, leaf: bool) {
+    pub(crate) fn enter(&mut self, here: &Part, prims: u32, leaf: bool) {
         self.tell(self.taking_part(here), Abreast::Enter { node: here.node, prims, leaf });
     }
 
     /// Tests the primitives of a leaf, each by all lanes before the next one.
-    pub(super) fn test(&mut self, here: &Part, prims: &[PrimId], mut mailboxes: Option<&mut [Mailbox; Lanes::MOST]>) {
+    pub(crate) fn test(&mut self, here: &Part, prims: &[PrimId], mut mailboxes: Option<&mut [Mailbox; Lanes::MOST]>) {
         for &prim in prims {
             let mut tested = Lanes::none(self.packet.width());
             let mut better = tested;
@@ -100,7 +103,7 @@ impl<'a, P: Primitives, W: Observer<PacketVisit>> Walk<'a, P, W> {
     }
 
     /// Goes on with the first child and lets the second wait, if any lane meets it.
-    pub(super) fn descend(&mut self, here: &Part, first: Part, second: Part) -> Option<Part> {
+    pub(crate) fn descend(&mut self, here: &Part, first: Part, second: Part) -> Option<Part> {
         let (to_first, to_second) = (self.taking_part(&first), self.taking_part(&second));
         let split = Abreast::Split {
             node: here.node,
@@ -125,7 +128,7 @@ impl<'a, P: Primitives, W: Observer<PacketVisit>> Walk<'a, P, W> {
 
     /// The next node that waits and that some lane still needs. A lane needs it no more if its best hit
     /// lies before its part of it.
-    pub(super) fn next(&mut self) -> Option<Part> {
+    pub(crate) fn next(&mut self) -> Option<Part> {
         while let Some(mut part) = self.stack.pop() {
             let (node, waited, depth) = (part.node, self.taking_part(&part), self.stack.len() as u32);
             for lane in waited.iter() {
@@ -144,7 +147,7 @@ impl<'a, P: Primitives, W: Observer<PacketVisit>> Walk<'a, P, W> {
     }
 
     /// The walk is over.
-    pub(super) fn end(mut self) -> Found {
+    pub(crate) fn end(mut self) -> Found {
         let width = self.packet.width();
         let hit = Lanes::of(width, |lane| self.best[lane].hit.is_some());
         self.tell(Lanes::of(width, |lane| lane < self.packet.rays().len()), Abreast::End { hit });
@@ -153,7 +156,7 @@ impl<'a, P: Primitives, W: Observer<PacketVisit>> Walk<'a, P, W> {
 }
 
 /// Watches one lane and names it in every event.
-pub(super) struct OneLane<'a, W> {
+pub(crate) struct OneLane<'a, W> {
     lanes: Lanes,
     watch: &'a mut W,
 }

@@ -6,6 +6,7 @@ mod detail;
 mod film;
 mod instant;
 mod kind;
+mod packet;
 mod pairs;
 mod reel;
 mod still;

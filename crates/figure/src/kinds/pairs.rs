@@ -4,7 +4,9 @@ use raystep_accel::{Aabb, Arrangement, Place, Trial};
 
 use super::{Instant, Kind};
 use crate::page::{Figure, Look};
-use crate::panes::{Ask, Grip, Pane, Tried, listing, matrix, matrix_height, numbers, space_of_pair, steps};
+use crate::panes::{
+    Ask, Grip, Pane, Tried, listing, matrix_of_pairs, matrix_of_pairs_height, numbers, space_of_pair, steps,
+};
 use crate::theme::Role;
 use crate::words::Fact;
 use crate::world::{Depth, Space};
@@ -73,7 +75,7 @@ impl Kind for Pairs<'_> {
         let step: usize = *at.state();
         let Ask { size, ref look, .. } = *ask;
         Some(match pane {
-            Pane::Matrix => matrix(self.cases, self.events, step, ask),
+            Pane::Matrix => matrix_of_pairs(self.cases, self.events, step, ask),
             Pane::Ruler | Pane::RulerLine => numbers(&self.tried(step)?, size, look),
             Pane::Listing => listing("Test", ask.lines, self.fact(step), false, size, look),
             Pane::Work => steps(&self.tried(step)?, size, look),
@@ -104,7 +106,7 @@ impl Kind for Pairs<'_> {
 
     fn height(&self, pane: Pane, look: &Look) -> Option<f32> {
         match pane {
-            Pane::Matrix => Some(matrix_height(self.cases, look)),
+            Pane::Matrix => Some(matrix_of_pairs_height(self.cases, look)),
             Pane::RulerLine => Some(look.text * 8.0),
             _ => None,
         }

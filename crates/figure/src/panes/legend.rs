@@ -29,6 +29,24 @@ pub(crate) const OF_WALK: &[(Role, &str)] = &[
     (Role::Wrong, "goes wrong here"),
 ];
 
+/// What the marks of a packet mean.
+pub(crate) const OF_PACKET: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Thread1, "a ray; each has its dashes"),
+    (Role::Strand1, "its part in the node, if it takes part"),
+    (Role::Filled, "holds primitives"),
+    (Role::Here, "where the packet is"),
+    (Role::Ghost, "where it was before"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "waits on the stack"),
+    (Role::Seen, "visited"),
+    (Role::Dropped, "left out, or not needed"),
+    (Role::Plane, "plane"),
+    (Role::Missed, "tested, missed"),
+    (Role::Hit, "hit"),
+    (Role::Best, "nearest hit of a ray"),
+];
+
 /// What the marks of a build mean.
 pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),
@@ -130,7 +148,9 @@ fn meanings(space: &Space, words: &[(Role, &'static str)]) -> Vec<(Role, &'stati
 /// A small sample of what the role draws.
 fn shape(role: Role, at: Vec2, width: f32, u: f32) -> Ink {
     match role {
-        Role::Ray | Role::Line | Role::Live | Role::Plane | Role::Candidate => line(at, at + Vec2::new(width, 0.0)),
+        Role::Ray | Role::Line | Role::Live | Role::Plane | Role::Candidate | Role::Thread1 | Role::Strand1 => {
+            line(at, at + Vec2::new(width, 0.0))
+        }
         Role::Tick => Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.35 },
         Role::Scene | Role::Missed | Role::Hit | Role::Best => {
             Ink::Circle { center: at + Vec2::new(width / 2.0, 0.0), radius: u * 0.5 }

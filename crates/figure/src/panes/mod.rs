@@ -5,8 +5,10 @@ mod bytes;
 mod cells;
 mod changed;
 mod costs;
+mod lanes;
 pub(crate) mod legend;
 mod listing;
+mod packet;
 mod pairs;
 mod pane;
 mod ruler;
@@ -29,8 +31,13 @@ pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};
 pub use costs::costs;
 pub use listing::{ListingLine, line_at, listing};
+pub(crate) use packet::{
+    listing_of_packet, matrix, matrix_height, rulers, rulers_height, space_of_packet, stack_of_packet, tree_of_packet,
+};
 pub use pairs::Grip;
-pub(crate) use pairs::{Tried, matrix, matrix_height, numbers, space_of_pair, steps};
+pub(crate) use pairs::{
+    Tried, matrix as matrix_of_pairs, matrix_height as matrix_of_pairs_height, numbers, space_of_pair, steps,
+};
 pub use pane::{Ask, Pane};
 pub use ruler::{RulerScale, ruler, ruler_height, ruler_line, ruler_line_height};
 pub(crate) use ruler::{ruler_line_of, ruler_of, ruler_scale};

@@ -192,8 +192,8 @@ fn obstacles(space: &Space, lens: &Lens, figure: &Figure) -> Obstacles {
     let mut here: Option<Spot> = None;
     for mark in &figure.marks {
         let weight: f32 = match mark.role {
-            Role::Live => 3.0,
-            Role::Ray | Role::Plane => 1.5,
+            Role::Live | Role::Strand1 | Role::Strand2 | Role::Strand3 | Role::Strand4 => 3.0,
+            Role::Ray | Role::Plane | Role::Thread1 | Role::Thread2 | Role::Thread3 | Role::Thread4 => 1.5,
             Role::Here | Role::Waiting | Role::Line => 0.5,
             _ => 0.1,
         };

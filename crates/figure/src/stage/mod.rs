@@ -269,7 +269,11 @@ fn behind(role: Role) -> Role {
     match role {
         Role::Live | Role::Ray => Role::Ray,
         Role::Here | Role::Seen => Role::Seen,
-        Role::Waiting | Role::Best | Role::Hit => role,
+        Role::Waiting | Role::Best | Role::Hit | Role::Lane => role,
+        Role::Thread1 | Role::Strand1 => Role::Thread1,
+        Role::Thread2 | Role::Strand2 => Role::Thread2,
+        Role::Thread3 | Role::Strand3 => Role::Thread3,
+        Role::Thread4 | Role::Strand4 => Role::Thread4,
         _ => Role::Hidden,
     }
 }

@@ -28,6 +28,12 @@ pub enum Dash {
     Dashed,
     /// Dots.
     Dotted,
+    /// Parts twice as long.
+    Long,
+    /// Parts half as long.
+    Short,
+    /// A part and a dot in turn.
+    DashDot,
 }
 
 /// How a line is drawn.
@@ -91,6 +97,9 @@ impl Dash {
             Dash::Dashed if width < 2.0 => &[6.0, 4.0],
             Dash::Dashed => &[9.0, 5.0],
             Dash::Dotted => &[2.0, 3.5],
+            Dash::Long => &[14.0, 5.0],
+            Dash::Short => &[5.0, 4.0],
+            Dash::DashDot => &[11.0, 4.0, 3.0, 4.0],
         }
     }
 }
@@ -213,7 +222,7 @@ impl Theme {
 
     /// How a role looks.
     pub fn style(&self, role: Role) -> Style {
-        use Dash::{Dashed, Dotted, Solid};
+        use Dash::{DashDot, Dashed, Dotted, Long, Short, Solid};
         let stroke = |color, width: f32, dash| Some(Stroke { color, width: width * self.weight, dash });
         let tint = |color: Color| Some(color.alpha(self.tint));
         let look = |stroke, fill, text| Style { stroke, fill, hatch: false, text };
@@ -223,6 +232,15 @@ impl Theme {
             Role::Ray => look(stroke(self.ray, 1.6, Dashed), Some(self.ray), self.ray),
             Role::Line => look(stroke(self.ray, 1.0, Solid), None, self.ray),
             Role::Live => look(stroke(self.ray, 4.0, Solid), Some(self.ray), self.ray),
+            Role::Lane => look(stroke(self.ray, 1.2, Solid), Some(self.ray), self.ray),
+            Role::Thread1 => look(stroke(self.ray, 1.5, Solid), Some(self.ray), self.ray),
+            Role::Thread2 => look(stroke(self.ray, 1.5, Long), Some(self.ray), self.ray),
+            Role::Thread3 => look(stroke(self.ray, 1.5, Short), Some(self.ray), self.ray),
+            Role::Thread4 => look(stroke(self.ray, 1.5, DashDot), Some(self.ray), self.ray),
+            Role::Strand1 => look(stroke(self.ray, 4.0, Solid), Some(self.ray), self.ray),
+            Role::Strand2 => look(stroke(self.ray, 4.0, Long), Some(self.ray), self.ray),
+            Role::Strand3 => look(stroke(self.ray, 4.0, Short), Some(self.ray), self.ray),
+            Role::Strand4 => look(stroke(self.ray, 4.0, DashDot), Some(self.ray), self.ray),
             Role::Tick => look(stroke(self.ray, 2.0, Solid), Some(self.page), self.ray),
             Role::Here => look(stroke(self.here, 3.2, Solid), tint(self.here), self.here),
             Role::Seen => look(stroke(self.here, 1.3, Solid), None, self.here),
@@ -269,7 +287,7 @@ impl Theme {
         let outline = |width: f32, dash| Some(Stroke { color: text, width: width * self.weight, dash });
         let plain = |stroke| Style { stroke, fill: Some(self.panel), hatch: false, text };
         match role {
-            Role::Here | Role::Best => {
+            Role::Here | Role::Best | Role::Lane => {
                 Style { stroke: outline(1.2, Dash::Solid), fill: Some(text), hatch: false, text: self.page }
             }
             Role::Dropped => plain(outline(1.0, Dash::Dotted)),

@@ -11,6 +11,24 @@ pub enum Role {
     Line,
     /// The part of the ray under consideration: thick.
     Live,
+    /// A ray of a packet that takes part, as a cell: solid.
+    Lane,
+    /// One of several rays, told apart by its dashes: thin. The first of every four.
+    Thread1,
+    /// The second.
+    Thread2,
+    /// The third.
+    Thread3,
+    /// The fourth.
+    Thread4,
+    /// The part of such a ray under consideration: the same dashes, thick.
+    Strand1,
+    /// That of the second.
+    Strand2,
+    /// That of the third.
+    Strand3,
+    /// That of the fourth.
+    Strand4,
     /// A value of t along the ray: a small ring with a label.
     Tick,
     /// The current place: thick outline, light fill.
@@ -65,11 +83,20 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 29] = [
+    pub const ALL: [Role; 38] = [
         Role::Scene,
         Role::Ray,
         Role::Line,
         Role::Live,
+        Role::Lane,
+        Role::Thread1,
+        Role::Thread2,
+        Role::Thread3,
+        Role::Thread4,
+        Role::Strand1,
+        Role::Strand2,
+        Role::Strand3,
+        Role::Strand4,
         Role::Tick,
         Role::Here,
         Role::Seen,
@@ -96,4 +123,14 @@ impl Role {
         Role::Page,
         Role::Panel,
     ];
+
+    /// One of several rays, counted from 0.
+    pub fn thread(lane: usize) -> Role {
+        [Role::Thread1, Role::Thread2, Role::Thread3, Role::Thread4][lane % 4]
+    }
+
+    /// The part of it under consideration.
+    pub fn strand(lane: usize) -> Role {
+        [Role::Strand1, Role::Strand2, Role::Strand3, Role::Strand4][lane % 4]
+    }
 }

@@ -1,6 +1,6 @@
 //! The one formatter of numbers: three significant digits, everywhere.
 
-use raystep_accel::Value;
+use raystep_accel::{Lanes, Value};
 
 /// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros.
 pub fn number(x: f32) -> String {
@@ -33,9 +33,14 @@ pub fn value(value: &Value) -> String {
         Value::Axis(axis) => axis.name().to_owned(),
         Value::Word(word, _) => word.to_owned(),
         Value::Place(place) => place.to_string(),
-        Value::Lanes(lanes) => lanes.to_string(),
+        Value::Lanes(lanes) => mask(lanes),
         Value::Box(bounds) => bounds.extent().to_array().map(number).join(" × "),
     }
+}
+
+/// Which rays of a packet take part, a square each: `■■□■` are all of four but the third.
+pub(crate) fn mask(lanes: Lanes) -> String {
+    (0..lanes.width()).map(|lane| if lanes.has(lane) { '■' } else { '□' }).collect()
 }
 
 /// `1 node`, `2 nodes`.
@@ -90,5 +95,11 @@ mod tests {
         for (x, text) in table {
             assert_eq!(number(x), text);
         }
+    }
+
+    #[test]
+    fn rays_that_take_part_are_filled_squares() {
+        assert_eq!(value(&Value::Lanes(Lanes::of(4, |lane| lane != 2))), "■■□■");
+        assert_eq!(value(&Value::Lanes(Lanes::none(8))), "□□□□□□□□");
     }
 }

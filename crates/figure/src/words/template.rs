@@ -5,7 +5,7 @@ use raystep_accel::Value;
 use crate::words::{Fact, counted, number, value};
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
-/// `{{prims reference}}` counts: 1 reference, 2 references.
+/// `{{prims reference}}` counts: 1 reference, 2 references; `{{lanes ray}}` counts those that take part.
 pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
     let mut filled = String::with_capacity(template.len());
     let mut rest = template;
@@ -21,6 +21,9 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
         match event.field(field) {
             Some(Value::Count(n)) if !noun.is_empty() => {
                 filled.push_str(&counted(u64::from(n), noun, &format!("{noun}s")));
+            }
+            Some(Value::Lanes(lanes)) if !noun.is_empty() => {
+                filled.push_str(&counted(u64::from(lanes.count()), noun, &format!("{noun}s")));
             }
             // Nobody reads "3.5 − −1".
             Some(Value::Number(x)) if x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']) => {

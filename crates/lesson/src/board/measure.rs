@@ -1,7 +1,10 @@
 //! What is measured here: what a structure costs the rays of a picture, in counts, which are the same everywhere.
 
 use glam::Vec2;
-use raystep_accel::{Accel, Cancelled, Cost, Grow, Observer, Primitives, Ray, RayError, Structure, pinhole};
+use raystep_accel::{
+    Accel, Cancelled, Cost, Each, Fill, Grow, KdLayout, Machine, Observer, Packet, PacketStep, PacketVisit, Primitives,
+    Ray, RayError, Structure, Want, Width, pinhole,
+};
 use raystep_scene::{Scene, View};
 
 use crate::Plan;
@@ -23,6 +26,17 @@ pub struct Measured {
     pub nodes: u64,
     /// What the structure takes in memory.
     pub bytes: u64,
+    /// Of packets, how many lanes took part in a visit; no number where single rays walk.
+    pub alive: f64,
+}
+
+/// How it is walked and stored, if not by one ray after the other and as the structure stores it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct How {
+    /// Rays walk in packets of so many: those of neighbouring pixels.
+    pub lanes: Option<Width>,
+    /// A kd-tree's nodes are laid out so, on a machine of 64 bits.
+    pub layout: Option<KdLayout>,
 }
 
 /// Pixels across and down the picture that is measured.
@@ -69,11 +83,15 @@ impl Measured {
     /// `watch` asked to give up.
     pub(crate) fn of(
         plan: &Plan,
+        how: How,
         scene: &Scene,
         care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Measured>, Cancelled> {
         let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
+        if let Some(width) = how.lanes {
+            return Measured::of_packets(&structure, how, width, scene, care, watch).map(Some);
+        }
         let all = matches!(structure, Structure::List(_));
         let (mut cost, mut rays) = (Cost::default(), 0_u32);
         for own in shoot(&structure, scene, care.of(if all { SMALL_PICTURE } else { PICTURE }), watch)? {
@@ -88,8 +106,55 @@ impl Measured {
             visits: each(Column::Visits.count(&cost)),
             boxes: each(Column::Boxes.count(&cost)),
             nodes: structure.node_count() as u64 + cells,
-            bytes: structure.bytes() as u64,
+            bytes: bytes(&structure, how),
+            alive: f64::NAN,
         }))
+    }
+
+    /// The same rays in packets, a block of pixels each.
+    fn of_packets(
+        structure: &Structure,
+        how: How,
+        width: Width,
+        scene: &Scene,
+        care: Care,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Measured, Cancelled> {
+        let [across, down] = match width {
+            Width::Four => [2, 2],
+            Width::Eight => [4, 2],
+            Width::Sixteen => [4, 4],
+        };
+        let (view, size) = (scene.close_view(), care.of(PICTURE));
+        let (mut fill, mut cost, mut rays) = (Fill::default(), Cost::default(), 0_u64);
+        for y in (0..size[1]).step_by(down) {
+            if watch.cancelled() {
+                return Err(Cancelled);
+            }
+            for x in (0..size[0]).step_by(across) {
+                let pixels = (0..down as u32).flat_map(|dy| (0..across as u32).map(move |dx| [x + dx, y + dy]));
+                let block: Vec<Ray> = pixels.filter_map(|pixel| through(&view, size, pixel).ok()).collect();
+                rays += block.len() as u64;
+                let alone = Each(|event: PacketVisit| {
+                    if let PacketStep::Lane(visit) = event.step {
+                        cost.on(visit);
+                    }
+                });
+                if let Some(packet) = Packet::of(&block) {
+                    structure.walk_packet(&scene.prims, packet, Want::Nearest, &mut (&mut fill, alone));
+                }
+            }
+        }
+        let each = |count: u64| count as f64 / rays.max(1) as f64;
+        Ok(Measured {
+            rays,
+            tests: each(cost.prim_tests),
+            visits: each(fill.visits),
+            boxes: each(cost.box_tests),
+            nodes: structure.node_count() as u64,
+            bytes: bytes(structure, how),
+            alive: fill.lane_visits as f64 / fill.visits.max(1) as f64,
+        })
     }
 }
 
@@ -116,7 +181,7 @@ impl Measured {
     ) -> Result<Vec<[f64; 2]>, Cancelled> {
         let mut dots = Vec::new();
         for scene in scenes.iter().filter_map(|name| Scene::named(name).ok()) {
-            if let Some(measured) = Measured::of(plan, &scene, care, watch)? {
+            if let Some(measured) = Measured::of(plan, How::default(), &scene, care, watch)? {
                 dots.push([scene.prims.len() as f64, measured.count(of)]);
             }
         }
@@ -140,6 +205,19 @@ impl Counted {
         let size = care.of(MAP);
         let counts = shoot(&structure, scene, size, watch)?.map(|own| of.count(&own) as u32).collect();
         Ok(Some(Counted { size, counts }))
+    }
+}
+
+/// What a structure takes in memory, its nodes laid out as asked for.
+fn bytes(structure: &Structure, how: How) -> u64 {
+    let own = structure.bytes() as u64;
+    match (structure, how.layout) {
+        (Structure::Kd(_), Some(layout)) => {
+            let nodes = structure.node_count() as u64;
+            let [stored, wanted] = [KdLayout::Compact, layout].map(|layout| layout.bytes(Machine::Bits64) as u64);
+            own - nodes * stored + nodes * wanted
+        }
+        _ => own,
     }
 }
 

@@ -18,7 +18,7 @@ pub use care::Care;
 pub use chart::{Chart, Drawn, Scale, Stroke};
 pub use formula::Formula;
 pub use maps::{Map, Maps};
-pub use measure::{Counted, Measured};
+pub use measure::{Counted, How, Measured};
 pub use meter::{Given, Meter, Number, Numbers};
 pub use panel::{Board, Entry, Panel};
 pub use picture::{Picture, Pictures, Rendered};

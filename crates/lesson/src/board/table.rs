@@ -1,13 +1,14 @@
 //! A table: rows of named things, columns of what was printed, what follows from it, and what is measured here.
 
-use raystep_accel::{BvhVolume, Cost};
+use raystep_accel::{BvhVolume, Cost, KdLayout, Width};
 
+use crate::check::PACKET_KINDS;
 use crate::keys::Keys;
-use crate::problem::misspelt;
+use crate::problem::{listed, misspelt};
 use crate::reading::Reading;
 use crate::{Plan, Spot, head, limits, template};
 
-use super::{Formula, Numbers};
+use super::{Formula, How, Numbers};
 
 /// A table of a board.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,11 +52,13 @@ pub enum Column {
     Cuts,
     /// Of the rays that meet it, the share that meet nothing in it.
     Vain,
+    /// Lanes of a packet that took part in a visit.
+    Alive,
 }
 
 impl Column {
     /// All of them, with the names that slides and facts give them.
-    pub const NAMES: [(&'static str, Column); 12] = [
+    pub const NAMES: [(&'static str, Column); 13] = [
         ("printed", Column::Printed),
         ("total", Column::Total),
         ("computed", Column::Computed),
@@ -68,6 +71,7 @@ impl Column {
         ("area", Column::Area),
         ("cuts", Column::Cuts),
         ("vain", Column::Vain),
+        ("alive", Column::Alive),
     ];
 
     /// What can be counted of a ray.
@@ -106,6 +110,8 @@ pub struct Row {
     pub plan: Option<Plan>,
     /// The volume around everything that is measured for it.
     pub volume: Option<BvhVolume>,
+    /// How that is walked and stored.
+    pub how: How,
     /// The name of the scene that it is measured over; the board's own if it has none.
     pub scene: Option<String>,
     /// When it comes to be seen, among everything on the board.
@@ -185,6 +191,7 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let spot = reading.spot(keys.at());
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
     let volume = volume(&mut keys, reading);
+    let how = how(&mut keys, plan.as_ref(), reading);
     let mut cells = Vec::new();
     for column in [Column::Printed, Column::Total] {
         if let Some((at, text)) = keys.get::<String>(column.name(), reading) {
@@ -214,8 +221,34 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
         cells,
         plan,
         volume,
+        how,
         scene,
         spot,
         step: step.map(|(_, step)| step),
     })
+}
+
+/// `lanes = 4`, `layout = "plain"`: how the row's structure is walked and stored.
+fn how(keys: &mut Keys<'_>, plan: Option<&Plan>, reading: &mut Reading<'_>) -> How {
+    let kind = plan.map_or("", |plan| plan.kind.as_str());
+    let lanes = keys.get::<f32>("lanes", reading).and_then(|(at, lanes)| {
+        let width = Width::ALL.iter().copied().find(|width| width.lanes() as f32 == lanes);
+        if width.is_none() {
+            reading
+                .problem(at, format!("`lanes` is {lanes}: rays are measured in packets of {}", listed(Width::WORDS)));
+        } else if !PACKET_KINDS.contains(&kind) {
+            reading.problem(at, format!("packets do not walk this structure: they walk {}", listed(&PACKET_KINDS)));
+        }
+        width
+    });
+    let layout = keys.get::<String>("layout", reading).and_then(|(at, name)| {
+        let layout = KdLayout::ALL.iter().copied().find(|layout| layout.word() == name);
+        if layout.is_none() {
+            reading.problem(at, misspelt("layout of nodes", &name, KdLayout::WORDS));
+        } else if kind != "kd" {
+            reading.problem(at, "only the nodes of a kd-tree, `kind = \"kd\"`, are laid out in several ways");
+        }
+        layout
+    });
+    How { lanes, layout }
 }

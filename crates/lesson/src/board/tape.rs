@@ -59,9 +59,9 @@ impl BoardTape {
             let measured = match entry {
                 Entry::Row(row) => match &row.plan {
                     Some(plan) => match row.scene.as_deref().map(Scene::named) {
-                        Some(Ok(own)) => Measured::of(plan, &own, care, watch)?,
+                        Some(Ok(own)) => Measured::of(plan, row.how, &own, care, watch)?,
                         Some(Err(_)) => None,
-                        None => Measured::of(plan, scene, care, watch)?,
+                        None => Measured::of(plan, row.how, scene, care, watch)?,
                     },
                     None => None,
                 },
@@ -190,6 +190,7 @@ impl BoardTape {
                         Some(appraised) => appraised.bytes as f32,
                         None => here(|measured| measured.bytes as f64),
                     },
+                    alive: here(|measured| measured.alive),
                     content: around(|appraised| appraised.content),
                     area: around(|appraised| f64::from(appraised.area)),
                     cuts: around(|appraised| appraised.cuts),

@@ -216,7 +216,7 @@ impl Page<'_> {
         let (top, rest) = if self.plate.listing.is_empty() {
             area.split_top(0.0)
         } else {
-            area.split_top(wanted.min(area.size().y * 0.6))
+            area.split_top(wanted.min(area.size().y * 0.6).min(area.size().y - self.below_code()))
         };
         if !self.plate.listing.is_empty() {
             top.fill(&mut self.figure, Role::Panel);
@@ -224,6 +224,18 @@ impl Page<'_> {
         }
         rest.fill(&mut self.figure, Role::Panel);
         self.stack_and_work(rest.inset(EDGE * 0.4));
+    }
+
+    /// How high what stands below the listing must be, where that follows from what it shows.
+    fn below_code(&self) -> f32 {
+        let work = self.plate.still.height(Pane::Work, &self.look);
+        work.map_or(0.0, |height| height + self.stack_height() + EDGE)
+    }
+
+    /// How high the stack is with all its rows.
+    fn stack_height(&self) -> f32 {
+        let rows = self.plate.still.stacked().max(1) as f32;
+        rows * 2.75 * TEXT + 3.2 * TEXT
     }
 
     fn listing(&mut self, area: Area) {
@@ -236,8 +248,9 @@ impl Page<'_> {
     fn stack_and_work(&mut self, area: Area) {
         let mut rest = area;
         if self.plate.still.has(Pane::Stack) {
-            let rows = self.plate.still.stacked().max(1) as f32;
-            let (top, below) = area.split_top((rows * 2.75 * TEXT + 3.2 * TEXT).min(area.size().y - 9.0 * TEXT));
+            let work = self.plate.still.height(Pane::Work, &self.look).unwrap_or(9.0 * TEXT);
+            let most = (area.size().y - work).max(area.size().y * 0.25);
+            let (top, below) = area.split_top(self.stack_height().min(most));
             let part = self.plate.still.draw(Pane::Stack, &Ask::new(top.size(), self.look));
             set_in(&mut self.figure, part, top.min);
             rest = below;

@@ -4,7 +4,7 @@
 use std::borrow::Cow;
 use std::collections::{BTreeSet, VecDeque};
 
-use raystep_accel::{Direction, NodeId, PrimId};
+use raystep_accel::{Direction, Lanes, NodeId, PrimId};
 
 use super::tidy::{Tidy, Twig, tidy};
 use crate::theme::Role;
@@ -37,6 +37,15 @@ pub(crate) trait Tree {
     fn path(&self) -> Vec<NodeId>;
     /// How the nodes lie below the root of that path.
     fn levels(&self) -> Cow<'_, Levels>;
+    /// Which rays of a packet took part in a node, or wait to.
+    fn lanes(&self, node: NodeId) -> Option<Lanes> {
+        let _ = node;
+        None
+    }
+    /// Any lanes of the packet, if one walks: every node leaves room for them.
+    fn has_lanes(&self) -> Option<Lanes> {
+        None
+    }
 }
 
 /// How much fits, and how much room a node takes.

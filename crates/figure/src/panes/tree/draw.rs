@@ -23,7 +23,7 @@ const IN_A_PANE: usize = 4;
 const AIRS: [f32; 3] = [1.0, 0.5, 0.0];
 
 /// Draws any tree into a pane.
-pub(super) fn draw_tree(tree: &dyn Tree, view: &TreeView, size: Vec2, look: &Look) -> Figure {
+pub(crate) fn draw_tree(tree: &dyn Tree, view: &TreeView, size: Vec2, look: &Look) -> Figure {
     let levels = tree.levels();
     let pane = Pane { tree, levels: &levels, view, size, look };
     let mut figure = Figure::new(size);

@@ -15,11 +15,11 @@ use std::collections::BTreeMap;
 use glam::Vec2;
 use raystep_accel::{Direction, NodeId, Place, PrimId};
 
-use branches::Tree;
+pub(crate) use branches::Tree;
 pub use branches::TreeView;
 pub(crate) use build::node_role;
 pub use build::tree_of_build;
-use draw::draw_tree;
+pub(crate) use draw::draw_tree;
 
 use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
@@ -42,9 +42,9 @@ pub fn tree_height(nodes: &Nodes, look: &Look) -> Option<f32> {
 }
 
 /// A finished tree with the states that a walk gives its nodes.
-struct Walked<'a> {
-    walk: &'a Walk<'a>,
-    moment: &'a Moment,
+pub(crate) struct Walked<'a> {
+    pub(crate) walk: &'a Walk<'a>,
+    pub(crate) moment: &'a Moment,
 }
 
 impl Tree for Walked<'_> {

@@ -6,6 +6,7 @@ use raystep_accel::{NodeId, Place};
 use super::branches::{Branch, Branches, Room, Tree, TreeView, part, whole};
 use super::sizes::Sizes;
 use crate::page::{Anchor, Figure, Ink, block, line, write};
+use crate::panes::lanes::{small_strip, strip_room};
 use crate::theme::{Face, Role, text_width};
 use crate::world::Levels;
 
@@ -34,16 +35,35 @@ impl Pen<'_> {
     /// How far a node with its axis or its dots reaches to both sides.
     pub(super) fn sides(&self, branch: &Branch) -> [f32; 2] {
         let half = self.half_width(branch.node);
+        let strip = self.strip_room().map_or(0.0, |room| room.x + self.sizes.digits * 0.3);
         if branch.is_leaf() {
-            return [half.max(self.dots_width(branch.node) / 2.0); 2];
+            let half = half.max(self.dots_width(branch.node) / 2.0);
+            return if branch.left { [half + strip, half] } else { [half, half + strip] };
         }
-        match self.tree.axis(branch.node) {
-            Some(axis) => {
-                let wide = half + self.sizes.digits * 0.25 + text_width(axis.name(), Face::Regular, self.sizes.small());
-                if branch.left { [wide, half] } else { [half, wide] }
-            }
-            None => [half; 2],
-        }
+        let wide = half + self.axis_width(branch.node) + strip;
+        if branch.left { [wide, half] } else { [half, wide] }
+    }
+
+    /// How much room the axis beside a node takes.
+    fn axis_width(&self, node: NodeId) -> f32 {
+        self.tree
+            .axis(node)
+            .map_or(0.0, |axis| self.sizes.digits * 0.25 + text_width(axis.name(), Face::Regular, self.sizes.small()))
+    }
+
+    /// How large the strip of lanes beside a node is, where a packet walks.
+    fn strip_room(&self) -> Option<Vec2> {
+        self.tree.has_lanes().map(|lanes| strip_room(lanes, self.sizes.digits * 0.55))
+    }
+
+    /// Who took part in a node, on the side where no edge runs, behind its axis.
+    fn strip(&self, figure: &mut Figure, branch: &Branch, at: Vec2, half: f32) {
+        let Some((lanes, room)) = self.tree.lanes(branch.node).zip(self.strip_room()) else { return };
+        let axis = if branch.is_leaf() { 0.0 } else { self.axis_width(branch.node) };
+        let gap = half + axis + self.sizes.digits * 0.3;
+        let left = if branch.left { at.x - gap - room.x } else { at.x + gap };
+        let corner = Vec2::new(left, at.y - room.y * 0.5);
+        small_strip(figure, Some(Place::Node(branch.node)), lanes, corner, self.sizes.digits * 0.55);
     }
 
     /// Half the width of what stands for the nodes below a closed one.
@@ -154,6 +174,7 @@ impl Pen<'_> {
             let beside = at + Vec2::new(side * (half + self.sizes.digits * 0.2), -self.sizes.digits * 0.3);
             write(figure, Role::Quiet, place, beside, axis.name(), self.sizes.small(), Face::Regular, anchor);
         }
+        self.strip(figure, branch, at, half);
         if branch.is_leaf() {
             self.dots(figure, node, at + Vec2::new(0.0, radius + self.sizes.digits * 0.45));
         } else if branch.closed {

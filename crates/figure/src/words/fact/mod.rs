@@ -1,13 +1,14 @@
 //! What events of walks and of builds have in common, and how views call them.
 
 pub(crate) mod grow;
+mod packet;
 mod reveal;
 mod trial;
 pub(crate) mod visit;
 
 use std::borrow::Cow;
 
-use raystep_accel::{Event, Place, Value, Visit};
+use raystep_accel::{Event, PacketStep, PacketVisit, Place, Value, Visit};
 
 use crate::theme::Role;
 use crate::words::VolumeName;
@@ -74,6 +75,7 @@ impl Fact for Event {
             Event::Build(grow) => grow.symbol(),
             Event::Board(reveal) => reveal.symbol(),
             Event::Pair(trial) => trial.symbol(),
+            Event::Packet(visit) => visit.symbol(),
         }
     }
 
@@ -83,6 +85,7 @@ impl Fact for Event {
             Event::Build(grow) => grow.short(volume),
             Event::Board(reveal) => reveal.short(volume),
             Event::Pair(trial) => trial.short(volume),
+            Event::Packet(visit) => visit.short(volume),
         }
     }
 
@@ -92,6 +95,7 @@ impl Fact for Event {
             Event::Build(grow) => grow.sentence(volume),
             Event::Board(reveal) => reveal.sentence(volume),
             Event::Pair(trial) => trial.sentence(volume),
+            Event::Packet(visit) => visit.sentence(volume),
         }
     }
 }
@@ -149,7 +153,10 @@ pub fn short(event: &(impl Fact + ?Sized), volume: VolumeName) -> Cow<'static, s
 pub fn veiled(event: &Event) -> Event {
     match event {
         Event::Walk(event) => Event::Walk(veiled_visit(event)),
-        Event::Build(_) | Event::Board(_) | Event::Pair(_) => *event,
+        Event::Packet(PacketVisit { lanes, step: PacketStep::Lane(visit) }) => {
+            Event::Packet(PacketVisit { lanes: *lanes, step: PacketStep::Lane(veiled_visit(visit)) })
+        }
+        Event::Build(_) | Event::Board(_) | Event::Pair(_) | Event::Packet(_) => *event,
     }
 }
 

@@ -1,7 +1,6 @@
 //! The vocabulary of packets: what several rays do abreast, with the lanes that take part.
 
-use crate::events::vocabulary;
-use crate::{Grain, Lanes, NodeId, Place, PrimId, Value, Visit};
+use super::{Grain, Lanes, NodeId, Place, PrimId, Value, Visit, vocabulary};
 
 /// One thing that a packet did.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,10 +24,10 @@ vocabulary! {
     /// What lanes do together. The lanes that take part stand beside it, in [`PacketVisit`].
     pub enum Abreast {
         /// A node was entered, once for all its lanes; `prims` references lie in it (0 in inner nodes).
-        Enter ["packet.inner", "packet.leaf"] { node: NodeId, prims: u32, leaf: bool }
+        Enter ["packet.enter.inner", "packet.enter.leaf"] { node: NodeId, prims: u32, leaf: bool }
         /// Each lane has chosen its children: those of `to_first` go on with the first, those of
         /// `to_second` with the second, those of `both` with one after the other.
-        Split ["packet.both", "packet.one", "packet.none"] { node: NodeId, first: NodeId, second: NodeId, to_first: Lanes, to_second: Lanes, both: Lanes }
+        Split ["packet.split.both", "packet.split.one", "packet.split.none"] { node: NodeId, first: NodeId, second: NodeId, to_first: Lanes, to_second: Lanes, both: Lanes }
         /// A node was put on the stack with the interval of each of its lanes; `depth` nodes wait now.
         Push ["packet.push"] { node: NodeId, depth: u32 }
         /// A node was taken from the stack, for those who still need it; `waited` were to visit it.
@@ -42,18 +41,50 @@ vocabulary! {
     }
 }
 
+/// The names that events can go by, each group with the fields that they have.
+type Vocabulary = (&'static [&'static str], &'static [&'static str]);
+
 impl PacketVisit {
+    /// Every name that an event of a packet can go by, with the names of its fields: what the packet does, and what a
+    /// lane computes for itself. Beside them each has `lanes`.
+    pub const NAMES: &'static [Vocabulary] = &{
+        let mut all: [Vocabulary; Abreast::NAMES.len() + Visit::NAMES.len()] =
+            [(&[], &[]); Abreast::NAMES.len() + Visit::NAMES.len()];
+        let mut index = 0;
+        while index < all.len() {
+            all[index] = match index < Abreast::NAMES.len() {
+                true => Abreast::NAMES[index],
+                false => Visit::NAMES[index - Abreast::NAMES.len()],
+            };
+            index += 1;
+        }
+        all
+    };
+
+    /// The lane that computes this for itself, if it is no step of the packet.
+    pub fn lane(&self) -> Option<usize> {
+        match self.step {
+            PacketStep::Lane(_) => self.lanes.iter().next(),
+            PacketStep::Packet(_) => None,
+        }
+    }
+
+    /// Whether flat scenes leave it out.
+    pub fn concerns_z(&self) -> bool {
+        matches!(self.step, PacketStep::Lane(visit) if visit.concerns_z())
+    }
+
     /// What slides, listings and questions call this event.
     pub fn name(&self) -> &'static str {
         match self.step {
             PacketStep::Lane(visit) => visit.name(),
-            PacketStep::Packet(Abreast::Enter { leaf: false, .. }) => "packet.inner",
-            PacketStep::Packet(Abreast::Enter { leaf: true, .. }) => "packet.leaf",
+            PacketStep::Packet(Abreast::Enter { leaf: false, .. }) => "packet.enter.inner",
+            PacketStep::Packet(Abreast::Enter { leaf: true, .. }) => "packet.enter.leaf",
             PacketStep::Packet(Abreast::Split { to_first, to_second, .. }) => {
                 match (to_first.is_empty(), to_second.is_empty()) {
-                    (false, false) => "packet.both",
-                    (true, true) => "packet.none",
-                    _ => "packet.one",
+                    (false, false) => "packet.split.both",
+                    (true, true) => "packet.split.none",
+                    _ => "packet.split.one",
                 }
             }
             PacketStep::Packet(Abreast::Push { .. }) => "packet.push",
