@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives};
+use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives, Structure};
 pub(crate) use raystep_figure::Pane;
 use raystep_figure::{
     Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Instant, KnobLine, Look, Pixel, RulerScale, Scenery, Space,
@@ -115,8 +115,9 @@ impl Pictures {
             if pane == Pane::Work && asks.is_some_and(|(counts, _)| counts) {
                 return Arc::new(nothing("Work so far", WAITS, size, look));
             }
-            // The bytes of a node tell of what is asked only where that is its plane.
-            let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || coming == "plane");
+            // Bytes tell of what is asked only where that is a plane: of the node, or a side of the box.
+            let plane = |coming: &str| coming == "plane" || coming.starts_with("slab");
+            let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || plane(coming));
             let lines = lines(code, &playback.play, still.step(), mistake);
             let space = space.as_deref();
             let ask = Ask { hide, view: Some(view), lines: &lines, beside, part, space, ..Ask::new(size, *look) };
@@ -277,10 +278,10 @@ fn guess(choice: &Choice) -> Guess {
     Guess { place: choice.place, plane, text: label(choice) }
 }
 
-/// Whether a slide wants to see a node's bytes, and there are any.
+/// Whether a slide wants to see the bytes of a node or a box, and there are any.
 pub(crate) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
-    let kd = matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_));
-    show.contains(&Show::Bytes) && kd && playback.reel().has(Pane::Bytes)
+    let laid = matches!(&*playback.play.structure, Structure::Kd(_) | Structure::Slab(_));
+    show.contains(&Show::Bytes) && laid && playback.reel().has(Pane::Bytes)
 }
 
 /// The pane that is best seen beside space.

@@ -4,7 +4,9 @@ use egui::{Event, Key, Modifiers, Pos2, Vec2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::View;
 use raystep::window::{App, Remembered, Wishes};
-use raystep_accel::{Accel, Axis, Event as Happened, Grow, HandCut, NodeId, PrimId, Primitives, Structure};
+use raystep_accel::{
+    Accel, Axis, CellId, Event as Happened, Grow, HandCut, NodeId, Place, PrimId, Primitives, Structure,
+};
 use raystep_lesson::Tape;
 
 use crate::window::{self, Window, library, press, settle, sized};
@@ -344,4 +346,54 @@ fn a_number_of_a_meter_is_dragged_moved_by_arrows_and_typed() {
     press(&mut harness, Key::Backspace);
     settle(&mut harness);
     assert_eq!(metered(&harness, "Nx"), (own, tests));
+}
+
+/// The pair and the arrangement that are shown.
+fn laid_out(harness: &Window) -> (u32, u32) {
+    match harness.state().state.playback().unwrap().event(view(harness).step) {
+        Some(Happened::Pair(trial)) => (trial.pair, trial.case),
+        other => panic!("no pair lies there: {other:?}"),
+    }
+}
+
+/// What the tests of all pairs answer.
+fn answers(harness: &Window) -> Vec<&'static str> {
+    let tape = &harness.state().state.playback().unwrap().play.tape;
+    let answer = |event: Happened| {
+        let name = event.name();
+        (name.starts_with("met") || name.starts_with("touch")).then_some(name)
+    };
+    tape.events().filter_map(answer).collect()
+}
+
+#[test]
+fn the_first_object_of_a_pair_is_dragged_and_its_test_runs_again() {
+    let mut harness = window("3/19", [1600.0, 1000.0]);
+    let (before, own) = (view(&harness), answers(&harness));
+    assert_eq!((laid_out(&harness), own[0]), ((0, 1), "met.hit"));
+    // Above the plane, and rising.
+    let from = place(&harness, "The ray that can be moved");
+    drag(&mut harness, from, vec2(0.0, -150.0));
+    drop(&mut harness, from + vec2(0.0, -150.0));
+    let moved = answers(&harness);
+    assert_eq!((moved[0], &moved[1..]), ("met.miss", &own[1..]), "this test alone answers otherwise");
+    assert_eq!(laid_out(&harness), (0, 1), "it is still the same pair");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    settle(&mut harness);
+    assert!(view(&harness).same_page(&before) && answers(&harness) == own, "one drag, one undo");
+    // By keyboard.
+    harness.get_by_label("The ray that can be moved").focus();
+    harness.run_steps(2);
+    press(&mut harness, Key::ArrowUp);
+    settle(&mut harness);
+    assert!(!view(&harness).same_walk(&before) && view(&harness).step == before.step);
+    press(&mut harness, Key::Escape);
+
+    // A click on a cell lays its pair out, another one its other arrangement; so it goes forth and back.
+    for (cell, shown) in [(3, (3, 1)), (3, (3, 2)), (3, (3, 1)), (0, (0, 1)), (22, (22, 1))] {
+        harness.state_mut().state.pick(Some(Place::Cell(CellId(cell))), false);
+        settle(&mut harness);
+        assert_eq!(laid_out(&harness), shown);
+        assert_eq!(harness.state().state.picked, None, "nothing stays lit");
+    }
 }

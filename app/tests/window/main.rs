@@ -2,6 +2,7 @@
 
 mod files;
 mod hand;
+mod heat;
 mod keyboard;
 mod last;
 mod layout;

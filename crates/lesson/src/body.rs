@@ -4,7 +4,7 @@ use crate::attributes::{self, Attribute};
 use crate::problem::misspelt;
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{About, Ask, Beat, Condition, Medium, Paragraph, Reason, Spot, Wait, limits, offer, template, wait};
+use crate::{About, Ask, Beat, Condition, Medium, Paragraph, Plays, Reason, Spot, Wait, limits, offer, template, wait};
 
 /// A line of the body with the byte where it begins.
 type Line<'a> = (usize, &'a str);
@@ -43,8 +43,11 @@ fn beat(lines: &[Line<'_>], reading: &mut Reading<'_>) -> Option<Beat> {
             "at" => waits = Some((value_at, value)),
             "solid" => solid = Some((value_at, value)),
             "ray" if !reading.plays.has_rays() => {
-                let plays = reading.plays.name();
-                reading.problem(key_at, format!("a {plays} has no rays: its beats name none"));
+                let message = match reading.plays {
+                    Plays::Pairs => "pairs have no rays: their beats name none".to_owned(),
+                    plays => format!("a {} has no rays: its beats name none", plays.name()),
+                };
+                reading.problem(key_at, message);
             }
             "ray" => ray = Some((value_at, value)),
             "of" if !reading.abreast.is_empty() => {

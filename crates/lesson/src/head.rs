@@ -316,11 +316,9 @@ fn rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
 /// A build or a board needs no ray.
 fn no_rays(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<NamedRay> {
     if let Some(value) = keys.raw("rays") {
-        let plays = reading.plays.name();
-        reading.problem(
-            value.span().start,
-            format!("`rays` belong to a slide that plays a walk: this one plays a {plays}"),
-        );
+        let plays = reading.plays.one();
+        reading
+            .problem(value.span().start, format!("`rays` belong to a slide that plays a walk: this one plays {plays}"));
     }
     Vec::new()
 }

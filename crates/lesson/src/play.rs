@@ -131,10 +131,16 @@ impl Play {
         self.tape.event(step.checked_sub(1)?)
     }
 
-    /// The beat that a step belongs to: the last one reached at or before it, if the beats run that way.
+    /// The beat that a step belongs to: the last one reached at or before it, if the beats run that way. What is said of
+    /// a pair is said of that pair alone.
     pub fn beat_at(&self, step: usize) -> Option<usize> {
         let reached = self.beats.iter().enumerate().filter_map(|(beat, at)| Some((beat, (*at)?)));
-        reached.filter(|(_, at)| *at <= step).max_by_key(|(_, at)| *at).map(|(beat, _)| beat)
+        let pair = |step: usize| match self.event(step)? {
+            Event::Pair(trial) => Some(trial.pair),
+            _ => None,
+        };
+        let here = pair(step);
+        reached.filter(|(_, at)| *at <= step && pair(*at) == here).max_by_key(|(_, at)| *at).map(|(beat, _)| beat)
     }
 }
 

@@ -45,6 +45,14 @@ impl Plays {
         }
     }
 
+    /// The same in a sentence: `"a build"`, `"pairs"`.
+    pub(crate) fn one(self) -> String {
+        match self {
+            Plays::Walks | Plays::Pairs => self.name().to_owned(),
+            Plays::Walk | Plays::Build | Plays::Packet | Plays::Board => format!("a {}", self.name()),
+        }
+    }
+
     /// The events that can happen in it.
     pub(crate) fn vocabulary(self) -> Vocabulary {
         match self {

@@ -109,7 +109,7 @@ fn nothing() -> Scene {
 
 /// An empty space, seen from where three sides of a box in its middle are seen.
 fn empty_space() -> Scene {
-    let view = View::fitting(&Aabb::new(Vec3::splat(-2.5), Vec3::splat(2.5)), Vec3::new(0.45, 0.35, 1.0), Vec3::Y);
+    let view = View::fitting(&Aabb::new(Vec3::splat(-1.1), Vec3::splat(1.1)), Vec3::new(0.45, 0.35, 1.0), Vec3::Y);
     let (name, title) = (PAIRS.to_owned(), "Two objects".to_owned());
     Scene { name, title, prims: Prims::Few(Vec::new()), flat: false, view, note: String::new(), origin: DVec3::ZERO }
 }

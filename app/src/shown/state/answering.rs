@@ -53,6 +53,8 @@ impl State {
         self.picked = place.filter(|place| *place != Place::World);
         let laid = self.picked.and_then(|place| self.laid_out(place));
         if let Some(step) = laid {
+            // It is shown now: nothing need stay lit.
+            self.picked = None;
             self.playing = false;
             self.go(step);
         } else if let Some(place) = self.picked {

@@ -1,8 +1,9 @@
-//! A node of a kd-tree as it lies in memory: in four layouts, slides 60-62.
+//! A node of a kd-tree as it lies in memory: in four layouts, slides 60-62; of a single box, its two corners.
 
 use glam::Vec2;
 use raystep_accel::{KdLayout, Machine, NodeField, NodeId, Place, Structure, Word};
 
+use super::box_bytes::box_bytes;
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role, text_width};
@@ -12,6 +13,10 @@ use crate::words::number;
 /// them the bits of a word that says several things. While a question asks what stands there, `hide` leaves the
 /// fields empty.
 pub fn bytes(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
+    if let Structure::Slab(one) = walk.structure {
+        let done = walk.events.get(..moment.step).unwrap_or(walk.events);
+        return box_bytes(&one.bounds, done, hide, size, look);
+    }
     let mut figure = Figure::new(size);
     let Structure::Kd(tree) = walk.structure else {
         look.nothing(&mut figure, "Bytes", "Only the nodes of a kd-tree are shown as bytes.");

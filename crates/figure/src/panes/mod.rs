@@ -1,6 +1,7 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
 mod board;
+mod box_bytes;
 mod bytes;
 mod cells;
 mod changed;

@@ -127,7 +127,7 @@ impl KnobLine {
 const KNOB: f32 = 3.1;
 const GIVEN: f32 = 3.2;
 /// The room of the heading, in letters.
-const HEAD: f32 = 3.6;
+const HEAD: f32 = 4.2;
 /// The most letters that a track is long.
 const LONGEST: f32 = 34.0;
 

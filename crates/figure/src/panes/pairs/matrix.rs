@@ -5,7 +5,6 @@ use raystep_accel::{Arrangement, CellId, Kind, PAIRS, Place, Probe, Step, Trial}
 
 use crate::page::{Anchor, Figure, Ink, Look, block, write};
 use crate::panes::Ask;
-use crate::theme::fonts::elided;
 use crate::theme::{Face, Role, text_width};
 
 /// A row's height in letters.
@@ -43,8 +42,9 @@ pub(crate) fn matrix(cases: &[Arrangement], events: &[Trial], step: usize, ask: 
     let high = u * ROW;
     for (index, kind) in columns.iter().enumerate() {
         let at = Vec2::new(left + wide * (index as f32 + 0.5), top + u * 1.1);
-        let word = elided(kind.word(), Face::Medium, u * 0.95, wide - u * 0.3);
-        write(&mut figure, Role::Text, None, at, &word, u * 0.95, Face::Medium, Anchor::Middle);
+        // Smaller rather than cut off.
+        let text = u * 0.95 * ((wide - u * 0.2) / text_width(kind.word(), Face::Medium, u * 0.95)).min(1.0);
+        write(&mut figure, Role::Text, None, at, kind.word(), text, Face::Medium, Anchor::Middle);
     }
     let first = top + u * 2.1;
     for (index, kind) in rows.iter().enumerate() {

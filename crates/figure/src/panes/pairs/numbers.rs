@@ -51,8 +51,10 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         return figure;
     }
     let u = look.text;
-    let high = u * 2.3;
-    let fit = (((size.y - top - u * 2.6) / high) as usize).max(1);
+    // Closer together rather than not at all.
+    let room = size.y - top - u * 2.6;
+    let high = (room / rows.len() as f32).clamp(u * 1.75, u * 2.3);
+    let fit = ((room / high + 0.01) as usize).max(1);
     rows.drain(..rows.len().saturating_sub(fit));
     let all = || rows.iter().flat_map(Row::numbers);
     let (low, most) = (all().fold(f32::INFINITY, f32::min), all().fold(f32::NEG_INFINITY, f32::max));
@@ -65,6 +67,8 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         left: look.margin() + names + u * 1.2,
         right: size.x - look.margin() - u,
     };
+    // What differs by roundings alone lies in the same place.
+    let place = |value: f32| (axis.x(value) * 8.0).round() / 8.0;
     for (index, row) in rows.iter().enumerate() {
         let y = top + high * (index as f32 + 0.75);
         let at = Vec2::new(look.margin(), y);
@@ -72,7 +76,7 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         let many = row.bars.len() as f32;
         for (bar, (role, ends)) in row.bars.iter().enumerate() {
             let y = y + (bar as f32 - (many - 1.0) * 0.5) * u * 0.7;
-            let [from, to] = ends.map(|end| Vec2::new(axis.x(end), y));
+            let [from, to] = ends.map(|end| Vec2::new(place(end), y));
             figure.add(*role, None, line(from, to));
             for end in [from, to] {
                 let tall = Vec2::new(0.0, u * 0.3);
@@ -80,7 +84,7 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
             }
         }
         for (role, value, name) in row.points.iter().filter(|(_, value, _)| axis.shows(*value)) {
-            let center = Vec2::new(axis.x(*value), y);
+            let center = Vec2::new(place(*value), y);
             figure.add(*role, None, Ink::Circle { center, radius: u * 0.35 });
             let half = text_width(name, Face::Regular, look.small()) * 0.5;
             let at = Vec2::new(center.x.clamp(axis.left + half, axis.right - half), y - u * 0.95);
@@ -90,7 +94,7 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
     let bottom = top + high * rows.len() as f32 + u * 0.4;
     figure.add(Role::Edge, None, line(Vec2::new(axis.left, bottom), Vec2::new(axis.right, bottom)));
     for mark in axis.marks(u * 5.0) {
-        let x = axis.x(mark);
+        let x = place(mark);
         figure.add(Role::Edge, None, line(Vec2::new(x, bottom - u * 0.25), Vec2::new(x, bottom + u * 0.25)));
         let at = Vec2::new(x, bottom + u * 1.0);
         write(&mut figure, Role::Quiet, None, at, &number(mark), look.small(), Face::Regular, Anchor::Middle);

@@ -33,8 +33,7 @@ struct Drawing<'a> {
 
 impl Drawing<'_> {
     fn add(&mut self, role: Role, form: Form) {
-        let place = self.tried.last().map(raystep_accel::Trial::place);
-        self.marks.push(SpaceMark { form, role, place });
+        self.marks.push(SpaceMark { form, role, place: None });
     }
 
     fn label(&mut self, role: Role, at: Vec3, text: String) {
@@ -209,11 +208,9 @@ impl Drawing<'_> {
         }
         // Beside the two, so that they do not hide it.
         let beside = self.bounds.extent().length() * 0.42;
-        let aside = [Vec3::NEG_Y, Vec3::X, Vec3::Z].into_iter().max_by(|p, q| {
-            let free = |way: &Vec3| way.cross(along.normalize()).length();
-            free(p).total_cmp(&free(q))
-        });
-        let aside = aside.unwrap_or(Vec3::NEG_Y).reject_from(along).normalize_or_zero() * beside;
+        let low = Vec3::NEG_Y.reject_from(along);
+        let aside = if low.length() > STEEP { low } else { Vec3::NEG_X.reject_from(along) };
+        let aside = aside.normalize_or_zero() * beside;
         let at = |value: f32| from + along * (value / square) + aside;
         let (low, high) = (a[0].min(b[0]), a[1].max(b[1]));
         let air = (high - low) * 0.15;
@@ -281,6 +278,9 @@ fn axis_of(axis: Direction) -> Option<Axis> {
         _ => None,
     }
 }
+
+/// A direction that leaves less than this of the way down is too steep for a line below the two.
+const STEEP: f32 = 0.35;
 
 /// How much larger than a box the planes of its slabs are drawn.
 const LARGER: f32 = 1.25;

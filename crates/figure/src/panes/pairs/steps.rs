@@ -4,40 +4,63 @@ use glam::Vec2;
 
 use super::Tried;
 use crate::page::{Anchor, Figure, Look, block, write};
-use crate::theme::fonts::elided;
-use crate::theme::{Face, Role};
+use crate::theme::{Face, Role, text_width};
 use crate::words::{Fact, VolumeName};
 
 /// What the test has computed so far; of many steps the last that there is room for. What answers an open question is
 /// not among them.
 pub(crate) fn steps(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let top = look.heading(&mut figure, "The test so far", "") + look.margin() * 0.4;
-    let line = look.line() * 1.9;
-    let fit = ((size.y - top) / line) as usize;
+    // Whole points: rows of the same height stand in the same places, whichever comes first.
+    let top = (look.heading(&mut figure, "The test so far", "") + look.margin() * 0.4).round();
+    let (line, small, width) = (look.line(), look.small(), size.x - 2.0 * look.margin());
     let steps = tried.done.get(1..).unwrap_or_default();
-    let first = steps.len().saturating_sub(fit.max(1));
-    let width = size.x - 2.0 * look.margin();
-    for (index, trial) in steps.iter().enumerate().skip(first) {
-        let y = top + line * ((index - first) as f32 + 0.5);
+    let said: Vec<Vec<String>> =
+        steps.iter().map(|trial| broken(&trial.sentence(VolumeName::BOX), small, width)).collect();
+    let high = |said: &Vec<String>| (line * (1.15 + 0.8 * said.len() as f32)).round();
+    // From the last one up, as many as there is room for.
+    let mut room = size.y - top;
+    let fitting = said.iter().rev().take_while(|said| {
+        room -= high(said);
+        room >= 0.0
+    });
+    let first = steps.len() - fitting.count().max(1).min(steps.len());
+    let mut y = top;
+    for (index, (trial, said)) in steps.iter().zip(&said).enumerate().skip(first) {
         let now = index + 1 == steps.len();
         if now {
-            let corner = Vec2::new(look.margin() * 0.5, y - line * 0.5);
-            let room = Vec2::new(size.x - look.margin(), line);
-            figure.add(Role::Ground, Some(trial.place()), block(corner, room, look.text * 0.2));
+            let corner = Vec2::new(look.margin() * 0.5, y);
+            let room = Vec2::new(size.x - look.margin(), high(said));
+            figure.add(Role::Ground, None, block(corner, room, look.text * 0.2));
         }
-        let (small, place) = (look.small(), Some(trial.place()));
         let short = format!("{}  {}", index + 1, trial.short(VolumeName::BOX));
-        let at = Vec2::new(look.margin(), y - line * 0.23);
+        let at = Vec2::new(look.margin(), y + line * 0.55);
         let role = if now { Role::Here } else { Role::Text };
-        write(&mut figure, role, place, at, &short, look.text, Face::Medium, Anchor::Start);
-        let says = elided(&trial.sentence(VolumeName::BOX), Face::Regular, small, width);
-        let at = Vec2::new(look.margin(), y + line * 0.23);
-        write(&mut figure, Role::Quiet, place, at, &says, small, Face::Regular, Anchor::Start);
+        write(&mut figure, role, None, at, &short, look.text, Face::Medium, Anchor::Start);
+        for (row, words) in said.iter().enumerate() {
+            let at = Vec2::new(look.margin(), y + line * (1.4 + 0.8 * row as f32));
+            write(&mut figure, Role::Quiet, None, at, words, small, Face::Regular, Anchor::Start);
+        }
+        y += high(said);
     }
     if steps.is_empty() {
         let at = Vec2::new(look.margin(), top + look.line() * 0.5);
         write(&mut figure, Role::Quiet, None, at, "Nothing is computed yet.", look.text, Face::Regular, Anchor::Start);
     }
     figure
+}
+
+/// A sentence in lines of this width.
+fn broken(sentence: &str, size: f32, width: f32) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in sentence.split(' ') {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} {word}"), Face::Regular, size) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
 }

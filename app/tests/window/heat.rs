@@ -5,42 +5,26 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use egui::{Key, Pos2, pos2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::Vec2;
 use raystep::shown::{Beside, RayChoice, Rivals};
-use raystep::window::{App, Remembered, Wishes};
 use raystep_figure::{Ask, Figure, Ink, Look, Pane, Pixel};
-use raystep_lesson::{Column, Library, Plays, StageKind, Tape};
+use raystep_lesson::{Column, Plays, StageKind, Tape};
 
-fn window(slide: &str) -> Harness<'static, App> {
-    let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
-    let mut harness = Harness::builder()
-        .with_size([1600.0, 1000.0])
-        .with_max_steps(60)
-        .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
+use crate::window::{self, Window, press, until};
+
+fn window(slide: &str) -> Window {
+    let mut harness = window::window(slide, [1600.0, 1000.0]);
     settle(&mut harness);
     harness
 }
 
-/// Runs frames until everything that is asked for is there.
-fn settle(harness: &mut Harness<'static, App>) {
-    for _ in 0..12_000 {
-        harness.run_steps(3);
-        if harness.state().state.is_current() && harness.state().is_idle() {
-            return;
-        }
-        std::thread::sleep(std::time::Duration::from_millis(5));
-    }
-    panic!("something is never there");
+/// Runs frames until everything that is asked for is there, and nothing is measured with more rays.
+fn settle(harness: &mut Window) {
+    until(harness, |window| window.state().state.is_current() && window.state().is_idle());
 }
 
-fn press(harness: &mut Harness<'static, App>, key: Key) {
-    harness.key_press(key);
-    harness.run_steps(2);
-}
-
-fn click(harness: &mut Harness<'static, App>, at: Pos2) {
+fn click(harness: &mut Window, at: Pos2) {
     harness.hover_at(at);
     harness.run_steps(2);
     for pressed in [true, false] {
@@ -51,7 +35,7 @@ fn click(harness: &mut Harness<'static, App>, at: Pos2) {
     harness.run_steps(2);
 }
 
-fn solid(slide: &str) -> Harness<'static, App> {
+fn solid(slide: &str) -> Window {
     let mut harness = window(slide);
     harness.state_mut().state.show_stage(StageKind::Solid);
     settle(&mut harness);
@@ -113,7 +97,7 @@ fn a_heat_map_ends_where_something_else_is_looked_at() {
 }
 
 /// A pixel of a board's heat map, and where it lies in the window.
-fn pixel(harness: &Harness<'static, App>) -> (Pixel, Pos2) {
+fn pixel(harness: &Window) -> (Pixel, Pos2) {
     // The border of a pane is for dragging it.
     let rect = harness.get_by_label("Picture").rect().expand(5.0);
     let playback = harness.state().state.playback().unwrap().clone();
