@@ -68,6 +68,10 @@ fn wrong_boards_are_told_what_is_wrong() {
         ("empty answer", "answer=\"all of them\"", "answer=\"\""),
         ("empty notes", "Three minutes.", ""),
         ("unknown key of a row", "note = \"usual\"", "noote = \"usual\""),
+        ("packets of three", "note = \"usual\"", "lanes = 3"),
+        ("packets through a grid", "note = \"usual\"", "lanes = 4"),
+        ("unknown layout", "note = \"usual\"", "layout = \"plan\""),
+        ("a layout of a grid", "note = \"usual\"", "layout = \"plain\""),
     ];
     let mut table = String::new();
     for (what, from, to) in mistakes {
