@@ -115,6 +115,10 @@ fn wrong_boards_are_told_what_is_wrong() {
         ("setting of another number", "set:N=8)", "set:M=8)"),
         ("meter without numbers", "numbers = [", "nombers = ["),
         ("unknown key of a row", "note = \"usual\"", "noote = \"usual\""),
+        ("packets of three", "note = \"usual\"", "lanes = 3"),
+        ("packets through a grid", "note = \"usual\"", "lanes = 4"),
+        ("unknown layout", "note = \"usual\"", "layout = \"plan\""),
+        ("a layout of a grid", "note = \"usual\"", "layout = \"plain\""),
     ];
     let mut table = String::new();
     for (what, from, to) in mistakes {

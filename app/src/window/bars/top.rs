@@ -186,7 +186,8 @@ fn rays(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Optio
         RayChoice::Named(index) => stage.rays.get(*index).map_or("", |ray| ray.name.as_str()),
         RayChoice::Own(_) => "your own",
     };
-    let text = format!("Ray: {name}");
+    let together = state.slide().is_some_and(|slide| slide.plays == Plays::Packet);
+    let text = format!("{}: {name}", if together { "Rays" } else { "Ray" });
     let wide = |text: &str| raystep_figure::text_width(text, Face::Medium, 13.5) + 44.0;
     // Its colour says that it is a ray where there is no room for the word.
     let text = if wide(&text) <= width { text } else { name.to_owned() };

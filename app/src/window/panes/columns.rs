@@ -4,7 +4,7 @@
 use egui::{Frame, Panel, Ui};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
-use raystep_lesson::Show;
+use raystep_lesson::{Plays, Show};
 
 use super::figure::figure;
 use super::page::{Asked, Kept, Page};
@@ -174,6 +174,11 @@ pub(super) fn center(
         // What a slide is about gets the room.
         () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.38).clamp(200.0, 340.0),
         () if bytes => (height * 0.24).clamp(190.0, 220.0),
+        // A row a ray.
+        () if packet(page.state) => {
+            let own = kept.pictures.as_ref().and_then(|pictures| pictures.height(Pane::Ruler, &Look::WINDOW));
+            own.unwrap_or(0.0).clamp(112.0, (height * 0.26).max(112.0))
+        }
         () if builds => (height * 0.2).clamp(150.0, 200.0),
         () => (height * 0.15).clamp(112.0, 150.0),
     };
@@ -203,6 +208,11 @@ fn has(kept: &Kept, pane: Pane) -> bool {
 pub(super) fn bytes(state: &State) -> bool {
     let show = state.slide().map_or(&[][..], |slide| slide.show.as_slice());
     state.playback().is_some_and(|playback| shows_bytes(playback, show))
+}
+
+/// Whether several rays walk together.
+fn packet(state: &State) -> bool {
+    state.slide().is_some_and(|slide| slide.plays == Plays::Packet)
 }
 
 /// Whether a slide is most of all about a pane.

@@ -124,7 +124,7 @@ impl Kind for PacketWalk<'_> {
 
     fn cost(&self, at: &Instant) -> Option<Cost> {
         let moment: &PacketMoment = at.state();
-        let (node_visits, prim_tests, skips) = (moment.fill.visits, moment.tested.len() as u64, moment.skips);
+        let (node_visits, prim_tests, skips) = (moment.fill.visits, moment.tests, moment.skips);
         Some(Cost { node_visits, prim_tests, skips, ..Cost::default() })
     }
 

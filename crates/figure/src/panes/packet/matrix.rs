@@ -27,7 +27,9 @@ const BARS: f32 = 7.6;
 pub(crate) fn matrix(walk: &PacketWalk<'_>, moment: &PacketMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let u = look.text;
-    let top = look.heading(&mut figure, "How full the lanes were", "a column a node, a row a ray");
+    let (title, remark) = ("How full the lanes were", "a column a node, a row a ray");
+    let wide = text_width(title, Face::Bold, u * 0.95) + text_width(remark, Face::Regular, look.small()) + u * 2.5;
+    let top = look.heading(&mut figure, title, if wide < size.x { remark } else { "" });
     let rays = walk.rays.len();
     let room = size.y - top - u * (BARS + 1.2);
     let row = (room / rays.max(1) as f32).clamp(u * 0.55, u * ROW);

@@ -49,9 +49,12 @@ pub(crate) fn stack_of_packet(
     }
     let mut y = top;
     for (index, Row { node, role, lanes, word }) in rows.iter().enumerate() {
-        // Those who do not need it any more say why.
+        // Those who do not need it any more say why, where there is room for it and for all rows.
         let left_out = if index == 0 && !hide { left_out(moment, *node) } else { Vec::new() };
-        let height = u * (2.3 + 1.5 * left_out.len() as f32);
+        let reasons = 1.5 * left_out.len() as f32;
+        let fits = top + u * (2.75 * rows.len() as f32 + reasons) <= size.y;
+        let left_out = if fits { left_out } else { Vec::new() };
+        let height = u * (2.3 + if fits { reasons } else { 0.0 });
         let more = rows.len() - index;
         if y + height > size.y && index > 0 {
             let says = format!("and {more} more below");

@@ -51,7 +51,7 @@ impl Fact for PacketVisit {
     fn short(&self, volume: VolumeName) -> Cow<'static, str> {
         let abreast = match self.step {
             PacketStep::Packet(abreast) => abreast,
-            PacketStep::Lane(visit) => return format!("{}: {}", ray(self), visit.short(volume)).into(),
+            PacketStep::Lane(visit) => return format!("{}: {}", number(self), visit.short(volume)).into(),
         };
         Cow::Borrowed(match abreast {
             Abreast::Enter { leaf: false, .. } => "a node is entered",
@@ -73,7 +73,7 @@ impl Fact for PacketVisit {
     fn sentence(&self, volume: VolumeName) -> String {
         let abreast = match self.step {
             PacketStep::Packet(abreast) => abreast,
-            PacketStep::Lane(visit) => return format!("{}: {}", ray(self), visit.sentence(volume)),
+            PacketStep::Lane(visit) => return format!("Ray {}: {}", number(self), small(&visit.sentence(volume))),
         };
         let (many, width) = (self.lanes.count(), self.lanes.width());
         let who = format!("for {many} of {}, {}", counted(width as u64, "lane", "lanes"), mask(self.lanes));
@@ -116,9 +116,15 @@ impl Fact for PacketVisit {
     }
 }
 
-/// The ray that computes something for itself.
-fn ray(visit: &PacketVisit) -> String {
-    format!("Ray {}", visit.lane().map_or(0, |lane| lane + 1))
+/// The number of the ray that computes something for itself.
+fn number(visit: &PacketVisit) -> usize {
+    visit.lane().map_or(0, |lane| lane + 1)
+}
+
+/// A sentence that goes on behind a colon.
+fn small(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    letters.next().map_or_else(String::new, |first| first.to_lowercase().chain(letters).collect())
 }
 
 fn go_on(many: u32) -> String {
