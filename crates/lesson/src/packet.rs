@@ -79,7 +79,9 @@ impl PacketTape {
 /// What a walk cost.
 fn cost(events: &[Visit]) -> Cost {
     let mut cost = Cost::default();
-    events.iter().for_each(|event| cost.on(*event));
+    for event in events {
+        cost.on(*event);
+    }
     cost
 }
 

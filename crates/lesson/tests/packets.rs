@@ -37,7 +37,9 @@ fn packets_walk_together_and_each_ray_finds_what_it_finds_alone() {
         let Tape::Packet(packet) = &play.tape else { panic!("a packet") };
         assert_eq!(packet.rays.len(), 1 + named.others.len());
         let mut fill = Fill::default();
-        packet.events.iter().for_each(|event| fill.on(*event));
+        for event in &packet.events {
+            fill.on(*event);
+        }
         for (lane, ray) in packet.rays.iter().enumerate() {
             assert_eq!(packet.found[lane], List.intersect(&play.scene.prims, ray, &mut ()), "lane {lane}");
             assert_eq!(packet.found[lane], packet.alone[lane].hit, "lane {lane}");

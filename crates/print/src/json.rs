@@ -85,7 +85,9 @@ pub fn json(record: &Record<'_>) -> String {
         }
         Told::Packet { name, rays, events, found } => {
             let mut fill = Fill::default();
-            events.iter().for_each(|event| fill.on(*event));
+            for event in events {
+                fill.on(*event);
+            }
             text(&Abreast {
                 format: "raystep-packet",
                 version,

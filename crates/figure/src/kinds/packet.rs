@@ -1,6 +1,6 @@
 //! The walk of a packet: several rays that go through a tree together.
 
-use raystep_accel::{Aabb, Cost, Lanes, Place, Primitives, Prims};
+use raystep_accel::{Aabb, Cost, Place, Primitives, Prims};
 
 use super::{Guess, Instant, Kind};
 use crate::moments::{PacketMoment, PacketWalk};
@@ -10,7 +10,7 @@ use crate::panes::{
     stack_of_packet, tree_height, tree_of_packet,
 };
 use crate::theme::Role;
-use crate::words::{Fact, VolumeName, mask};
+use crate::words::{Fact, VolumeName, counted, mask};
 use crate::world::{Depth, Form, Space, SpaceMark};
 
 impl Kind for PacketWalk<'_> {
@@ -130,14 +130,9 @@ impl Kind for PacketWalk<'_> {
 
     fn tally(&self, at: &Instant) -> String {
         let moment: &PacketMoment = at.state();
-        let lanes = moment.here.map_or_else(|| Lanes::none(self.width()), |(_, lanes)| lanes);
-        format!(
-            "{} nodes, {} of {} lanes {}",
-            moment.fill.visits,
-            moment.fill.lane_visits,
-            moment.fill.lanes,
-            mask(lanes)
-        )
+        let lanes = moment.here.map_or_else(String::new, |(_, lanes)| format!(" \u{b7} {}", mask(lanes)));
+        let many = counted(moment.fill.visits, "node", "nodes");
+        format!("{many}, lanes full {} of {}{lanes}", moment.fill.lane_visits, moment.fill.lanes)
     }
 
     fn guess(&self, at: &mut Instant, guesses: &[Guess]) {

@@ -129,7 +129,7 @@ pub(super) const HOPELESS: f32 = 1e4;
 fn rank(role: Role) -> u32 {
     match role {
         Role::Here | Role::Guess => 0,
-        Role::Best | Role::Hit | Role::Tick => 1,
+        Role::Best | Role::Hit | Role::Tick | Role::Lane => 1,
         Role::Waiting | Role::Missed => 2,
         _ => 3,
     }

@@ -114,7 +114,8 @@ fn ends(walk: &PacketWalk<'_>, moment: &PacketMoment, lane: usize, ray: &Ray, sp
     let role = if takes_part { Role::Lane } else { Role::Dropped };
     let at: Vec3 = ray.at(part.far);
     add(space, role, None, Form::Label { at, within: None, text: (lane + 1).to_string() });
-    let few = walk.rays.len() <= FEW;
+    // In space, where there is less room, the rulers say it.
+    let few = walk.flat && walk.rays.len() <= FEW;
     if let Some(hit) = moment.best.get(lane).copied().flatten().filter(|_| few) {
         let text = format!("t = {}", number(hit.t));
         let at = ray.at(hit.t);
