@@ -16,7 +16,7 @@ use raystep_lesson::{Column, Library, Plays, StageKind, Tape};
 fn window(slide: &str) -> Harness<'static, App> {
     let wishes = Wishes { slide: Some(slide.to_owned()), ..Wishes::default() };
     let mut harness = Harness::builder()
-        .with_size([1600.0, 1000.0])
+        .with_size([1180.0, 760.0])
         .with_max_steps(60)
         .build_eframe(|context| App::wished(&context.egui_ctx, Library::embedded(), wishes, Remembered::default()));
     settle(&mut harness);
