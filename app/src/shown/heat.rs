@@ -17,7 +17,7 @@ pub(crate) struct Wish {
     /// What is hit.
     pub(crate) scene: Arc<Scene>,
     /// Through what, each with a name: a map for each, all on one scale.
-    pub(crate) structures: Vec<(String, Arc<Structure>)>,
+    pub(crate) structures: Vec<Named>,
     /// What is counted.
     pub(crate) of: Column,
     /// From where.
@@ -25,6 +25,9 @@ pub(crate) struct Wish {
     /// Width and height of the picture in points.
     pub(crate) size: Vec2,
 }
+
+/// A structure and what it is called.
+type Named = (String, Arc<Structure>);
 
 /// A heat map that was counted.
 #[derive(Debug)]
@@ -41,8 +44,7 @@ pub(crate) struct Heated {
 impl Wish {
     /// Whether both show the same.
     pub(crate) fn is_same(&self, other: &Wish) -> bool {
-        let same =
-            |(a, b): (&(String, Arc<Structure>), &(String, Arc<Structure>))| a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1);
+        let same = |(a, b): (&Named, &Named)| a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1);
         self.structures.len() == other.structures.len()
             && self.structures.iter().zip(&other.structures).all(same)
             && Arc::ptr_eq(&self.scene, &other.scene)

@@ -14,7 +14,7 @@ use raystep_lesson::{Column, Plays, StageKind, Tape};
 use crate::window::{self, Window, press, until};
 
 fn window(slide: &str) -> Window {
-    let mut harness = window::window(slide, [1600.0, 1000.0]);
+    let mut harness = window::window(slide, [1180.0, 760.0]);
     settle(&mut harness);
     harness
 }

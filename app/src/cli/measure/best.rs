@@ -58,8 +58,13 @@ pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
         (true, _) => table::to_json(&records),
         (_, true) => table::to_csv(records.iter()),
         _ => {
+            let least = rated.iter().map(|rated| rated.rays).min().unwrap_or(0);
+            let fewer = match least < rays.len() as u64 {
+                true => format!(" Brute force is asked by {} of them.", thousands(least)),
+                false => String::new(),
+            };
             let about = format!(
-                "{}: {} primitives; {} rays, one for each pixel of a picture of {}. Brute force is asked by every n-th.\n",
+                "{}: {} primitives; {} rays, one for each pixel of a picture of {}.{fewer}\n",
                 scene.name,
                 thousands(scene.prims.len() as u64),
                 thousands(rays.len() as u64),

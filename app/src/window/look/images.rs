@@ -11,7 +11,10 @@ const MOST: usize = 24;
 
 /// All images that were shown, by where their pixels lie: these are kept, so that no others come to lie there.
 #[derive(Clone, Default)]
-struct Uploaded(HashMap<(usize, u32), (Arc<[u8]>, TextureHandle)>);
+struct Uploaded(HashMap<(usize, u32), Known>);
+
+/// The pixels of an image, and its texture.
+type Known = (Arc<[u8]>, TextureHandle);
 
 /// The texture of an image. Its pixels stay squares where they are stretched.
 pub(super) fn texture(context: &Context, image: &Image) -> TextureHandle {

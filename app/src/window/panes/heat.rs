@@ -1,6 +1,8 @@
 //! A heat map where space would be: its rays are those of the same camera, and each pixel leads into a walk.
 
-use egui::{Align, Align2, ComboBox, CursorIcon, Layout, PointerButton, Rect, RichText, Sense, Ui, UiBuilder, vec2};
+use egui::{
+    Align, Align2, ComboBox, CursorIcon, Label, Layout, PointerButton, Rect, RichText, Sense, Ui, UiBuilder, vec2,
+};
 use raystep_accel::Aabb;
 use raystep_figure::{Ask, Camera, Face, Look, Maps, Role};
 use raystep_lesson::Column;
@@ -19,6 +21,8 @@ use crate::shown::playback::Playback;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::painter::{caption, paint_figure};
+use crate::window::look::visuals::ink;
+use crate::window::work::heating::Level;
 
 /// The height of the strip with what is counted.
 const STRIP: f32 = 38.0;
@@ -62,16 +66,6 @@ pub(super) fn show(
     let figure = kept.heat.figure(heated, &ask);
     let painter = ui.painter_at(room);
     paint_figure(&painter, room.min, &figure, page.theme, None);
-    let [across, down] = heated.rays;
-    let says = match level.pixel {
-        _ if page.counting => format!("{across} × {down} rays, more are under way"),
-        1 => format!("{across} × {down} rays in {} s", raystep_figure::number(level.seconds as f32)),
-        pixel => format!("{across} × {down} rays: a pixel is {pixel} × {pixel} points"),
-    };
-    // Under the picture, at the height of its name.
-    let under = size + glam::Vec2::splat(look.text * 0.8);
-    let at = room.min + vec2(under.x, under.y + look.text * 1.8);
-    caption(&painter, at, Align2::RIGHT_CENTER, &says, Face::Regular, 12.0 * scale, Role::Quiet, page.theme);
     let instant = heated.instant();
     let reel = heated.reel();
     let still = reel.still(&instant);
@@ -99,7 +93,9 @@ fn wish(page: Page<'_>, kept: &Kept, room: Rect, of: Column, look: &Look) -> Opt
     let beside = page.beside.filter(|_| matches!(page.state.beside, Beside::Structure(_)));
     let named = |playback: &Playback| (kind_name(playback.rule.kind()).to_owned(), playback.play.structure.clone());
     let structures: Vec<_> = std::iter::once(named(playback)).chain(beside.map(|beside| named(beside))).collect();
-    let size = Maps::picture(glam_size(room), structures.len(), look).floor();
+    let size = Maps::picture(glam_size(room), structures.len(), look);
+    // What is seen fills the width; higher than wide there would be nothing but sky.
+    let size = glam::Vec2::new(size.x, size.y.min(size.x)).floor();
     let camera = kept.sight.camera(page.state, space, size);
     Some(Wish { scene: playback.play.scene.clone(), structures, of, camera, size })
 }
@@ -126,8 +122,22 @@ fn choices(ui: &mut Ui, page: Page<'_>, strip: Rect, of: Column, asked: &mut Vec
                 }
             });
             controls::name(&combo.response, "What is counted");
+            if let Some(level) = page.heat {
+                let says = RichText::new(so_far(level, page.counting)).small().color(ink(page.theme, Role::Quiet));
+                ui.add(Label::new(says).truncate());
+            }
         });
     });
+}
+
+/// How many rays the map is made of.
+fn so_far(level: &Level, counting: bool) -> String {
+    let [across, down] = level.heated.rays;
+    match level.pixel {
+        _ if counting => format!("{across} × {down} rays, more are under way"),
+        1 => format!("{across} × {down} rays in {} s", raystep_figure::number(level.seconds as f32)),
+        pixel => format!("{across} × {down} rays: a pixel is {pixel} × {pixel} points"),
+    }
 }
 
 fn words(of: Column) -> String {

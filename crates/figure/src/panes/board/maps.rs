@@ -174,7 +174,7 @@ pub(super) fn draw(maps: &Maps, filled: Filled, room: Vec2, look: &Look) -> Figu
         write(&mut figure, role, place, name, &map.name, u * 1.05, Face::Bold, Anchor::Start);
         if shown {
             let [least, most] = inked.range;
-            let says = format!("mean {}, from {least} to {most}", number(inked.mean as f32));
+            let says = format!("mean {}, {least} to {most}", number(inked.mean as f32));
             let at = name + Vec2::new(0.0, u * 1.5);
             write(&mut figure, Role::Missed, place, at, &says, u, Face::Regular, Anchor::Start);
             legend(&mut figure, maps, index, Vec2::new(max.x + u * 0.8, min.y), max.y - min.y, look);

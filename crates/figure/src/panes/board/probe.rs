@@ -77,9 +77,17 @@ fn near(
     let pixel = side / (2 * AROUND + 1) as f32;
     let center = inset + side * 0.5;
     figure.add(Role::Tick, None, outline(center - pixel * 0.5, center + pixel * 0.5));
-    let (x, anchor) = if taken { (inset.x + side + u, Anchor::Start) } else { (inset.x - u, Anchor::End) };
+    // Where a map is narrow its words stand below the inset.
+    let narrow = max.x - min.x < wide + u * 2.0;
+    let (x, anchor) = match (narrow, taken) {
+        (true, true) => (inset.x + u * 0.5, Anchor::Start),
+        (true, false) => (inset.x + side - u * 0.5, Anchor::End),
+        (false, true) => (inset.x + side + u, Anchor::Start),
+        (false, false) => (inset.x - u, Anchor::End),
+    };
+    let first = if narrow { inset.y + side + u * 1.4 } else { inset.y + u };
     let mut label = |row: f32, text: &str, role: Role, face: Face| {
-        let (at, text) = (Vec2::new(x, inset.y + u * (1.0 + 2.0 * row)), text.to_owned());
+        let (at, text) = (Vec2::new(x, first + u * 2.0 * row), text.to_owned());
         figure.add(role, None, Ink::Text { at, text, size: u, face, anchor, boxed: true });
     };
     label(0.0, says, Role::Here, Face::Bold);
