@@ -67,6 +67,11 @@ fn every_pair_has_two_arrangements_and_the_test_tells_them_apart() {
             pair.observe([&first, &second]).unwrap().1
         });
         assert_ne!(answers[0], answers[1], "{}", pair.name);
+        // Both have something to show before they answer.
+        for [first, second] in pair.cases() {
+            let (steps, _) = pair.observe([&first, &second]).unwrap();
+            assert!(steps.len() > 1, "{}: {steps:?}", pair.name);
+        }
         let word = |kind: Kind| kind.word().replace(' ', "-");
         assert_eq!(pair.name, format!("{}/{}", word(pair.first), word(pair.second)));
         assert_eq!(Pair::named(pair.name), Some(index));

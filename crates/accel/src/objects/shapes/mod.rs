@@ -120,6 +120,10 @@ impl Shape<'_> {
     pub(crate) fn intersect_watched(&self, ray: &Ray, watch: &mut impl Watch) -> Option<f32> {
         let own = slab(&self.bounds(), ray, Interval::ALL, Place::World, &mut ());
         if own.is_empty() {
+            // Of a box that is the test itself, which may be watched.
+            if let Shape::Box(bounds) = self {
+                bounds.crossing(ray, watch);
+            }
             return None;
         }
         let accept = |met: f32| {
