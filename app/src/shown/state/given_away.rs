@@ -72,8 +72,9 @@ fn texts(figure: &Figure) -> BTreeSet<String> {
     texts.collect()
 }
 
-/// Words of the page itself: how large a node is, which step was compared with, what a sign means.
-const SETTING: [&str; 6] = [" bytes", "64 bit: ", "since step ", "so many ", " nodes drawn", "level "];
+/// Words of the page itself: how large a node is, which step it is and was compared with, which of two arrangements,
+/// what a sign means.
+const SETTING: [&str; 7] = [" bytes", "64 bit: ", "step ", "arrangement ", "so many ", " nodes drawn", "level "];
 
 /// The words that would give an answer away.
 fn words(value: &Value, label: &str) -> Vec<String> {
@@ -104,7 +105,10 @@ fn given_away(posed: &Posed, now: Option<&Event>, asked: &Shown, before: &Shown)
     let mut found = Vec::new();
     let (right, wrong): (Vec<_>, Vec<_>) = posed.choices.iter().partition(|choice| choice.right);
     let Some(right) = right.first() else { return found };
-    let told = now.is_some_and(|event| event.fields().iter().any(|field| event.field(field) == Some(right.value)));
+    // Who takes part is told with every event of a packet.
+    let told = now.is_some_and(|event| {
+        event.fields().iter().chain(&["lanes"]).any(|field| event.field(field) == Some(right.value))
+    });
     for ((pane, now), (_, then)) in asked.texts.iter().zip(&before.texts) {
         let fresh = now.difference(then).filter(|text| !SETTING.iter().any(|words| text.contains(words)));
         let fresh: Vec<&String> = fresh.collect();
