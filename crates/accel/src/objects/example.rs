@@ -66,7 +66,6 @@ pub(super) fn elsewhere(pair: &Pair) -> Vec3 {
         (Kind::Ray, Kind::Polygon) => [0.0, -0.4, 0.0],
         (Kind::Ray, Kind::Triangle) => [0.0, 1.0, 0.0],
         (Kind::Ray, Kind::Cylinder) => [0.0, 0.0, 1.3],
-        (Kind::Ray, Kind::Obb) => [0.0, 1.35, 0.0],
         (Kind::Ray, _) => [0.0, 1.5, 0.0],
         // A corner comes in, or goes out.
         (Kind::Triangle, _) => [-0.5, -0.5, 0.0],

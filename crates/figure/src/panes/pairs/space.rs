@@ -59,9 +59,9 @@ impl Drawing<'_> {
         for form in forms(first) {
             self.add(own, form);
         }
-        for (body, role) in [(second, role), (first, own)] {
+        // The second one's name stands at a corner of it, the first one's where it is taken.
+        for (body, role, within) in [(second, role, Some(bounds(second))), (first, own, None)] {
             let Some(kind) = body.kind() else { continue };
-            let within = Some(bounds(body)).filter(|_| !matches!(body, Body::Ray(_) | Body::Point(_)));
             let at = body.middle();
             self.add(role, Form::Label { at, within, text: kind.word().to_owned() });
         }
