@@ -178,7 +178,9 @@ impl Checker<'_> {
                             Some(own) => own.err(),
                             None => rule.set(key, value).err().map(|error| error.to_string()),
                         };
-                        wrong.into_iter().for_each(|wrong| self.say(slide, spot, wrong));
+                        if let Some(wrong) = wrong {
+                            self.say(slide, spot, wrong);
+                        }
                     }
                 }
                 Act::Compare(kind) if slide.plays != Plays::Walk || *kind == stage.plan.kind => {

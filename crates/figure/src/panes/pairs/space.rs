@@ -122,12 +122,12 @@ impl Drawing<'_> {
     }
 
     fn slab(&mut self, visit: &Visit, ray: &Ray, second: &Body<'_>) {
-        let axis = match *visit {
-            Visit::Parallel { axis, .. }
-            | Visit::Divide { axis, .. }
-            | Visit::Order { axis, .. }
-            | Visit::Narrow { axis, .. } => axis,
-            _ => return,
+        let (Visit::Parallel { axis, .. }
+        | Visit::Divide { axis, .. }
+        | Visit::Order { axis, .. }
+        | Visit::Narrow { axis, .. }) = *visit
+        else {
+            return;
         };
         let solid = match second {
             Body::Shape(Shape::Box(bounds)) => Obb::from_aabb(bounds),
