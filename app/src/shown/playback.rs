@@ -93,9 +93,11 @@ impl Playback {
             }
         }
         silence(&mut play, &rule, slide);
-        // Where the numbers of a meter were moved, its board says so.
+        // What stands on a board follows the numbers of its meter.
         let nodes = match &play.tape {
-            Tape::Board(_) if !view.settings.is_empty() => Arc::new(AllNodes::of(&play.structure, Some(&play.tape))),
+            Tape::Board(filled) if filled.board.meter().is_some() => {
+                Arc::new(AllNodes::of(&play.structure, Some(&play.tape)))
+            }
             _ => nodes,
         };
         let film = Film::new(&reel(&play, &nodes, None));
