@@ -115,9 +115,10 @@ impl Pictures {
             if pane == Pane::Work && asks.is_some_and(|(counts, _)| counts) {
                 return Arc::new(nothing("Work so far", WAITS, size, look));
             }
-            // The bytes of a node tell of what is asked only where that is its plane.
-            let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || coming == "plane");
-            let lines = lines(code, &playback.play, still.step(), mistake);
+            // Bytes tell of what is asked only where that is a node's plane, or what is in a slot.
+            let told = |coming: &str| coming == "plane" || coming.starts_with("probe");
+            let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || told(coming));
+            let lines = lines(code, &playback.play, &playback.rule, still.step(), mistake);
             let space = space.as_deref();
             let ask = Ask { hide, view: Some(view), lines: &lines, beside, part, space, ..Ask::new(size, *look) };
             Arc::new(still.draw(pane, &ask))
@@ -163,7 +164,7 @@ impl Pictures {
     pub(crate) fn line_at(&self, code: Option<&Listing>, size: Vec2, look: &Look, y: f32) -> Option<usize> {
         let reel = self.playback.reel();
         let still = reel.still(&self.instant);
-        let lines = lines(code, &self.playback.play, still.step(), self.key.mistake);
+        let lines = lines(code, &self.playback.play, &self.playback.rule, still.step(), self.key.mistake);
         still.line_at(&Ask { lines: &lines, ..Ask::new(size, *look) }, y)
     }
 
@@ -277,10 +278,9 @@ fn guess(choice: &Choice) -> Guess {
     Guess { place: choice.place, plane, text: label(choice) }
 }
 
-/// Whether a slide wants to see a node's bytes, and there are any.
+/// Whether a slide wants to see bytes, and there are any.
 pub(crate) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
-    let kd = matches!(&*playback.play.structure, raystep_accel::Structure::Kd(_));
-    show.contains(&Show::Bytes) && kd && playback.reel().has(Pane::Bytes)
+    show.contains(&Show::Bytes) && playback.reel().has(Pane::Bytes)
 }
 
 /// The pane that is best seen beside space.

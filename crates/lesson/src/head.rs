@@ -9,7 +9,9 @@ use toml::de::{DeTable, DeValue};
 use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
-use crate::{Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, pairs, wait, walks};
+use crate::{
+    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, change, limits, pairs, wait, walks,
+};
 
 /// No tree is deeper.
 const LEVELS: f32 = 64.0;
@@ -216,6 +218,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     };
     let board = (reading.plays == Plays::Board).then(|| Arc::new(board::read(keys, reading)));
     let pairs = if reading.plays == Plays::Pairs { pairs::read(keys, reading) } else { Vec::new() };
+    let changes = if reading.plays == Plays::Build { change::read(keys, reading) } else { Vec::new() };
     let beside = keys.table("beside", reading).and_then(|mut table| plan(&mut table, reading));
     reading.beside |= beside.is_some();
     let mut camera = keys.table("camera", reading);
@@ -234,6 +237,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
         plan,
         beside,
         rays,
+        changes,
         abreast,
         pairs,
         board,

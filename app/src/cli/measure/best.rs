@@ -3,12 +3,12 @@
 use indicatif::ProgressBar;
 use raystep_accel::Primitives;
 use raystep_figure::number;
+use raystep_figure::whole;
 use serde::Serialize;
 
 use super::look::Shot;
 use super::{MeasureArguments, bar, table};
 use crate::cli::subject;
-use crate::counts::thousands;
 use crate::fault::Fault;
 use crate::rating::{Rated, rate, rays, rules, told};
 
@@ -61,8 +61,8 @@ pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
             let about = format!(
                 "{}: {} primitives; {} rays, one for each pixel of a picture of {}. Brute force is asked by every n-th.\n",
                 scene.name,
-                thousands(scene.prims.len() as u64),
-                thousands(rays.len() as u64),
+                whole(scene.prims.len() as u64),
+                whole(rays.len() as u64),
                 shot.size
             );
             Ok(about + &text(&rated, arguments.times))
@@ -96,7 +96,7 @@ fn text(rated: &[Rated], times: bool) -> String {
     page.push('\n');
     for rated in rated {
         let [tests, visits, boxes] = [rated.tests, rated.visits, rated.boxes].map(|value| format!("{value:.2}"));
-        let cells = [tests, visits, boxes, thousands(rated.nodes), thousands(rated.bytes)];
+        let cells = [tests, visits, boxes, whole(rated.nodes), whole(rated.bytes)];
         page += &format!("{:<14}{}", rated.name, cells.map(|cell| format!(" {cell:>14}")).concat());
         if times {
             page += &format!(" {:>12} {:>12}", number(rated.build_ms as f32), number(rated.ray_us as f32));

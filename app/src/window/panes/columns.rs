@@ -170,8 +170,8 @@ pub(super) fn center(
     let builds = page.state.slide().is_some_and(|slide| !slide.plays.has_rays());
     let usual = match () {
         // What a slide is about gets the room.
-        () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.38).clamp(200.0, 340.0),
-        () if bytes => (height * 0.24).clamp(190.0, 220.0),
+        () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.42).clamp(220.0, 360.0),
+        () if bytes => (height * 0.26).clamp(200.0, 240.0),
         () if builds => (height * 0.2).clamp(150.0, 200.0),
         () => (height * 0.15).clamp(112.0, 150.0),
     };

@@ -1,9 +1,11 @@
 //! Walks and builds as they were recorded, and the state of each after some of its events.
 
 mod build;
+mod change;
 mod moment;
 mod walk;
 
 pub use build::{Build, Fate, GrowMoment, GrowNode, Taken, Tally, Weighed};
+pub use change::Changed;
 pub use moment::{Cut, Inside, Moment, PrimTest, SlabCut, SlabTest, Stepping, Tested, Waiting};
 pub use walk::Walk;
