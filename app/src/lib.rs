@@ -4,7 +4,6 @@
 #![warn(clippy::print_stderr, clippy::print_stdout)]
 
 pub mod cli;
-mod counts;
 mod export;
 mod fault;
 mod fields;

@@ -8,12 +8,12 @@ use glam::Vec2;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
+use raystep_figure::whole;
 use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 
 use super::rays;
 use super::subject::Subject;
-use crate::counts::thousands;
 use crate::export::Size;
 use crate::fault::Fault;
 use crate::files;
@@ -158,7 +158,7 @@ fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray) -> String 
     let mut tape = Trace::new(TAPE);
     let hit = structure.intersect(&scene.prims, ray, &mut tape);
     if tape.lost > 0 {
-        let (kept, lost) = (thousands(tape.events.len() as u64), thousands(tape.lost));
+        let (kept, lost) = (whole(tape.events.len() as u64), whole(tape.lost));
         files::say(&format!("the first {kept} events of the walk are written; {lost} more are counted as `lost`"));
     }
     raystep_print::json(&Record {

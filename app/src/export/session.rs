@@ -3,8 +3,8 @@
 use glam::Vec2;
 use raystep_accel::{Event, Ray};
 use raystep_figure::{
-    Ask, Camera, Figure, Look, Pane, Reel, Scenery, Still, Theme, VolumeName, close_up, inset_size, sentence,
-    set_inset, short, stage as picture_of, told,
+    Ask, Camera, Figure, Look, Pane, Reel, Scenery, Still, Theme, close_up, inset_size, set_inset, short,
+    stage as picture_of, told,
 };
 use raystep_lesson::{Medium, NamedRay, Play, Plays, Tape};
 use raystep_print::{Plate, Record, Told, json, plate};
@@ -201,7 +201,7 @@ impl<'a> Session<'a> {
             (None, Tape::Board(_) | Tape::Pairs(_)) => self.ground.about.clone(),
             (None, _) => format!("{} · how it is built", self.ground.about),
         };
-        let listing = lines(self.ground.library.listing(&slide.listing), &self.play, step, None);
+        let listing = lines(self.ground.library.listing(&slide.listing), &self.play, &self.ground.rule, step, None);
         let mut below: Vec<Pane> = slide.show.iter().filter_map(pane).collect();
         below.dedup();
         let sheet = Plate {
@@ -230,8 +230,8 @@ impl<'a> Session<'a> {
         match beat.and_then(|beat| self.ground.beats.get(beat)) {
             Some(beat) => (told(&beat.title, event), said(beat, &self.play, step, Medium::Paper)),
             None => {
-                let volume = VolumeName::of(&self.play.structure);
-                (capitalised(&short(event, volume)), sentence(event, volume))
+                let reel = reel(&self.play, &self.ground.nodes, None);
+                (capitalised(&short(event, reel.volume())), reel.sentence(step, event))
             }
         }
     }

@@ -1,11 +1,10 @@
 //! The table and the chart of all structures.
 
 use raystep_accel::{Primitives, Reveal};
-use raystep_figure::{Board, Chart, Column, Curve, Drawn, Panel, Reel, Role, Row, Scale, Table};
+use raystep_figure::{Board, Chart, Column, Curve, Drawn, Panel, Reel, Role, Row, Scale, Table, whole};
 use raystep_scene::Scene;
 
 use super::Rated;
-use crate::counts::thousands;
 use crate::shown::board::digits;
 
 /// All structures that were measured so far, ready to be drawn.
@@ -23,8 +22,8 @@ impl Rating {
         let about = format!(
             "{}, {} primitives; {} rays, the same for all, a ray for each pixel of a picture",
             scene.title,
-            thousands(scene.prims.len() as u64),
-            thousands(rays)
+            whole(scene.prims.len() as u64),
+            whole(rays)
         );
         let mut panels = vec![Panel::Table(table(rated, about, times))];
         panels.extend(chart(rated).map(Panel::Chart));
@@ -76,8 +75,8 @@ fn table(rated: &[Rated], about: String, times: bool) -> Table {
             digits(rated.tests),
             unless(digits(rated.visits)),
             if rated.boxes > 0.0 { digits(rated.boxes) } else { none() },
-            unless(thousands(rated.nodes)),
-            unless(thousands(rated.bytes)),
+            unless(whole(rated.nodes)),
+            unless(whole(rated.bytes)),
         ];
         if times {
             cells.push(unless(digits(rated.build_ms)));

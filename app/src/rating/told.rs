@@ -1,9 +1,9 @@
 //! What each structure is good at, in a sentence drawn from the numbers.
 
 use raystep_figure::number;
+use raystep_figure::whole;
 
 use super::Rated;
-use crate::counts::thousands;
 
 /// Something in which structures differ: less is better.
 struct Measure {
@@ -44,7 +44,7 @@ fn milliseconds(value: f64) -> String {
 }
 
 fn bytes(value: f64) -> String {
-    format!("{} bytes", thousands(value as u64))
+    format!("{} bytes", whole(value as u64))
 }
 
 /// A sentence for each structure, those in the order in which they stand; times are left out unless they are asked for.

@@ -5,12 +5,10 @@ use std::borrow::Cow;
 use raystep_accel::{Appraisal, Measure, Place, Reveal, Value};
 use raystep_figure::{
     Board, Camera, Chart, Curve, Drawn, Fact, Given, Image, Knob, Map, Maps, Meter, Panel, Picture, Pictures, Role,
-    Row, Scale, Symbol, Table, VolumeName, forms_of, number, told,
+    Row, Scale, Symbol, Table, VolumeName, forms_of, number, told, whole,
 };
 use raystep_lesson::{BoardTape, Cell, Column, Measured, Numbers, Stroke};
 use raystep_scene::View;
-
-use crate::counts::thousands;
 
 /// How many points a law is drawn through.
 const POINTS: usize = 96;
@@ -175,8 +173,8 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Alive if measured.alive.is_nan() => "\u{2013}".to_owned(),
         Column::Alive => digits(measured.alive),
         Column::Bytes if measured.bytes == 0 => "\u{2013}".to_owned(),
-        Column::Nodes => thousands(measured.nodes),
-        Column::Bytes => thousands(measured.bytes),
+        Column::Nodes => whole(measured.nodes),
+        Column::Bytes => whole(measured.bytes),
         Column::Printed | Column::Total | Column::Computed => String::new(),
         // Of a structure nobody asks.
         Column::Content | Column::Area | Column::Cuts | Column::Vain => String::new(),
@@ -188,7 +186,7 @@ fn around(column: Column, appraised: &Appraisal) -> String {
     match column {
         Column::Content => digits(appraised.content),
         Column::Area => digits(f64::from(appraised.area)),
-        Column::Bytes => thousands(appraised.bytes as u64),
+        Column::Bytes => whole(appraised.bytes as u64),
         Column::Cuts => digits(appraised.cuts),
         Column::Vain => format!("{:.1} %", appraised.vain_share() * 100.0),
         _ => String::new(),
@@ -283,7 +281,7 @@ fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &Board
                     format!("volume {} · area {}", digits(outline.content()), digits(area))
                 }
                 None => {
-                    format!("{} triangles · {} tests per ray", thousands(rendered.triangles), digits(rendered.tests))
+                    format!("{} triangles · {} tests per ray", whole(rendered.triangles), digits(rendered.tests))
                 }
             };
             let [width, height] = rendered.size;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives, Structure};
+use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives};
 pub(crate) use raystep_figure::Pane;
 use raystep_figure::{
     Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Instant, KnobLine, Look, Pixel, RulerScale, Scenery, Space,
@@ -115,10 +115,10 @@ impl Pictures {
             if pane == Pane::Work && asks.is_some_and(|(counts, _)| counts) {
                 return Arc::new(nothing("Work so far", WAITS, size, look));
             }
-            // Bytes tell of what is asked only where that is a plane: of the node, or a side of the box.
-            let plane = |coming: &str| coming == "plane" || coming.starts_with("slab");
-            let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || plane(coming));
-            let lines = lines(code, &playback.play, still.step(), mistake);
+            // Bytes tell of what is asked only where that is a plane, of the node or a side of the box, or what is in a slot.
+            let told = |coming: &str| coming == "plane" || coming.starts_with("slab") || coming.starts_with("probe");
+            let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || told(coming));
+            let lines = lines(code, &playback.play, &playback.rule, still.step(), mistake);
             let space = space.as_deref();
             let ask = Ask { hide, view: Some(view), lines: &lines, beside, part, space, ..Ask::new(size, *look) };
             Arc::new(still.draw(pane, &ask))
@@ -164,7 +164,7 @@ impl Pictures {
     pub(crate) fn line_at(&self, code: Option<&Listing>, size: Vec2, look: &Look, y: f32) -> Option<usize> {
         let reel = self.playback.reel();
         let still = reel.still(&self.instant);
-        let lines = lines(code, &self.playback.play, still.step(), self.key.mistake);
+        let lines = lines(code, &self.playback.play, &self.playback.rule, still.step(), self.key.mistake);
         still.line_at(&Ask { lines: &lines, ..Ask::new(size, *look) }, y)
     }
 
@@ -278,10 +278,9 @@ fn guess(choice: &Choice) -> Guess {
     Guess { place: choice.place, plane, text: label(choice) }
 }
 
-/// Whether a slide wants to see the bytes of a node or a box, and there are any.
+/// Whether a slide wants to see bytes, and there are any.
 pub(crate) fn shows_bytes(playback: &Playback, show: &[Show]) -> bool {
-    let laid = matches!(&*playback.play.structure, Structure::Kd(_) | Structure::Slab(_));
-    show.contains(&Show::Bytes) && laid && playback.reel().has(Pane::Bytes)
+    show.contains(&Show::Bytes) && playback.reel().has(Pane::Bytes)
 }
 
 /// The pane that is best seen beside space.

@@ -6,7 +6,7 @@ use super::all_nodes::AllNodes;
 use super::kind_name::kind_name;
 use std::sync::Arc;
 
-use raystep_accel::{Grow, Mistake, Place, Prims, Structure, Value};
+use raystep_accel::{Event, Grow, Mistake, Place, Prims, Rule, Structure, Value};
 use raystep_figure::{
     Board, Build, Fact, ListingLine, Nodes, PacketWalk, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told,
 };
@@ -21,9 +21,16 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>)
         Tape::Walk(walk) => {
             Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, lost: walk.lost, flat })
         }
-        Tape::Build(build) => {
-            Reel::new(Build { structure, nodes, prims, events: &build.events, lost: &build.lost, instead, flat })
-        }
+        Tape::Build(build) => Reel::new(Build {
+            structure,
+            nodes,
+            prims,
+            events: &build.events,
+            lost: &build.lost,
+            instead,
+            changes: &all.changes,
+            flat,
+        }),
         Tape::Board(filled) => Reel::new(match &all.board {
             Some(panels) => panels.board(filled),
             None => Board { panels: &[], events: &filled.events, names: &[] },
@@ -101,9 +108,11 @@ impl Fact for Known<'_> {
 }
 
 /// The lines of a listing, the one marked that shows the event of the step, and the one where a mistake is made beside.
+/// A cut that the rule says by hand is not called the cheapest.
 pub(crate) fn lines<'a>(
     code: Option<&'a Listing>,
     play: &Play,
+    rule: &Rule,
     step: usize,
     mistake: Option<Mistake>,
 ) -> Vec<ListingLine<'a>> {
@@ -113,17 +122,25 @@ pub(crate) fn lines<'a>(
         Some((code.line_named(event)?, instead))
     });
     let current = Facts::at(play, step).and_then(|facts| code.line_of(&facts));
+    let cuts = rule.by_hand().filter(|cuts| !cuts.is_empty());
+    let by_hand = match play.event(step) {
+        Some(Event::Build(Grow::Split { node, .. })) => cuts.is_some_and(|cuts| cuts.of(node).is_some()),
+        _ => false,
+    };
     let lines = code.lines.iter().enumerate();
     lines
         .map(|(index, line)| ListingLine {
             indent: line.indent,
-            text: &line.text,
+            text: if by_hand && Some(index) == current { BY_HAND } else { &line.text },
             current: Some(index) == current,
             values: line.values.as_deref(),
             instead: made.filter(|(line, _)| *line == index).map(|(_, instead)| instead),
         })
         .collect()
 }
+
+/// What the listing says of a cut that somebody chose.
+const BY_HAND: &str = "else: cut where it was set by hand";
 
 /// The pane beside or below space that a slide asks for, if it has a say in it.
 pub(crate) fn pane(show: &Show) -> Option<Pane> {

@@ -462,11 +462,22 @@ impl App {
         under
     }
 
+    /// While another slide or stage is made, what is still shown of the one before fades.
+    fn veil(&self, ui: &Ui, room: egui::Rect) {
+        let leaves = self.state.leaves();
+        let gone = ui.ctx().animate_bool_with_time(egui::Id::unique("veil"), leaves, 0.4);
+        if leaves && gone > 0.0 {
+            let page = fill(self.theme, Role::Page);
+            ui.painter().rect_filled(room, 0.0, page.gamma_multiply(0.75 * gone));
+        }
+    }
+
     /// Shows the panes and does what they ask for.
     fn panes(&mut self, ui: &mut Ui) {
         let present = self.state.present;
         let in_bars = if present { None } else { self.bars(ui) };
         let mut asked = Vec::new();
+        let room = ui.available_rect_before_wrap();
         let (heat, counting) = self.underway.heat();
         let page = Page {
             state: &self.state,
@@ -483,6 +494,7 @@ impl App {
             false => study::page(ui, page, &mut self.kept, &mut self.remembered, &mut asked),
         };
         self.kept.hover(ui, under.or(in_bars));
+        self.veil(ui, room);
         for asked in asked {
             match asked {
                 panes::Asked::Command(command) => self.run(ui, command),

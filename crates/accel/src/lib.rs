@@ -72,7 +72,7 @@ pub use objects::{
     Arrangement, Body, Cone, Corner, Cover, Cylinder, Disc, Frustum, Kind, PAIRS, Pair, Part, Plane, Polygon, Prism,
     Probe, Shape, Sphere, Step, Steps, Trial, Triangle, Wall, Watch,
 };
-pub use octree::{Octree, Outside};
+pub use octree::{Change, Octree, Outside};
 pub use one_box::OneBox;
 pub use packet::{Fill, Found, Packet, WalkPackets, Width};
 pub use prims::{Best, Hit, Mesh, Primitives, Want, test};

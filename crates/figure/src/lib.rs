@@ -27,8 +27,8 @@ mod world;
 
 pub use kinds::{Board, Film, Guess, Instant, Kind, Pairs, Reel, Still, Walks};
 pub use moments::{
-    Build, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PacketMoment, PacketWalk, PrimTest, SlabCut, SlabTest,
-    Stepping, Taken, Tally, Tested, Waiting, Walk, Weighed,
+    Build, Changed, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PacketMoment, PacketWalk, PrimTest, SlabCut,
+    SlabTest, Stepping, Taken, Tally, Tested, Waiting, Walk, Weighed,
 };
 pub use page::{Anchor, Figure, Image, Ink, Look, Mark, Motion, nothing};
 pub use panes::{
@@ -42,5 +42,5 @@ pub use stage::{
     Camera, Scenery, Shaded, axes, close_up, inset_size, is_label, labels, pointed_at, set_inset, shaded, stage,
 };
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
-pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value, veiled};
+pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value, veiled, whole};
 pub use world::{Depth, Form, Nodes, Space, SpaceMark, circles, contour, faces, forms_of, lines};

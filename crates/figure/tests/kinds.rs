@@ -74,7 +74,16 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
         check(&format!("a walk, {kind}"), &Walk { structure, prims, nodes, ray, events: &walked, lost: 0, flat });
         check(
             &format!("a build, {kind}"),
-            &Build { structure, nodes, prims, events: &grown, lost: &Default::default(), instead: None, flat },
+            &Build {
+                structure,
+                nodes,
+                prims,
+                events: &grown,
+                lost: &Default::default(),
+                instead: None,
+                changes: &[],
+                flat,
+            },
         );
     }
 }
@@ -122,6 +131,7 @@ fn a_build_has_stored_at_its_end_what_the_structure_refers_to() {
             events: &grown,
             lost: &Default::default(),
             instead: None,
+            changes: &[],
             flat: true,
         };
         let mut at = build.start();

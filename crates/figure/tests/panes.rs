@@ -1,7 +1,7 @@
 //! The panes on a small flat scene: what they draw, and that nothing is cut off at any step.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Grow, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_accel::{Accel, Change, Grow, PrimId, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
 use raystep_figure::*;
 
 /// Six discs, a structure over them and a walk through it.
@@ -87,6 +87,22 @@ fn a_plane_cuts_the_ray() {
 }
 
 #[test]
+fn a_look_up_goes_from_slot_to_slot() {
+    let played = Played::new("hashed-grid", &[]);
+    let walk = played.walk();
+    let size = Vec2::new(790.0, 200.0);
+    let pane = |step, hide| bytes(&walk, &Moment::at(&walk, step), hide, size, &LOOK);
+    let taken = played.step("probe.taken", 0);
+    check("hash_table", &pane(taken + 1, false));
+    // What was not looked at yet is no answer to what is in the next slot.
+    let Some(Visit::Probe { slot, .. }) = played.events.get(taken).copied() else { panic!("a search goes on") };
+    let Structure::HashedGrid(grid) = walk.structure else { panic!("a hashed grid") };
+    let held = grid.slot(slot).map_or("free".to_owned(), |(cell, _)| format!("cell {cell}"));
+    let drawn = |figure: &Figure| told(figure).contains(&format!("{held:?}"));
+    assert!(drawn(&pane(taken, false)) && !drawn(&pane(taken, true)));
+}
+
+#[test]
 fn a_slab_narrows_the_ray() {
     let played = Played::new("bvh", &[]);
     let walk = played.walk();
@@ -159,6 +175,31 @@ fn the_last_moment_of_a_build_is_the_structure() {
 }
 
 #[test]
+fn the_moments_of_a_changed_octree_are_its_nodes_and_those_it_touched() {
+    let mut played = Played::new("octree", &[("min_objects", "1"), ("max_depth", "4")]);
+    let Structure::Octree(tree) = &mut played.structure else { panic!("an octree") };
+    let mut changes = Vec::new();
+    for change in [Change::Delete(PrimId(4)), Change::Delete(PrimId(0)), Change::Insert(PrimId(0))] {
+        let from = played.grown.len();
+        tree.change(&played.prims, change, &mut played.grown).unwrap();
+        changes.push(Changed { change, from, done: true, anew: Some(("kd-tree".to_owned(), 11)) });
+    }
+    let Played { prims, structure, grown, .. } = &played;
+    let nodes = Nodes::of(structure);
+    let lost = std::collections::BTreeMap::new();
+    let (events, changes) = (grown.as_slice(), changes.as_slice());
+    let build = Build { structure, nodes: &nodes, prims, events, lost: &lost, instead: None, changes, flat: true };
+    let moment = GrowMoment::at(grown, grown.len());
+    let Some(&Grow::End { nodes: count, references, .. }) = grown.last() else { panic!("a change ends") };
+    assert_eq!((moment.nodes.len() as u32, moment.tally.stored as u32), (count, references));
+    for (id, node) in &moment.nodes {
+        assert_eq!(node.children, structure.children(*id), "node {id}");
+        assert_eq!((node.settled.as_slice(), node.prims as usize), (structure.leaf_prims(*id), node.settled.len()));
+    }
+    check("change_work", &work_of_build(&build, &moment, Vec2::new(400.0, 300.0), &LOOK));
+}
+
+#[test]
 fn what_changed_is_what_is_not_as_before() {
     let played = Played::new("kd", &[("min_objects", "1")]);
     let walk = played.walk();
@@ -214,7 +255,7 @@ fn a_line_of_the_listing_is_found_where_it_is_drawn() {
 
 #[test]
 fn nothing_is_cut_off_at_any_step() {
-    for kind in ["list", "slab", "grid", "kd", "bvh"] {
+    for kind in ["list", "slab", "grid", "hashed-grid", "kd", "bvh"] {
         let played = Played::new(kind, &[]);
         let walk = played.walk();
         for step in 0..=played.events.len() {

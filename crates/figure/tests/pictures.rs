@@ -47,6 +47,7 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
                         events: &build.events,
                         lost: &build.lost,
                         instead: None,
+                        changes: &[],
                         flat,
                     }),
                     Tape::Packet(packet) => {

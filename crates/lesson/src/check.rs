@@ -223,6 +223,13 @@ impl Checker<'_> {
             return None;
         }
         self.camera(slide, stage, &scene);
+        let wrong = stage.wrong_changes(&scene);
+        for (spot, message) in &wrong {
+            self.say(slide, *spot, message.clone());
+        }
+        if !wrong.is_empty() {
+            return None;
+        }
         for (spot, name) in stage.board.iter().flat_map(|board| board.scenes()) {
             if let Err(error) = Scene::named(name) {
                 self.say(slide, spot, error.to_string());
@@ -447,9 +454,10 @@ impl Checker<'_> {
 /// What is built, in words: slides share it.
 fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     let settings: Vec<_> = plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
-    // A board measures what its own slide asks for, walks have structures of their own, pairs and packets are the slide's.
-    let own = stage.board.is_some() || !stage.abreast.is_empty() || !stage.pairs.is_empty();
-    let own = if own || slide.plays == Plays::Packet { slide.file.as_str() } else { "" };
+    // A board measures what its own slide asks for, walks have structures of their own, and changes are a stage's, as
+    // pairs and packets are.
+    let own = [stage.board.is_some(), !stage.abreast.is_empty(), !stage.pairs.is_empty(), !stage.changes.is_empty()];
+    let own = if own.contains(&true) || slide.plays == Plays::Packet { slide.file.as_str() } else { "" };
     format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 

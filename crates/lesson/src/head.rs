@@ -10,7 +10,8 @@ use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
 use crate::{
-    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, limits, packets, pairs, wait, walks,
+    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, change, limits, packets, pairs, wait,
+    walks,
 };
 
 /// No tree is deeper.
@@ -219,6 +220,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     };
     let board = (reading.plays == Plays::Board).then(|| Arc::new(board::read(keys, reading)));
     let pairs = if reading.plays == Plays::Pairs { pairs::read(keys, reading) } else { Vec::new() };
+    let changes = if reading.plays == Plays::Build { change::read(keys, reading) } else { Vec::new() };
     let beside = keys.table("beside", reading).and_then(|mut table| plan(&mut table, reading));
     reading.beside |= beside.is_some();
     let mut camera = keys.table("camera", reading);
@@ -237,6 +239,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
         plan,
         beside,
         rays,
+        changes,
         abreast,
         pairs,
         board,

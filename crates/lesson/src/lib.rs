@@ -8,6 +8,7 @@ mod attributes;
 mod beat;
 mod board;
 mod body;
+mod change;
 mod check;
 mod choices;
 mod condition;
@@ -43,6 +44,7 @@ pub use board::{
     Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Entry, Formula, Given, How, Map, Maps, Measured,
     Meter, Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
 };
+pub use change::{Planned, Told};
 pub use check::{check, check_file};
 pub use condition::Condition;
 pub use facts::Facts;

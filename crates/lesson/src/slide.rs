@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3};
 use raystep_accel::{Ray, Rule};
 
 use crate::reading::Reading;
-use crate::{Beat, Board, PairsTape, Plays, Problem, Spot, body, head};
+use crate::{Beat, Board, PairsTape, Planned, Plays, Problem, Spot, body, head};
 
 /// One slide of the lecture, as its file says it.
 #[derive(Clone, Debug, PartialEq)]
@@ -189,6 +189,8 @@ pub struct Stage {
     /// Its rays, at least two, the first the slide's own; none where a build is played. Where packets walk, the first ray
     /// of each stands for it.
     pub rays: Vec<NamedRay>,
+    /// What is done to the structure once it is built, where a build is played.
+    pub changes: Vec<Planned>,
     /// The structures that a ray walks side by side, where that is played: two or three.
     pub abreast: Vec<Plan>,
     /// The pairs that are tested, where that is played, by their places in [`raystep_accel::PAIRS`].
@@ -321,7 +323,7 @@ pub enum Show {
     Matrix,
     /// The three slab intervals.
     Slabs,
-    /// The bytes of a kd-tree's node.
+    /// The bytes of a kd-tree's node, or the table of a hashed grid.
     Bytes,
     /// The ruler of t.
     Ruler,

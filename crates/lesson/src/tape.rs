@@ -7,7 +7,7 @@ use std::sync::Arc;
 use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Value, Visit};
 use raystep_scene::Scene;
 
-use crate::{BoardTape, Care, PacketTape, PairsTape, Plays, Stage, WalksTape, names};
+use crate::{BoardTape, Care, PacketTape, PairsTape, Plays, Stage, Told, WalksTape, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -53,6 +53,8 @@ pub struct BuildTape {
     pub events: Vec<Grow>,
     /// How many events more there were, by their names.
     pub lost: BTreeMap<&'static str, u64>,
+    /// What is done to the structure once it is built.
+    pub changes: Vec<Told>,
     fine: usize,
     last: Option<Grain>,
 }
@@ -216,6 +218,10 @@ impl Tape {
         watch: &mut impl Observer<Grow>,
     ) -> Result<(Structure, Option<Tape>), Cancelled> {
         match (plays, stage) {
+            (Plays::Build, Some(stage)) if !stage.changes.is_empty() => {
+                let (structure, tape) = stage.build_and_change(scene, rule, watch)?;
+                Ok((structure, Some(Tape::Build(Arc::new(tape)))))
+            }
             (Plays::Build, _) => {
                 let mut tape = BuildTape::default();
                 let structure = Structure::build(&scene.prims, rule, &mut (watch, &mut tape))?;

@@ -156,3 +156,27 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
     }
     insta::assert_snapshot!(table);
 }
+
+#[test]
+fn a_wrong_change_is_named_with_its_place() {
+    let slide = |kind: &str, change: &str| {
+        let structure = format!("structure = {{ kind = \"{kind}\" }}");
+        let head = "format = 1\nslide = \"44b\"\ntitle = \"One disc moves\"\nplays = \"build\"\nlisting = \"walk\"";
+        let ask = "> ask {field=nodes}: How many?\n> - else: {{nodes}}.";
+        let scene = "scene = \"flat-corner-moved\"";
+        format!("+++\n{head}\n{scene}\n{structure}\nchange = {change}\n+++\n## It stands {{at=end}}\n{ask}\n")
+    };
+    let mistakes = [
+        ("none", "octree", "[{ delete = 8 }, { insert = 10 }, { delete = 10 }, { insert = 8 }]"),
+        ("of a kd-tree", "kd", "[{ delete = 8 }]"),
+        ("no such primitive", "octree", "[{ delete = 80 }]"),
+        ("half a primitive", "octree", "[{ delete = 0.5 }]"),
+        ("both at once", "octree", "[{ delete = 8, insert = 10 }]"),
+        ("neither", "octree", "[{ remove = 8 }]"),
+        ("deleted twice", "octree", "[{ delete = 8 }, { delete = 8 }]"),
+        ("inserted twice", "octree", "[{ insert = 10 }, { insert = 10 }]"),
+        ("no list", "octree", "8"),
+    ];
+    let said = mistakes.map(|(what, kind, change)| format!("{what}\n{}", of_files(&slide(kind, change), LISTING)));
+    insta::assert_snapshot!(said.join("\n"));
+}

@@ -2,13 +2,12 @@
 
 use indicatif::ProgressBar;
 use raystep_accel::Primitives;
-use raystep_figure::number;
+use raystep_figure::{number, whole};
 use serde::Serialize;
 
 use super::look::Shot;
 use super::{MeasureArguments, bar, table};
 use crate::cli::subject;
-use crate::counts::thousands;
 use crate::fault::Fault;
 use crate::rating::{Rated, rate, rays, rules, told};
 
@@ -60,14 +59,14 @@ pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
         _ => {
             let least = rated.iter().map(|rated| rated.rays).min().unwrap_or(0);
             let fewer = match least < rays.len() as u64 {
-                true => format!(" Brute force is asked by {} of them.", thousands(least)),
+                true => format!(" Brute force is asked by {} of them.", whole(least)),
                 false => String::new(),
             };
             let about = format!(
                 "{}: {} primitives; {} rays, one for each pixel of a picture of {}.{fewer}\n",
                 scene.name,
-                thousands(scene.prims.len() as u64),
-                thousands(rays.len() as u64),
+                whole(scene.prims.len() as u64),
+                whole(rays.len() as u64),
                 shot.size
             );
             Ok(about + &text(&rated, arguments.times))
@@ -101,7 +100,7 @@ fn text(rated: &[Rated], times: bool) -> String {
     page.push('\n');
     for rated in rated {
         let [tests, visits, boxes] = [rated.tests, rated.visits, rated.boxes].map(|value| format!("{value:.2}"));
-        let cells = [tests, visits, boxes, thousands(rated.nodes), thousands(rated.bytes)];
+        let cells = [tests, visits, boxes, whole(rated.nodes), whole(rated.bytes)];
         page += &format!("{:<14}{}", rated.name, cells.map(|cell| format!(" {cell:>14}")).concat());
         if times {
             page += &format!(" {:>12} {:>12}", number(rated.build_ms as f32), number(rated.ray_us as f32));

@@ -5,13 +5,13 @@ use std::collections::BTreeSet;
 use glam::Vec3;
 use indicatif::ProgressBar;
 use raystep_accel::{Primitives, Prims, Random, Ray, Rule};
+use raystep_figure::whole;
 use raystep_scene::Scene;
 use raystep_scene::trial::scenes::needles;
 use serde::Serialize;
 
 use super::survey::{self, survey, timed};
 use super::{bar, build, fit, look, table};
-use crate::counts::thousands;
 use crate::export::Size;
 use crate::fault::Fault;
 
@@ -156,13 +156,13 @@ fn of_kind(points: &[&Point]) -> String {
     for point in points {
         page += &format!(
             "{:>10} {:>11.2} {:>11.2} {:>11.2} {:>13.2} {:>11.1} {:>13}\n",
-            thousands(point.triangles),
+            whole(point.triangles),
             point.cells_per_ray,
             point.nodes_per_ray,
             point.boxes_per_ray,
             point.tests_per_ray,
             point.build_ms,
-            thousands(point.bytes as u64)
+            whole(point.bytes as u64)
         );
     }
     let pairs =

@@ -4,13 +4,13 @@ use std::fmt::Write;
 
 use raystep_accel::Primitives;
 use raystep_figure::Camera;
+use raystep_figure::whole;
 use raystep_scene::Scene;
 use serde::Serialize;
 
 use super::Measured;
 use super::look::Shot;
 use super::rows::spelt_out;
-use crate::counts::thousands;
 use crate::fault::Fault;
 
 /// A row as files hold it.
@@ -120,7 +120,7 @@ slide 41: two runs, from cameras that it does not name. So the match is of kind,
 ";
 
 fn heading(scene: &Scene, shot: &Shot, measured: &[Measured]) -> String {
-    let mut page = format!("{}: {} primitives, {} pixels", scene.name, thousands(scene.prims.len() as u64), shot.size);
+    let mut page = format!("{}: {} primitives, {} pixels", scene.name, whole(scene.prims.len() as u64), shot.size);
     if let Camera::Solid { eye, target, fov_degrees, .. } = shot.camera {
         let _ = write!(page, ", eye {eye:.2} towards {target:.2}, {fov_degrees}°");
     }
@@ -131,7 +131,7 @@ fn heading(scene: &Scene, shot: &Shot, measured: &[Measured]) -> String {
     if let Some(Measured { survey, .. }) = measured.first() {
         let share = |rays: u64| 100.0 * rays as f64 / survey.rays.max(1) as f64;
         let [boxed, hits] = [survey.box_rays, survey.hit_rays].map(share);
-        let _ = writeln!(page, "{} rays: {boxed:.0} % meet the box, {hits:.0} % hit.", thousands(survey.rays));
+        let _ = writeln!(page, "{} rays: {boxed:.0} % meet the box, {hits:.0} % hit.", whole(survey.rays));
     }
     page
 }
@@ -143,7 +143,7 @@ fn line(measured: &Measured, above: Option<&Measured>) -> String {
         let here = survey.tests_per_ray() / above.survey.tests_per_ray();
         Some(format!("{:.4}, {here:.4}", row.printed?.0 / above.row.printed?.0))
     });
-    let printed_total = row.printed.and_then(|(_, total)| total).map_or_else(|| "-".to_owned(), thousands);
+    let printed_total = row.printed.and_then(|(_, total)| total).map_or_else(|| "-".to_owned(), whole);
     format!(
         "{:<22} {printed:>9} {:>11.2} {:>13.2} {:>13.2} {:>14} {printed_total:>17} {:>15} {:>12.2} {:>11.2} \
          {build_ms:>10.1} {:>12}\n",
@@ -152,9 +152,9 @@ fn line(measured: &Measured, above: Option<&Measured>) -> String {
         survey.tests_per_box_ray(),
         survey.tests_per_hit_ray(),
         ratio.unwrap_or_else(|| "-".to_owned()),
-        thousands(survey.all.prim_tests),
+        whole(survey.all.prim_tests),
         survey.visits_per_ray(),
         survey.boxes_per_ray(),
-        thousands(*bytes as u64),
+        whole(*bytes as u64),
     )
 }

@@ -15,10 +15,10 @@ use std::time::Instant;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use raystep_accel::{Grow, Observer, Rule};
+use raystep_figure::whole;
 use raystep_scene::trial::rules::rules;
 
 use super::spelt;
-use crate::counts::thousands;
 use crate::fault::Fault;
 use crate::files;
 use campaign::Campaign;
@@ -116,7 +116,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
 fn unfinished(shot: u64, asked: u64) -> Fault {
     Fault::new(format!(
         "stopped after {} of {}: no difference so far, and the others were not tried",
-        thousands(shot),
+        whole(shot),
         counted(asked, "ray")
     ))
 }
@@ -141,7 +141,7 @@ fn kinds(structure: &str) -> Result<Vec<&'static str>, Fault> {
 fn report(tally: &Tally, kinds: &[&str], campaign: &Campaign<'_>, seconds: f64) -> String {
     let mut page = String::new();
     if stopped() {
-        page += &format!("Stopped after {} of {}.\n", thousands(tally.rays), counted(campaign.rays, "ray"));
+        page += &format!("Stopped after {} of {}.\n", whole(tally.rays), counted(campaign.rays, "ray"));
     }
     page += &format!(
         "{} over {}; {} of the rays hit something.\n\n",
@@ -154,7 +154,7 @@ fn report(tally: &Tally, kinds: &[&str], campaign: &Campaign<'_>, seconds: f64) 
         let of_kind = |(_, rule): &&(&str, Rule)| rule.kind() == *kind;
         let (answers, differences) = tally.kinds.get(kind).copied().unwrap_or_default();
         let rules = campaign.rules.iter().filter(of_kind).count();
-        page += &format!("{kind:<14}{rules:>6}{:>18}{:>14}\n", thousands(answers), thousands(differences));
+        page += &format!("{kind:<14}{rules:>6}{:>18}{:>14}\n", whole(answers), whole(differences));
     }
     page += "\nAn answer is the nearest hit (t to the bit, and the primitive) or whether there is any.\n";
     page += &tally.referee.to_string();
@@ -178,7 +178,7 @@ fn bar(rays: u64) -> ProgressBar {
 
 /// `1 ray`, `12,000 rays`.
 pub(crate) fn counted(n: u64, what: &str) -> String {
-    format!("{} {what}{}", thousands(n), if n == 1 { "" } else { "s" })
+    format!("{} {what}{}", whole(n), if n == 1 { "" } else { "s" })
 }
 
 /// A share in parts of a hundred.

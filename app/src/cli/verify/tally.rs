@@ -1,5 +1,6 @@
 //! What was counted.
 
+use raystep_figure::whole;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::AddAssign;
@@ -8,7 +9,6 @@ use raystep_accel::{Hit, PrimId, Primitives, Ray};
 
 use super::cause::{CAUSES, cause};
 use super::{counted, percent};
-use crate::counts::thousands;
 
 /// What came of some rays.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -127,18 +127,18 @@ impl fmt::Display for Sample {
              ({} only in double precision, {} only in brute force, {} elsewhere); \
              where both hit, t differs by {:.1e} of itself at most.",
             counted(self.rays, "ray"),
-            thousands(differ),
+            whole(differ),
             percent(differ, self.rays),
-            thousands(self.lost),
-            thousands(self.gained),
-            thousands(self.elsewhere),
+            whole(self.lost),
+            whole(self.gained),
+            whole(self.elsewhere),
             self.error
         )?;
         if differ > 0 {
             writeln!(f, "Where they differ, brute force is")?;
         }
         for (cause, &rays) in CAUSES.iter().zip(&self.causes).filter(|(_, rays)| **rays > 0) {
-            writeln!(f, "  {cause:<60}{:>12}{:>12}", thousands(rays), percent(rays, differ))?;
+            writeln!(f, "  {cause:<60}{:>12}{:>12}", whole(rays), percent(rays, differ))?;
         }
         if let Some(riddle) = &self.riddle {
             writeln!(f, "  the first of them: {riddle}")?;

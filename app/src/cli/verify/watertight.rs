@@ -5,11 +5,11 @@ use std::time::Instant;
 use glam::Vec3;
 use rayon::prelude::*;
 use raystep_accel::{Aabb, Accel, List, Mesh, PrimId, Primitives, Prims, Random, Ray, Rule, Structure};
+use raystep_figure::whole;
 use raystep_scene::Scene;
 use raystep_scene::trial::sphere;
 
 use super::{UntilStopped, bar, counted, stopped, unfinished};
-use crate::counts::thousands;
 use crate::fault::Fault;
 use crate::files;
 
@@ -35,7 +35,7 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
         files::print(&format!(
             "{}, {} triangles around ({}, {}, {}): {} at each of {}\n",
             scene.name,
-            thousands(mesh.len() as u64),
+            whole(mesh.len() as u64),
             center.x,
             center.y,
             center.z,
@@ -63,19 +63,15 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
         bar.finish_and_clear();
         let (aimed, brute) = blocks.into_iter().fold(Lost::default(), sum);
         for (aim, (shot, lost)) in AIMS.iter().zip(aimed) {
-            files::print(&format!("  aimed at {aim:<24}{:>16} rays{:>8} lost\n", thousands(shot), thousands(lost)))?;
+            files::print(&format!("  aimed at {aim:<24}{:>16} rays{:>8} lost\n", whole(shot), whole(lost)))?;
             all_shot += shot;
             all_lost += lost;
         }
-        files::print(&format!(
-            "  a sample, by brute force{:>17} rays{:>8} lost\n",
-            thousands(brute.0),
-            thousands(brute.1)
-        ))?;
+        files::print(&format!("  a sample, by brute force{:>17} rays{:>8} lost\n", whole(brute.0), whole(brute.1)))?;
         all_lost += brute.1;
     }
     let what = if stopped() { "Stopped" } else { "Done" };
-    files::print(&format!("{what} after {:.1} s: {} lost.\n", begun.elapsed().as_secs_f64(), thousands(all_lost)))?;
+    files::print(&format!("{what} after {:.1} s: {} lost.\n", begun.elapsed().as_secs_f64(), whole(all_lost)))?;
     if all_lost > 0 {
         return Err(Fault::new(format!("{} left a closed sphere", counted(all_lost, "ray"))));
     }

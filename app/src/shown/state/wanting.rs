@@ -20,6 +20,12 @@ impl State {
         self.wanted.as_ref()
     }
 
+    /// Whether another slide or stage than the one shown is wanted, and not there yet.
+    pub(crate) fn leaves(&self) -> bool {
+        let shown = (self.view.slide, self.view.stage);
+        self.playback.is_some() && self.wanted.as_ref().is_some_and(|wanted| (wanted.slide, wanted.stage) != shown)
+    }
+
     /// What is shown as soon as everything wanted is there.
     pub fn target(&self) -> &View {
         self.wanted.as_ref().unwrap_or(&self.view)

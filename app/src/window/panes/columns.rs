@@ -172,8 +172,8 @@ pub(super) fn center(
     let builds = page.state.slide().is_some_and(|slide| !slide.plays.has_rays());
     let usual = match () {
         // What a slide is about gets the room.
-        () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.38).clamp(200.0, 340.0),
-        () if bytes => (height * 0.24).clamp(190.0, 220.0),
+        () if bytes && shows_first(page.state, Show::Bytes) => (height * 0.42).clamp(220.0, 360.0),
+        () if bytes => (height * 0.26).clamp(200.0, 240.0),
         // A row a ray.
         () if packet(page.state) => {
             let own = kept.pictures.as_ref().and_then(|pictures| pictures.height(Pane::Ruler, &Look::WINDOW));

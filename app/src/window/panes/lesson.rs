@@ -1,7 +1,7 @@
 //! The column at the left: what the slide says at this step, and its question.
 
 use egui::{Button, Frame, Margin, Panel, RichText, ScrollArea, Ui, UiBuilder};
-use raystep_figure::{Face, Role, Theme, sentence, veiled};
+use raystep_figure::{Face, Role, Theme, veiled};
 use raystep_lesson::Medium;
 
 use super::page::Asked;
@@ -119,7 +119,7 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
     let event = state.playback().and_then(|playback| playback.event(state.view.step));
     // While a question is open nothing says what the numbers come to.
     let event = event.map(|event| if state.question().is_some() { veiled(&event) } else { event });
-    let says = state.playback().zip(event).map(|(playback, event)| sentence(&event, playback.reel().volume()));
+    let says = state.playback().zip(event).map(|(playback, event)| playback.reel().sentence(state.view.step, &event));
     match state.beat() {
         Some((beat, step)) => {
             let later = state.view.step > step;

@@ -1,13 +1,13 @@
 //! How many boxes of a tree a solid stage shows: the path alone, or those down to a level.
 
 use egui::{Rect, Slider, Ui, UiBuilder, pos2, vec2};
-use raystep_figure::{Depth, Theme};
+use raystep_figure::{Depth, Role, Theme};
 
 use super::page::{Asked, Page};
 use crate::shown::command::Command;
 use crate::shown::playback::Playback;
 use crate::window::look::controls::{Change, change};
-use crate::window::look::visuals::fill;
+use crate::window::look::visuals::{fill, ink};
 
 /// Width and height of the control.
 const SIZE: egui::Vec2 = vec2(236.0, 26.0);
@@ -35,6 +35,8 @@ pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, picture: Re
             }
             let mut level = now;
             ui.spacing_mut().slider_width = 74.0;
+            // The rail stands out from the ground of the control.
+            ui.visuals_mut().widgets.inactive.bg_fill = ink(page.theme, Role::Edge).gamma_multiply(0.6);
             let slider = ui.add(Slider::new(&mut level, 0..=deepest).show_value(false));
             slider.widget_info(|| egui::WidgetInfo::slider(true, f64::from(now), "Boxes down to level"));
             if let Some(change) = change(&slider) {
@@ -51,5 +53,5 @@ pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, picture: Re
 }
 
 fn ground(ui: &Ui, rect: Rect, theme: &Theme) {
-    ui.painter().rect_filled(rect, 5.0, fill(theme, raystep_figure::Role::Panel).gamma_multiply(0.9));
+    ui.painter().rect_filled(rect, 5.0, fill(theme, Role::Panel).gamma_multiply(0.9));
 }

@@ -30,7 +30,7 @@ pub(crate) fn page(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec
     let look = Look { text: body * 0.78, titles: false };
     let bytes = bytes(page.state);
     let ruler = match &kept.pictures {
-        _ if bytes => body * 7.4,
+        _ if bytes => body * 11.0,
         Some(pictures) => pictures.ruler_line_height(&look),
         None => 0.0,
     };

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use egui::{Button, RichText, Stroke, Ui, vec2};
-use raystep_figure::{Face, Role, Theme, sentence};
+use raystep_figure::{Face, Role, Theme};
 use raystep_lesson::Medium;
 
 use crate::shown::command::Command;
@@ -146,8 +146,9 @@ impl Speech {
                 }
             }
             None => {
-                let says = playback
-                    .and_then(|playback| Some(sentence(&playback.event(state.view.step)?, playback.reel().volume())));
+                let says = playback.and_then(|playback| {
+                    Some(playback.reel().sentence(state.view.step, &playback.event(state.view.step)?))
+                });
                 let opening = || state.slide().map_or("", |slide| beginning(slide.plays)).to_owned();
                 parts.push(plain_text(says.unwrap_or_else(opening)));
             }

@@ -1,9 +1,8 @@
 //! Something that takes a while: how far it is, and whether it should give up.
 
+use raystep_figure::whole;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-
-use crate::counts::thousands;
 
 /// Work under way beside the UI thread.
 #[derive(Debug)]
@@ -73,7 +72,7 @@ impl Task {
             (0, 0) => name.clone(),
             // Nobody asks how many of what.
             (_, 0) if unit.is_empty() => name.clone(),
-            (done, 0) => format!("{name}: {} {unit}", thousands(u64::from(done))),
+            (done, 0) => format!("{name}: {} {unit}", whole(u64::from(done))),
             (done, of) => format!("{name}: {} of {of} {unit}", done.min(of)),
         }
     }

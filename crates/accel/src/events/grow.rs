@@ -68,6 +68,8 @@ vocabulary! {
         Leaf ["leaf"] { node: NodeId, prims: u32, why: LeafReason }
         /// A primitive is referred to from a leaf or a cell, after those that settled there before it.
         Settle ["settle"] { prim: PrimId, place: Place }
+        /// A leaf refers to a primitive no more.
+        Remove ["remove"] { prim: PrimId, place: Place }
         /// Two nodes became the children of a new one.
         Merge ["merge"] { node: NodeId, left: NodeId, right: NodeId, bounds: Aabb }
         /// A node was moved under another.
@@ -100,6 +102,7 @@ impl Grow {
             Grow::Touch { .. } => "touch",
             Grow::Leaf { .. } => "leaf",
             Grow::Settle { .. } => "settle",
+            Grow::Remove { .. } => "remove",
             Grow::Merge { .. } => "merge",
             Grow::Move { .. } => "move",
             Grow::Refit { .. } => "refit",
@@ -130,7 +133,7 @@ impl Grow {
             Grow::Widen { prim, .. } => Place::Prim(prim),
             Grow::Resolve { .. } | Grow::End { .. } => Place::World,
             Grow::Refine { cell, .. } | Grow::Rasterise { cell, .. } | Grow::Prune { cell, .. } => Place::Cell(cell),
-            Grow::Settle { place, .. } => place,
+            Grow::Settle { place, .. } | Grow::Remove { place, .. } => place,
             Grow::Open { node, .. }
             | Grow::Normal { node, .. }
             | Grow::Weigh { node, .. }

@@ -32,6 +32,9 @@ impl Slot {
 }
 
 impl HashedGrid {
+    /// How many bytes a slot of the table takes.
+    pub const SLOT_BYTES: usize = size_of::<Slot>();
+
     /// Builds a grid over `prims`. Grids that would not fit into memory get fewer cells than asked for.
     ///
     /// # Errors
@@ -47,6 +50,17 @@ impl HashedGrid {
     /// How many bytes the same grid would take with all its cells stored.
     pub fn dense_bytes(&self) -> usize {
         size_of::<super::Grid>() + Dense::bytes_of(self.lattice.cell_count(), self.cells.refs.len())
+    }
+
+    /// How many slots the table has.
+    pub fn slot_count(&self) -> u32 {
+        self.cells.slots.len() as u32
+    }
+
+    /// The cell that sits in a slot, and how many primitives it refers to; none if the slot is free.
+    pub fn slot(&self, slot: u32) -> Option<(CellId, u32)> {
+        let Slot { cell, start, end } = self.cells.slots[slot as usize];
+        (cell != Slot::EMPTY.cell).then_some((cell, end - start))
     }
 }
 

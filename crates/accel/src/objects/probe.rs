@@ -9,7 +9,7 @@ words! {
         /// A plane.
         Plane = "plane",
         /// The round side of a cylinder or a cone.
-        Mantle = "mantle",
+        Surface = "surface",
         /// The flat ends of a cylinder; apex and base of a cone.
         Ends = "ends",
         /// How far out from a centre or from an axis, squared.

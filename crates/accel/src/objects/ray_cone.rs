@@ -32,7 +32,7 @@ impl Cone {
         // A line steeper than the cone is always in it somewhere; rounding may say otherwise at the apex.
         let is_steep = a < 0.0;
         let discriminant = if is_steep && exact < 0.0 { 0.0 } else { exact };
-        let [t1, t2] = quadratic::solve(Part::Mantle, [a, b, c], discriminant, watch)?;
+        let [t1, t2] = quadratic::solve(Part::Surface, [a, b, c], discriminant, watch)?;
 
         // The equation knows two cones, one above the apex. The slab leaves the one below.
         let t = match (is_steep, d_along > 0.0) {
@@ -41,6 +41,6 @@ impl Cone {
             (true, true) => [t2, f64::INFINITY],
             (true, false) => [f64::NEG_INFINITY, t1],
         };
-        Inside::ALL.narrow(Part::Mantle, t, watch).between(f_along, d_along, 1.0, watch).ends()
+        Inside::ALL.narrow(Part::Surface, t, watch).between(f_along, d_along, 1.0, watch).ends()
     }
 }

@@ -30,8 +30,8 @@ impl Cylinder {
         } else {
             let nearest = f_out - d_out * (b / a);
             let discriminant = a * (r * r - nearest.length_squared());
-            let t = quadratic::solve(Part::Mantle, [a, b, c], discriminant, watch)?;
-            Inside::ALL.narrow(Part::Mantle, t, watch)
+            let t = quadratic::solve(Part::Surface, [a, b, c], discriminant, watch)?;
+            Inside::ALL.narrow(Part::Surface, t, watch)
         };
         // Between the ends, where the height runs from 0 to 1.
         inside.between(f_along, d_along, 1.0, watch).ends()

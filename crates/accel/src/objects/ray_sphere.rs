@@ -16,6 +16,6 @@ impl Sphere {
         // How deep the point nearest to the centre lies inside.
         let nearest = f - d * (b / a);
         let discriminant = a * (r * r - nearest.length_squared());
-        quadratic::solve(Part::Mantle, [a, b, c], discriminant, watch).map(|t| t.map(|t| t as f32))
+        quadratic::solve(Part::Surface, [a, b, c], discriminant, watch).map(|t| t.map(|t| t as f32))
     }
 }

@@ -89,7 +89,7 @@ impl Octree {
     }
 
     /// A node that is to be divided no more.
-    fn settle(&self, node: NodeId, why: LeafReason, watch: &mut impl Observer<Grow>) {
+    pub(super) fn settle(&self, node: NodeId, why: LeafReason, watch: &mut impl Observer<Grow>) {
         let held = self.leaf_prims(node);
         watch.on(Grow::Leaf { node, prims: held.len() as u32, why });
         for &prim in held {

@@ -1,7 +1,25 @@
 //! Inserting and deleting single primitives, slide 44: only the cells that a primitive overlaps are touched.
 
 use super::{Node, Octree};
-use crate::{Aabb, Cancelled, Grow, NodeId, Observer, Place, PrimId, Primitives};
+use crate::{Aabb, Cancelled, Each, Grow, LeafReason, NodeId, Observer, Place, PrimId, Primitives};
+
+/// What is done to a finished tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// A primitive comes to it.
+    Insert(PrimId),
+    /// A primitive is taken out of it.
+    Delete(PrimId),
+}
+
+impl Change {
+    /// The primitive that comes or goes.
+    pub fn prim(self) -> PrimId {
+        match self {
+            Change::Insert(prim) | Change::Delete(prim) => prim,
+        }
+    }
+}
 
 /// The primitive does not lie in the root's cell: the tree must be built again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +34,29 @@ impl std::fmt::Display for Outside {
 impl std::error::Error for Outside {}
 
 impl Octree {
+    /// Inserts or deletes.
+    ///
+    /// # Errors
+    /// The primitive to be inserted reaches out of the root's cell; the tree stays as it was.
+    pub fn change(
+        &mut self,
+        prims: &impl Primitives,
+        change: Change,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<(), Outside> {
+        match change {
+            Change::Insert(prim) => self.insert(prims, prim, watch)?,
+            Change::Delete(prim) => self.remove(prims, prim, watch),
+        }
+        watch.on(Grow::End { nodes: self.live_count() as u32, cells: 0, references: self.refs as u32 });
+        Ok(())
+    }
+
+    /// How many nodes hang in the tree; those given back do not.
+    fn live_count(&self) -> usize {
+        self.nodes.len() - self.free.len() * self.ways() as usize
+    }
+
     /// Adds a reference to `prim` wherever it belongs; leaves that become too full are divided.
     /// Every node that is looked at is told as [`Grow::Touch`].
     ///
@@ -41,13 +82,17 @@ impl Octree {
                     }
                 }
                 Node::Leaf(held) => {
-                    if let Err(at) = held.binary_search(&prim) {
-                        held.insert(at, prim);
-                        self.refs += 1;
+                    let Err(at) = held.binary_search(&prim) else { continue };
+                    held.insert(at, prim);
+                    self.refs += 1;
+                    // Too full, and not too deep: it is divided as when the tree was built.
+                    if held.len() as u32 > self.rule.min_objects && depth < self.rule.max_depth {
+                        // A change is small: it is never given up half way.
+                        let mut whole = Each(|event| watch.on(event));
+                        let (Ok(()) | Err(Cancelled)) = self.grow(prims, node, cell, depth, &mut whole);
+                    } else {
                         watch.on(Grow::Settle { prim, place: Place::Node(node) });
                     }
-                    // A change is small: it is never given up half way.
-                    let (Ok(()) | Err(Cancelled)) = self.grow(prims, node, cell, depth, &mut ());
                 }
             }
         }
@@ -55,7 +100,7 @@ impl Octree {
     }
 
     /// Removes every reference to `prim`; inner nodes that hold few enough primitives become leaves.
-    /// Every node that is looked at is told as [`Grow::Touch`].
+    /// Every node that is looked at is told as [`Grow::Touch`], every reference that goes as [`Grow::Remove`].
     pub fn remove(&mut self, prims: &impl Primitives, prim: PrimId, watch: &mut impl Observer<Grow>) {
         // Downwards: drop the references, remember the inner nodes on the way.
         let mut inner = Vec::new();
@@ -74,18 +119,19 @@ impl Octree {
                     if let Ok(at) = held.binary_search(&prim) {
                         held.remove(at);
                         self.refs -= 1;
+                        watch.on(Grow::Remove { prim, place: Place::Node(node) });
                     }
                 }
             }
         }
         // Upwards: children come after their parents.
         for node in inner.into_iter().rev() {
-            self.merge(node);
+            self.merge(node, watch);
         }
     }
 
     /// Makes an inner node a leaf if all its children are leaves that hold few enough primitives together.
-    fn merge(&mut self, node: NodeId) {
+    fn merge(&mut self, node: NodeId, watch: &mut impl Observer<Grow>) {
         let Node::Inner(first) = self.nodes[node.index()] else { return };
         let block = first.index()..first.index() + self.ways() as usize;
         let mut held = Vec::new();
@@ -101,6 +147,7 @@ impl Octree {
             self.nodes[block].fill(Node::Leaf(Vec::new()));
             self.nodes[node.index()] = Node::Leaf(held);
             self.free.push(first);
+            self.settle(node, LeafReason::Few, watch);
         }
     }
 

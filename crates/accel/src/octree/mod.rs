@@ -4,7 +4,7 @@ mod build;
 mod change;
 mod walk;
 
-pub use change::Outside;
+pub use change::{Change, Outside};
 
 use crate::{Aabb, Margin, NodeId, OctreeRule, PrimId};
 

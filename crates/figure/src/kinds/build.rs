@@ -10,7 +10,7 @@ use crate::page::{Figure, Look};
 use crate::panes::{
     Ask, CutLine, Pane, TreeView, cells_of_build, changed_of_build, costs, cut_line, cut_to, ghost_of_build, legend,
     listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build, tree_height, tree_of_build,
-    weighed, weighing, work_of_build,
+    tree_with, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, counted};
@@ -72,7 +72,10 @@ impl Kind for Build<'_> {
             Pane::Ruler | Pane::RulerLine if ruler && self.weighs() => {
                 costs(moment, VolumeName::of(self.structure), hide, size, look)
             }
-            Pane::Tree => tree_of_build(moment, ask.view.unwrap_or(&TreeView::default()), size, look),
+            Pane::Tree => {
+                let touched = self.change(moment).map(|change| self.touched(moment, change)).unwrap_or_default();
+                tree_with(moment, touched, ask.view.unwrap_or(&TreeView::default()), size, look)
+            }
             Pane::Cells => cells_of_build(self, moment, size, look),
             Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),
             Pane::Stack | Pane::StackHere if nodes => stack_of_build(moment, pane == Pane::StackHere, size, look),
@@ -131,7 +134,11 @@ impl Kind for Build<'_> {
     }
 
     fn signs(&self) -> &'static [(Role, &'static str)] {
-        if self.structure.grid().is_some() { legend::OF_GRID } else { legend::OF_BUILD }
+        match () {
+            () if self.structure.grid().is_some() => legend::OF_GRID,
+            () if !self.changes.is_empty() => legend::OF_CHANGE,
+            () => legend::OF_BUILD,
+        }
     }
 
     fn best(&self) -> Option<Pane> {
@@ -178,6 +185,9 @@ impl Kind for Build<'_> {
 
     fn tally(&self, at: &Instant) -> String {
         let moment: &GrowMoment = at.state();
+        if let Some(change) = self.change(moment) {
+            return counted(self.touched(moment, change).len() as u64, "node touched", "nodes touched");
+        }
         let stored = counted(moment.tally.stored, "reference stored", "references stored");
         weighed(self, moment).map_or_else(|| stored.clone(), |weighed| format!("{weighed} · {stored}"))
     }

@@ -69,6 +69,12 @@ pub trait Kind {
         None
     }
 
+    /// The name of the structure that a step is of, where several walk.
+    fn whose(&self, step: usize) -> Option<&str> {
+        let _ = step;
+        None
+    }
+
     /// The scale of a ruler that can be stretched.
     fn scale(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<RulerScale> {
         let _ = (at, pane, ask);

@@ -80,6 +80,15 @@ impl<'a> Reel<'a> {
         self.0.volume()
     }
 
+    /// What an event of a step says in one sentence; where several structures are walked, of which of them.
+    pub fn sentence(&self, step: usize, event: &dyn Fact) -> String {
+        let says = event.sentence(self.volume());
+        match self.0.whose(step) {
+            Some(name) => format!("{name}: {says}"),
+            None => says,
+        }
+    }
+
     /// The primitives that space is about.
     pub fn prims(&self) -> &Prims {
         self.0.prims()

@@ -1,15 +1,16 @@
 //! A ray's walk.
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Visit};
+use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Structure, Visit};
 
 use super::detail::small;
 use super::{Guess, Instant, Kind};
 use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, RulerScale, TreeView, bytes, cells, changed, ghost, legend, listing, ruler_height, ruler_line_height,
-    ruler_line_of, ruler_of, ruler_scale, slabs, space_to, stack, symbol_at, tested, timeline, tree, tree_height, work,
+    Ask, Pane, RulerScale, TreeView, bytes, bytes_height, cells, changed, ghost, legend, listing, ruler_height,
+    ruler_line_height, ruler_line_of, ruler_of, ruler_scale, slabs, space_to, stack, symbol_at, tested, timeline, tree,
+    tree_height, work,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName};
@@ -35,12 +36,14 @@ impl Kind for Walk<'_> {
             Pane::Tree,
             Pane::Cells,
             Pane::Slabs,
-            Pane::Bytes,
             Pane::Listing,
             Pane::Changed,
             Pane::Work,
             Pane::Timeline,
         ];
+        if matches!(self.structure, Structure::Slab(_) | Structure::Kd(_) | Structure::HashedGrid(_)) {
+            panes.push(Pane::Bytes);
+        }
         // Without nodes nothing ever waits.
         if self.structure.node_count() > 0 {
             panes.extend([Pane::Stack, Pane::StackHere]);
@@ -135,6 +138,7 @@ impl Kind for Walk<'_> {
             Pane::Ruler => Some(ruler_height(self, look)),
             Pane::RulerLine => Some(ruler_line_height(self, look)),
             Pane::Tree => tree_height(self.nodes, look),
+            Pane::Bytes => bytes_height(self.structure, look),
             _ => None,
         }
     }

@@ -68,6 +68,11 @@ impl Kind for Walks<'_> {
         Some(event)
     }
 
+    fn whose(&self, step: usize) -> Option<&str> {
+        let (walker, _) = self.event(step)?;
+        self.walks.get(walker).map(|(name, ..)| name.as_str())
+    }
+
     fn prims(&self) -> &Prims {
         self.walks.first().map_or(const { &Prims::Few(Vec::new()) }, |(.., walk)| walk.prims)
     }

@@ -9,6 +9,7 @@ use raystep_accel::{
     Aabb, Axis, CellId, Direction, FreePlane, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure,
 };
 
+use super::Changed;
 use crate::world::Nodes;
 
 /// A build that was recorded, with what it ended in.
@@ -26,6 +27,8 @@ pub struct Build<'a> {
     pub lost: &'a BTreeMap<&'static str, u64>,
     /// What the builder weighed at the step that is shown, where another cut is tried instead of it.
     pub instead: Option<Grow>,
+    /// What is done to the structure once it is built, in order.
+    pub changes: &'a [Changed],
     /// Whether the scene is flat.
     pub flat: bool,
 }
@@ -250,7 +253,9 @@ impl GrowMoment {
                     leaf: None,
                     settled: Vec::new(),
                 };
-                self.nodes.insert(node, fresh);
+                // A leaf that became too full is opened again: its references go to its children.
+                let before = self.nodes.insert(node, fresh).map_or(0, |before| before.settled.len());
+                self.tally.stored = self.tally.stored.saturating_sub(before as u64);
                 self.consider(node);
                 self.waiting.retain(|waiting| *waiting != node);
             }
@@ -281,12 +286,24 @@ impl GrowMoment {
                 self.give_birth(node, (first.0..first.0 + ways).map(NodeId).collect());
             }
             Grow::Touch { node } => self.consider(node),
-            Grow::Leaf { node, why, .. } => {
+            Grow::Leaf { node, prims, why } => {
                 self.consider(node);
-                self.forget_below(node);
+                let below = self.forget_below(node);
+                self.tally.stored = self.tally.stored.saturating_sub(below as u64);
                 self.tally.leaves += 1;
                 if let Some(node) = self.nodes.get_mut(&node) {
                     node.leaf = Some(why);
+                    node.prims = prims;
+                }
+            }
+            Grow::Remove { prim, place } => {
+                self.take_up(prim);
+                self.tally.stored = self.tally.stored.saturating_sub(1);
+                if let Place::Node(node) = place
+                    && let Some(node) = self.nodes.get_mut(&node)
+                {
+                    node.settled.retain(|settled| *settled != prim);
+                    node.prims = node.settled.len() as u32;
                 }
             }
             Grow::Settle { prim, place } => {
@@ -296,6 +313,7 @@ impl GrowMoment {
                     Place::Node(node) => {
                         if let Some(node) = self.nodes.get_mut(&node) {
                             node.settled.push(prim);
+                            node.prims = node.prims.max(node.settled.len() as u32);
                         }
                     }
                     Place::Cell(cell) => {

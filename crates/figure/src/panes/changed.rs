@@ -7,7 +7,7 @@ use crate::moments::{GrowMoment, Moment, Walk};
 use crate::page::{Anchor, Figure, Look, write};
 use crate::theme::fonts::elided;
 use crate::theme::{Face, Role, text_width};
-use crate::words::{number, value};
+use crate::words::{number, value, whole};
 
 /// A value that is followed from step to step. What stands behind the `_` of its name is set lower.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,7 +64,7 @@ impl Watching {
     }
 
     fn count(&mut self, name: &str, n: u64) {
-        self.says(name, Some(n.to_string()));
+        self.says(name, Some(whole(n)));
     }
 
     fn place(&mut self, name: &str, place: Option<Place>) {

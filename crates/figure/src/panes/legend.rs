@@ -64,6 +64,20 @@ pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Dropped, "not reached"),
 ];
 
+/// What they mean where a tree is built and then changed.
+pub(crate) const OF_CHANGE: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Filled, "holds primitives"),
+    (Role::Here, "under consideration"),
+    (Role::Ghost, "where it was before"),
+    (Role::Best, "sets a side of the box"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "still to come"),
+    (Role::Plane, "cut, or touched by the change"),
+    (Role::Seen, "done"),
+    (Role::Dropped, "deleted"),
+];
+
 /// What they mean where a grid is built.
 pub(crate) const OF_GRID: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),

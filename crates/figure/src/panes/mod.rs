@@ -1,7 +1,6 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
 mod board;
-mod box_bytes;
 mod bytes;
 mod cells;
 mod changed;
@@ -28,6 +27,7 @@ pub use board::{
 };
 pub(crate) use board::{board, knobs, pixel_at, probe};
 pub use bytes::bytes;
+pub(crate) use bytes::bytes_height;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};
 pub use costs::costs;
@@ -47,6 +47,7 @@ pub use space::{ghost, ghost_of_build, space, space_of_build, space_of_build_to,
 pub use stack::{stack, stack_height, stack_of_build};
 pub use timeline::{Track, timeline, timeline_of_build};
 pub(crate) use timeline::{symbol_at, symbol_of_build_at, symbol_on_track, track};
+pub(crate) use tree::tree_with;
 pub use tree::{TreeView, tree, tree_height, tree_of_build};
 pub(crate) use walks::{Walker, walks};
 pub use weighing::CutLine;

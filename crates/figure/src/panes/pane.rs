@@ -24,7 +24,7 @@ pub enum Pane {
     Matrix,
     /// The test of a volume.
     Slabs,
-    /// A node as it lies in memory.
+    /// A node, or a table of cells, as it lies in memory.
     Bytes,
     /// The algorithm with the line of this step.
     Listing,

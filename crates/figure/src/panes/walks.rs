@@ -11,7 +11,7 @@ use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::stage::{Camera, Scenery, crop, stage};
 use crate::theme::fonts::elided;
 use crate::theme::{Face, Role, text_width};
-use crate::words::number;
+use crate::words::{number, whole};
 
 /// One of the walks: the name of its structure, its walk, and how far that has come.
 pub(crate) struct Walker<'a> {
@@ -106,7 +106,7 @@ fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, pictur
     let share = picture.x / counts.len() as f32;
     for (index, (count, what, role)) in counts.into_iter().enumerate() {
         let at = Vec2::new(left + share * index as f32, y);
-        write(figure, role, None, at, &count.to_string(), u * 1.9, Face::Bold, Anchor::Start);
+        write(figure, role, None, at, &whole(count), u * 1.9, Face::Bold, Anchor::Start);
         let words = at + Vec2::new(0.0, u * 1.8);
         write(figure, Role::Quiet, None, words, what, look.small(), Face::Regular, Anchor::Start);
     }

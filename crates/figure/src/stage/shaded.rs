@@ -167,18 +167,18 @@ fn normal(shape: &Shape<'_>, ray: &Ray, hit: Hit) -> Vec3 {
         Shape::Cylinder(cylinder) => {
             let (axis, f) = (cylinder.to - cylinder.from, ray.at(hit.t) - cylinder.from);
             let height = f.dot(axis) / axis.length_squared();
-            // On an end, unless it lies as far out as the mantle.
+            // On an end, unless it lies as far out as the round side.
             let out = f - axis * height;
-            let is_mantle = out.length() > cylinder.radius * MANTLE && (0.0..1.0).contains(&height);
-            if is_mantle { out } else { axis }
+            let is_round = out.length() > cylinder.radius * ROUND && (0.0..1.0).contains(&height);
+            if is_round { out } else { axis }
         }
         Shape::Cone(cone) => {
             let (axis, f) = (cone.base - cone.apex, ray.at(hit.t) - cone.apex);
             let height = f.dot(axis) / axis.length_squared();
-            // The mantle leans outward and towards the apex; the base is as wide as it gets.
+            // The round side leans outward and towards the apex; the base is as wide as it gets.
             let out = f - axis * height;
-            let is_mantle = out.length() > cone.radius * height * MANTLE;
-            if is_mantle {
+            let is_round = out.length() > cone.radius * height * ROUND;
+            if is_round {
                 out.normalize_or_zero() * axis.length() - axis.normalize_or_zero() * cone.radius
             } else {
                 axis
@@ -191,8 +191,8 @@ fn normal(shape: &Shape<'_>, ray: &Ray, hit: Hit) -> Vec3 {
     normal.normalize_or_zero()
 }
 
-/// So far out, as a part of the radius, a point of a round solid counts as one of its mantle.
-const MANTLE: f32 = 1.0 - 1e-4;
+/// So far out, as a part of the radius, a point of a round solid counts as one of its round side.
+const ROUND: f32 = 1.0 - 1e-4;
 
 /// The normal of the side of a box that a point of its surface lies on: the one it reaches furthest along.
 fn face_of(solid: &Obb, p: Vec3) -> Vec3 {

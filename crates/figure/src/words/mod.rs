@@ -9,6 +9,6 @@ mod volume;
 pub(crate) use fact::veiled_visit;
 pub use fact::{Answer, Fact, Symbol, sentence, short, veiled};
 pub(crate) use number::{counted, mask};
-pub use number::{number, value};
+pub use number::{number, value, whole};
 pub use template::{fill, told};
 pub use volume::VolumeName;

@@ -2,7 +2,8 @@
 
 use raystep_accel::{Lanes, Value};
 
-/// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros.
+/// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros, and from 10,000 on
+/// with commas between the thousands.
 pub fn number(x: f32) -> String {
     if x.is_nan() {
         return "NaN".to_owned();
@@ -18,16 +19,34 @@ pub fn number(x: f32) -> String {
     } else {
         // Digits after the point so that three count: 5.14, 0.328, 0.00123.
         let (_, exponent) = parts(size);
-        trimmed(&format!("{:.*}", (2 - exponent).max(0) as usize, size))
+        let digits = trimmed(&format!("{:.*}", (2 - exponent).max(0) as usize, size));
+        if digits.contains('.') { digits } else { grouped(digits) }
     };
     if x < 0.0 { format!("−{digits}") } else { digits }
+}
+
+/// A count as it stands on every page: 9999, and 10,000 from there on.
+pub fn whole(n: u64) -> String {
+    grouped(n.to_string())
+}
+
+/// With commas between the thousands where there are five digits or more.
+fn grouped(digits: String) -> String {
+    if digits.len() < 5 {
+        return digits;
+    }
+    let comma = |(index, digit): (usize, char)| {
+        let before = (index > 0 && (digits.len() - index).is_multiple_of(3)).then_some(',');
+        before.into_iter().chain([digit])
+    };
+    digits.chars().enumerate().flat_map(comma).collect()
 }
 
 /// The value of a field of an event, in words where it is not a number.
 pub fn value(value: &Value) -> String {
     match *value {
         Value::Number(x) => number(x),
-        Value::Count(n) => n.to_string(),
+        Value::Count(n) => whole(n.into()),
         Value::Flag(true) => "yes".to_owned(),
         Value::Flag(false) => "no".to_owned(),
         Value::Axis(axis) => axis.name().to_owned(),
@@ -45,7 +64,7 @@ pub(crate) fn mask(lanes: Lanes) -> String {
 
 /// `1 node`, `2 nodes`.
 pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
+    format!("{} {}", whole(count), if count == 1 { one } else { many })
 }
 
 /// Mantissa with three digits and exponent, rounded as they are printed.
@@ -73,6 +92,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn thousands_are_set_apart_from_five_digits_on() {
+        let table = [(0, "0"), (999, "999"), (9999, "9999"), (10_000, "10,000"), (123_456_789, "123,456,789")];
+        for (n, text) in table {
+            assert_eq!(whole(n), text);
+        }
+    }
+
+    #[test]
     fn three_digits_count() {
         let table = [
             (3.6612, "3.66"),
@@ -84,7 +111,9 @@ mod tests {
             (9.996, "10"),
             (99.96, "100"),
             (999.7, "1000"),
-            (12_345.6, "12346"),
+            (9999.4, "9999"),
+            (12_345.6, "12,346"),
+            (599_048.0, "599,048"),
             (1.5e7, "1.5·10⁷"),
             (0.000_123_4, "0.000123"),
             (0.000_012_34, "1.23·10⁻⁵"),

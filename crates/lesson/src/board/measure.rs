@@ -9,7 +9,7 @@ use raystep_scene::{Scene, View};
 
 use crate::Plan;
 
-use super::{Care, Column, rows};
+use super::{Care, Column, rows, standing};
 
 /// Counts of one structure over the rays of one picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -88,11 +88,11 @@ impl Measured {
         care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Measured>, Cancelled> {
-        let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
+        let Some(structure) = standing::structure(plan, scene, watch)? else { return Ok(None) };
         if let Some(width) = how.lanes {
             return Measured::of_packets(&structure, how, width, scene, care, watch).map(Some);
         }
-        let all = matches!(structure, Structure::List(_));
+        let all = matches!(*structure, Structure::List(_));
         let (mut cost, mut rays) = (Cost::default(), 0_u32);
         for own in shoot(&structure, scene, care.of(if all { SMALL_PICTURE } else { PICTURE }), watch)? {
             cost += own;
@@ -201,7 +201,7 @@ impl Counted {
         care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Counted>, Cancelled> {
-        let Some(structure) = built(plan, scene, watch)? else { return Ok(None) };
+        let Some(structure) = standing::structure(plan, scene, watch)? else { return Ok(None) };
         let size = care.of(MAP);
         let counts = shoot(&structure, scene, size, watch)?.map(|own| of.count(&own) as u32).collect();
         Ok(Some(Counted { size, counts }))
@@ -218,13 +218,6 @@ fn bytes(structure: &Structure, how: How) -> u64 {
             own - nodes * stored + nodes * wanted
         }
         _ => own,
-    }
-}
-
-fn built(plan: &Plan, scene: &Scene, watch: &mut impl Observer<Grow>) -> Result<Option<Structure>, Cancelled> {
-    match plan.rule(scene.flat) {
-        Ok(rule) => Structure::build(&scene.prims, &rule, watch).map(Some),
-        Err(_) => Ok(None),
     }
 }
 

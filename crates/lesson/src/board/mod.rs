@@ -11,6 +11,7 @@ mod panel;
 mod picture;
 mod rows;
 mod smooth;
+mod standing;
 mod table;
 mod tape;
 

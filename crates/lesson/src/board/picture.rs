@@ -11,8 +11,8 @@ use raystep_accel::{
 use raystep_scene::{Scene, View};
 
 use super::care::Care;
-use super::rows;
 use super::smooth::Smooth;
+use super::{rows, standing};
 use crate::keys::Keys;
 use crate::reading::Reading;
 use crate::{Plan, head};
@@ -150,8 +150,7 @@ impl Rendered {
         if let Some(made) = known().get(&key) {
             return Ok(Some(made.clone()));
         }
-        let Ok(rule) = picture.plan.rule(scene.flat) else { return Ok(None) };
-        let structure = Structure::build(&scene.prims, &rule, watch)?;
+        let Some(structure) = standing::structure(&picture.plan, scene, watch)? else { return Ok(None) };
         let mut view = scene.view;
         if let Some((eye, target, fov_degrees)) = picture.view {
             view = View { eye, target, up: scene.view.up, fov_degrees };

@@ -6,7 +6,7 @@ use super::{Cylinder, Disc};
 use crate::Aabb;
 use crate::geometry::digits::direction;
 
-/// From a point widening to a round base: its mantle and its base are met. Without height it is not met
+/// From a point widening to a round base: its round side and its base are met. Without height it is not met
 /// at all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cone {

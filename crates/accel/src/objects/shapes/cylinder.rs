@@ -6,7 +6,7 @@ use super::Disc;
 use crate::Aabb;
 use crate::geometry::digits::direction;
 
-/// All points no further than `radius` from the segment between two ends, and between the ends: its mantle
+/// All points no further than `radius` from the segment between two ends, and between the ends: its round side
 /// and both ends are met. Without length it is not met at all.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cylinder {
@@ -26,7 +26,7 @@ impl Cylinder {
         end(self.from).union(end(self.to))
     }
 
-    /// A small box around the part of its box that lies in `bounds`; empty if that lies beside the mantle
+    /// A small box around the part of its box that lies in `bounds`; empty if that lies beside the round side
     /// or beyond an end.
     pub fn clip(&self, bounds: &Aabb) -> Aabb {
         let part = self.bounds().intersection(*bounds);

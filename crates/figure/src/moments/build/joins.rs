@@ -68,13 +68,17 @@ impl GrowMoment {
         self.consider(to);
     }
 
-    /// What lies below a node is gone.
-    pub(super) fn forget_below(&mut self, node: NodeId) {
-        let Some(node) = self.nodes.get_mut(&node) else { return };
+    /// What lies below a node is gone; says how many references went with it.
+    pub(super) fn forget_below(&mut self, node: NodeId) -> usize {
+        let Some(node) = self.nodes.get_mut(&node) else { return 0 };
         let mut gone = std::mem::take(&mut node.children);
+        let mut references = 0;
         while let Some(child) = gone.pop() {
             self.parents.remove(&child);
-            gone.extend(self.nodes.remove(&child).into_iter().flat_map(|child| child.children));
+            let Some(child) = self.nodes.remove(&child) else { continue };
+            references += child.settled.len();
+            gone.extend(child.children);
         }
+        references
     }
 }

@@ -45,6 +45,7 @@ pub fn space_of_build_to(build: &Build<'_>, moment: &GrowMoment, depth: Depth) -
     drawing.cells();
     drawing.halves();
     drawing.nodes();
+    drawing.changes();
     drawing.waiting();
     drawing.shared();
     drawing.splits();
@@ -128,6 +129,27 @@ impl Drawing<'_> {
     fn shared(&mut self) {
         for prim in self.moment.shared.iter().rev().take(BOXES) {
             self.add(Role::Hit, Some(Place::Prim(*prim)), Form::Prim(*prim));
+        }
+    }
+
+    /// What the change at hand has touched so far, and the primitives that are not in the structure.
+    fn changes(&mut self) {
+        let (build, moment) = (self.build, self.moment);
+        for prim in build.to_come(moment) {
+            self.add(Role::Waiting, Some(Place::Prim(prim)), Form::Prim(prim));
+        }
+        for prim in build.gone(moment) {
+            self.add(Role::Dropped, Some(Place::Prim(prim)), Form::Prim(prim));
+        }
+        let Some(change) = build.change(moment) else { return };
+        for id in build.touched(moment, change) {
+            let Some(node) = moment.nodes.get(&id) else { continue };
+            self.add(Role::Plane, Some(Place::Node(id)), Form::Box(node.bounds));
+        }
+        let prim = change.change.prim();
+        // Where it is gone it is drawn as such.
+        if !build.gone(moment).contains(&prim) {
+            self.add(Role::Here, Some(Place::Prim(prim)), Form::Prim(prim));
         }
     }
 
@@ -360,6 +382,15 @@ impl Drawing<'_> {
                     node.bounds,
                     format!("{below} below, {above} above: cost {}", number(cost)),
                 );
+            }
+            // The lines that cut a cell into equal ones.
+            Some(Grow::Divide { at_x, at_y, at_z, .. }) => {
+                for (axis, at) in [(Axis::X, at_x), (Axis::Y, at_y), (Axis::Z, at_z)] {
+                    if !(flat && axis == Axis::Z) {
+                        self.add(Role::Plane, place, Form::Sheet(self::sheet(&node.bounds, axis, at)));
+                    }
+                }
+                self.title(Role::Here, *id, node.bounds, format!("node {id}: cut into {} cells", node.children.len()));
             }
             Some(Grow::Split { axis, plane, .. }) => {
                 let cut = if VolumeName::of(self.build.structure).cut == "way" { "shared out" } else { "cut" };

@@ -14,12 +14,17 @@ use crate::world::Levels;
 
 /// The tree at a moment of a build.
 pub fn tree_of_build(moment: &GrowMoment, view: &TreeView, size: Vec2, look: &Look) -> Figure {
+    tree_with(moment, Vec::new(), view, size, look)
+}
+
+/// The same, with the nodes marked that a change has touched.
+pub(crate) fn tree_with(moment: &GrowMoment, touched: Vec<NodeId>, view: &TreeView, size: Vec2, look: &Look) -> Figure {
     if moment.nodes.is_empty() {
         let mut figure = Figure::new(size);
         look.nothing(&mut figure, "Tree", "No node has come to be yet.");
         return figure;
     }
-    draw_tree(&Growing { moment, path: moment.path() }, view, size, look)
+    draw_tree(&Growing { moment, touched, path: moment.path() }, view, size, look)
 }
 
 /// The state of a node that grows.
@@ -36,6 +41,7 @@ pub(crate) fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
 /// A tree that grows.
 struct Growing<'a> {
     moment: &'a GrowMoment,
+    touched: Vec<NodeId>,
     path: Vec<NodeId>,
 }
 
@@ -53,7 +59,10 @@ impl Tree for Growing<'_> {
     }
 
     fn role(&self, node: NodeId) -> Role {
-        node_role(self.moment, node)
+        match node_role(self.moment, node) {
+            Role::Seen if self.touched.contains(&node) => Role::Plane,
+            role => role,
+        }
     }
 
     fn prim_role(&self, prim: PrimId) -> Role {

@@ -17,8 +17,8 @@ use raystep_accel::{Direction, NodeId, Place, PrimId};
 
 pub(crate) use branches::Tree;
 pub use branches::TreeView;
-pub(crate) use build::node_role;
 pub use build::tree_of_build;
+pub(crate) use build::{node_role, tree_with};
 pub(crate) use draw::draw_tree;
 
 use crate::moments::{Moment, Walk};

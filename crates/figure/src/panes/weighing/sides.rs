@@ -100,6 +100,7 @@ mod tests {
                 events: &events,
                 lost: &lost,
                 instead: None,
+                changes: &[],
                 flat: true,
             };
             let mut weighed = 0;

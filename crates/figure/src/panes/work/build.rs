@@ -1,18 +1,22 @@
 //! What a builder has done so far in numbers.
 
 use glam::Vec2;
-use raystep_accel::Primitives;
+use raystep_accel::{Change, Primitives};
 
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Anchor, Figure, Look, block, line, wrapped, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::{VolumeName, counted};
+use crate::words::{VolumeName, counted, whole};
 
 /// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
 pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, "Work so far", "");
     let (left, u) = (look.margin(), look.text);
+    if build.change(moment).is_some() {
+        changes(&mut figure, build, moment, top, look);
+        return figure;
+    }
     let all = build.prims.len() as u64;
     let tally = &moment.tally;
 
@@ -32,7 +36,7 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
     };
     let loud = u * 2.6;
     let mut y = top + loud * 0.5;
-    let digits = count.to_string();
+    let digits = whole(count);
     let base = Vec2::new(left, y);
     write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
     let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
@@ -67,12 +71,50 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
     figure
 }
 
+/// The changes so far, each with the nodes that it touched and those that would be made if another tree were built anew.
+fn changes(figure: &mut Figure, build: &Build<'_>, moment: &GrowMoment, top: f32, look: &Look) {
+    let begun = build.begun(moment);
+    let left = look.margin();
+    let width = figure.size.x - 2.0 * left;
+    // Each has a line and two bars; in a low pane the letters shrink with it.
+    let u = look.text.min((figure.size.y - top) / (6.6 * begun.len().max(1) as f32)).min(width / 19.0);
+    let rows: Vec<_> = begun.iter().map(|change| (change, build.touched(moment, change).len() as u64)).collect();
+    let longest = rows
+        .iter()
+        .flat_map(|(change, touched)| [*touched, change.anew.as_ref().map_or(0, |(_, made)| *made)])
+        .fold(1, u64::max);
+    let mut y = top;
+    let mut bar = |y: f32, role: Role, count: u64, says: &str| {
+        write(figure, Role::Text, None, Vec2::new(left, y + u * 0.6), says, u, Face::Regular, Anchor::Start);
+        let long = (width * count as f32 / longest as f32).max(3.0);
+        figure.add(role, None, block(Vec2::new(left, y + u * 1.35), Vec2::new(long, u * 0.7), 0.0));
+    };
+    for (change, touched) in rows {
+        let (verb, prim) = match change.change {
+            Change::Insert(prim) => ("insert", prim),
+            Change::Delete(prim) => ("delete", prim),
+        };
+        let says = if change.done {
+            format!("{verb} {prim}: {}", counted(touched, "node touched", "nodes touched"))
+        } else {
+            format!("{verb} {prim}: it reaches out of the root's cell")
+        };
+        bar(y, Role::Plane, touched, &says);
+        y += u * 2.9;
+        if let Some((name, made)) = &change.anew {
+            bar(y, Role::Missed, *made, &format!("{name} built anew: {}", counted(*made, "node made", "nodes made")));
+            y += u * 2.9;
+        }
+        y += u * 0.8;
+    }
+}
+
 /// What else was done. Only what happened.
 fn words(build: &Build<'_>, moment: &GrowMoment) -> Vec<String> {
     let tally = &moment.tally;
     let rest = [
         (tally.taken, "taken", "taken"),
-        (tally.joined, "time two sets became one", "times two sets became one"),
+        (tally.joined, "pair merged", "pairs merged"),
         (tally.leaves, "leaf", "leaves"),
         (moment.waiting.len() as u64, "node waits", "nodes wait"),
         // A primitive and a cell: each pair is looked at once.

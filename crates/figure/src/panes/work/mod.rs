@@ -11,7 +11,7 @@ pub use build::work_of_build;
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, wrapped, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::{VolumeName, counted};
+use crate::words::{VolumeName, counted, whole};
 
 /// Where only the box is tested, its test is the work.
 fn tests_box_only(structure: &Structure) -> bool {
@@ -48,7 +48,7 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     // The one loud number.
     let loud = u * 2.6;
     let mut y = top + loud * 0.5;
-    let digits = tests.to_string();
+    let digits = whole(tests);
     let base = Vec2::new(left, y);
     write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
     let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
@@ -91,7 +91,7 @@ fn sentence(moment: &Moment, volume: VolumeName) -> Vec<String> {
     [
         (cost.node_visits, "node entered", "nodes entered"),
         (cost.cell_steps, "cell entered", "cells entered"),
-        (cost.plane_tests, "plane crossed", "planes crossed"),
+        (cost.plane_tests, "plane tested", "planes tested"),
         (cost.box_tests, &*one_tested, &*many_tested),
         (cost.pushes, "pushed", "pushed"),
         (cost.drops, "dropped", "dropped"),

@@ -7,7 +7,7 @@ use raystep_accel::{Grow, Place, Value};
 
 use super::{Fact, Symbol};
 use crate::theme::Role;
-use crate::words::VolumeName;
+use crate::words::{VolumeName, whole};
 
 const GROWS: Symbol = Symbol { sign: "▷", name: "box grows", role: Role::Here, rank: 0 };
 const WEIGHED: Symbol = Symbol { sign: "|", name: "weighed", role: Role::Candidate, rank: 1 };
@@ -66,7 +66,8 @@ impl Fact for Grow {
             Grow::Touch { .. } => "a node is looked at",
             Grow::Leaf { .. } => "the node stays a leaf",
             Grow::Settle { .. } => "a reference is stored",
-            Grow::Merge { .. } => "two nodes become one",
+            Grow::Remove { .. } => "a reference is removed",
+            Grow::Merge { .. } => "two nodes are merged",
             Grow::Move { .. } => "a node moves",
             Grow::Refit { .. } => "a volume is fitted anew",
             Grow::Renumber { .. } => "a node gets its final number",
@@ -79,11 +80,11 @@ impl Fact for Grow {
     }
 }
 
-/// What of a build was not kept, in words: "not kept: 260689 planes weighed".
+/// What of a build was not kept, in words: "not kept: 260,689 planes weighed".
 pub(crate) fn left_out(lost: &BTreeMap<&'static str, u64>, volume: VolumeName) -> String {
     let mut kinds: Vec<(u64, String)> = lost.iter().map(|(name, count)| (*count, many(name, volume))).collect();
     kinds.sort_by(|a, b| b.cmp(a));
-    let parts: Vec<String> = kinds.into_iter().map(|(count, what)| format!("{count} {what}")).collect();
+    let parts: Vec<String> = kinds.into_iter().map(|(count, what)| format!("{} {what}", whole(count))).collect();
     if parts.is_empty() { String::new() } else { format!("not kept: {}", parts.join(", ")) }
 }
 
@@ -96,6 +97,7 @@ fn many(name: &str, volume: VolumeName) -> String {
         "widen.same" => "primitives that lay in the box",
         "touch" => "nodes looked at",
         "settle" => "references stored",
+        "remove" => "references removed",
         "open" => "nodes",
         "leaf" => "leaves",
         "split" | "divide" => "nodes divided",

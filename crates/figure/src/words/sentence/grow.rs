@@ -70,6 +70,7 @@ pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
             format!("Primitive {prim} reaches into cell {cell}: the cell stores a reference.")
         }
         Grow::Settle { prim, place } => format!("A reference to primitive {prim} is stored in {place}."),
+        Grow::Remove { prim, place } => format!("The reference to primitive {prim} is removed from {place}."),
         Grow::Merge { node, left, right, .. } => {
             format!("Nodes {left} and {right} become the children of node {node}.")
         }

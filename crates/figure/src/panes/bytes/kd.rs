@@ -1,27 +1,19 @@
-//! A node of a kd-tree as it lies in memory: in four layouts, slides 60-62; of a single box, its two corners.
+//! A node of a kd-tree as it lies in memory: in four layouts, slides 60-62.
 
 use glam::Vec2;
-use raystep_accel::{KdLayout, Machine, NodeField, NodeId, Place, Structure, Word};
+use raystep_accel::{Kd, KdLayout, Machine, NodeField, NodeId, Place, Word};
 
-use super::box_bytes::box_bytes;
+use super::lines::{Strip, touched};
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
 
-/// The node where the walk stands, in each layout on one scale: its fields with what stands in them, and beside
-/// them the bits of a word that says several things. While a question asks what stands there, `hide` leaves the
-/// fields empty.
-pub fn bytes(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
-    if let Structure::Slab(one) = walk.structure {
-        let done = walk.events.get(..moment.step).unwrap_or(walk.events);
-        return box_bytes(&one.bounds, done, hide, size, look);
-    }
+/// The node where the walk stands, in each layout on one scale: its fields with what stands in them, beside them the
+/// bits of a word that says several things, and below them the cache lines that the ray has touched so far. While a
+/// question asks what stands there, `hide` leaves the fields empty.
+pub(super) fn node(tree: &Kd, walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let Structure::Kd(tree) = walk.structure else {
-        look.nothing(&mut figure, "Bytes", "Only the nodes of a kd-tree are shown as bytes.");
-        return figure;
-    };
     if moment.here.is_none() && moment.seen.is_empty() && moment.ending.is_none() {
         look.nothing(&mut figure, "Bytes", "No node has been entered yet.");
         return figure;
@@ -32,7 +24,7 @@ pub fn bytes(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
     };
     let leaf = walk.structure.split(node).is_none();
     let kind = if leaf { "a leaf" } else { "an inner node" };
-    let remark = format!("{kind} · pointers of 32 bits, addresses in bytes from the root");
+    let remark = format!("{kind} \u{b7} pointers of 32 bits, addresses in bytes from the root");
     let top = look.heading(&mut figure, &format!("Bytes of node {node}"), &remark);
 
     let rows: Vec<_> = KdLayout::ALL.iter().filter_map(|&layout| Some((layout, layout.node(tree, node)?))).collect();
@@ -41,17 +33,39 @@ pub fn bytes(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
         return figure;
     }
     // All rows on one scale: the largest layout fills the width. In a tall pane the letters grow with it.
-    let height = ((size.y - top - look.margin() * 0.5) / rows.len() as f32).min(look.text * 5.4);
-    let u = (look.text * 1.3).min(height / 3.1);
-    let left = look.margin() + text_width("25 bytes  ", Face::Bold, u);
+    let height = ((size.y - top - look.margin() * 0.5) / rows.len() as f32).min(look.text * LARGEST * ROW);
+    let u = (look.text * LARGEST).min(height / ROW);
+    let left = look.margin() + text_width("64 bit: 48  ", Face::Bold, u * SMALL);
     let widest = rows.iter().map(|(layout, _)| layout.bytes(Machine::Printed)).max().unwrap_or(1);
     let byte = (size.x - look.margin() - left) / widest as f32;
     for (index, (layout, fields)) in rows.iter().enumerate() {
         let row = Row { node, leaf, hide, u, byte, left, y: top + height * index as f32 };
         row.draw(&mut figure, *layout, fields, size.x - look.margin());
+        let lines = touched(walk, moment.step, layout.bytes(Machine::Printed));
+        let strip = Strip {
+            corner: Vec2::new(left, row.y + u * STRIP),
+            size: Vec2::new(size.x - look.margin() - left, u * 0.95),
+        };
+        strip.draw(&mut figure, &lines, walk.structure.node_count(), node);
+        let count = lines.touched().len();
+        let says = if count == 1 { "1 line".to_owned() } else { format!("{count} lines") };
+        let at = Vec2::new(row.label_edge(), strip.corner.y + strip.size.y / 2.0);
+        write(&mut figure, Role::Hit, None, at, &says, u, Face::Bold, Anchor::End);
     }
     figure
 }
+
+/// How high the four rows should be.
+pub(super) fn height(look: &Look) -> f32 {
+    look.text * LARGEST * ROW * KdLayout::ALL.len() as f32 + look.margin()
+}
+
+/// A row in parts of its letters: how high it is, and where its cache lines stand in it.
+const ROW: f32 = 4.3;
+const STRIP: f32 = 2.85;
+
+/// The letters of a row in parts of the pane's, where there is room.
+const LARGEST: f32 = 1.3;
 
 /// Captions, in parts of the letters beside the rows, and how small a narrow field may make them.
 const SMALL: f32 = 0.85;
@@ -74,7 +88,7 @@ impl Row {
     fn draw(&self, figure: &mut Figure, layout: KdLayout, fields: &[(&NodeField, u32)], right: f32) {
         let (u, place) = (self.u, Some(Place::Node(self.node)));
         let [printed, compiled] = [Machine::Printed, Machine::Bits64].map(|machine| layout.bytes(machine));
-        let edge = self.left - text_width("  ", Face::Bold, u);
+        let edge = self.label_edge();
         let mut label = |down: f32, says: &str, role, face, size| {
             let at = Vec2::new(edge, self.y + u * down);
             write(figure, role, None, at, says, size, face, Anchor::End);
@@ -99,6 +113,11 @@ impl Row {
         if let Some((field, word)) = fields.iter().find(|(field, _)| !field.bits.is_empty() && !self.hide) {
             self.bits(figure, field, *word, x + u * 1.6, right);
         }
+    }
+
+    /// Where what stands before the row ends.
+    fn label_edge(&self) -> f32 {
+        self.left - text_width("  ", Face::Bold, self.u)
     }
 
     /// Of a name like "child or count", the part that holds for this node.

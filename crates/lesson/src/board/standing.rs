@@ -1,0 +1,43 @@
+//! Structures that boards measure, kept for a while: rows and maps of one board, and its draft, ask for the same ones.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+
+use raystep_accel::{Cancelled, Grow, Observer, Structure};
+use raystep_scene::Scene;
+
+use crate::Plan;
+
+/// Together they have at most so many bytes, but for the last one.
+const MOST: usize = 96 << 20;
+
+static KEPT: LazyLock<Mutex<VecDeque<(String, Arc<Structure>)>>> = LazyLock::new(Mutex::default);
+
+/// What `plan` says over a scene, built or found; nothing where the plan cannot be followed.
+///
+/// # Errors
+/// `watch` asked to give up.
+pub(super) fn structure(
+    plan: &Plan,
+    scene: &Scene,
+    watch: &mut impl Observer<Grow>,
+) -> Result<Option<Arc<Structure>>, Cancelled> {
+    let Ok(rule) = plan.rule(scene.flat) else { return Ok(None) };
+    // A scene that was changed by hand keeps its name.
+    let key = format!("{} {:?} {rule:?}", scene.name, scene.bounds());
+    let kept = || KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, found)) = kept().iter().find(|(known, _)| *known == key) {
+        return Ok(Some(found.clone()));
+    }
+    let built = Arc::new(Structure::build(&scene.prims, &rule, watch)?);
+    let mut kept = kept();
+    kept.push_front((key, built.clone()));
+    let mut bytes = 0;
+    let many = kept.iter().position(|(_, structure)| {
+        bytes += structure.bytes();
+        bytes > MOST
+    });
+    let fit = many.unwrap_or(kept.len()).max(1);
+    kept.truncate(fit);
+    Ok(Some(built))
+}
