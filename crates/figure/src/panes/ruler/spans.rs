@@ -104,6 +104,7 @@ pub(crate) fn extent(walk: &Walk<'_>, moment: &Moment) -> (f32, f32) {
             Visit::Test { t, hit: true, .. } => must.push(t),
             Visit::Divide { axis, t1, t2, .. } if !walk.leaves_out(axis) => may.extend([t1, t2]),
             Visit::Roots { t1, t2, .. } => may.extend([t1, t2]),
+            Visit::Clip { t, .. } => may.push(t),
             _ => {}
         }
     }
