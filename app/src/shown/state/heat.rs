@@ -18,7 +18,8 @@ impl State {
     /// Whether what is shown has a solid picture that a heat map can stand for.
     pub(crate) fn can_heat(&self) -> bool {
         self.playback.as_ref().is_some_and(|playback| {
-            !playback.play.scene.flat && matches!(playback.play.tape.plays(), Plays::Walk | Plays::Build)
+            !playback.play.scene.flat
+                && matches!(playback.play.tape.plays(), Plays::Walk | Plays::Packet | Plays::Build)
         })
     }
 

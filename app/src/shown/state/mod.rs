@@ -372,7 +372,10 @@ impl State {
 
     /// Other structures beside the walk: in a flat scene all of them, in a solid one the first.
     pub fn compare_all(&mut self, rivals: Rivals) {
-        let flat = self.playback.as_ref().is_none_or(|playback| playback.play.scene.flat);
+        // A packet is compared with one structure at a time.
+        let flat = self.playback.as_ref().is_none_or(|playback| {
+            playback.play.scene.flat && playback.play.tape.plays() != raystep_lesson::Plays::Packet
+        });
         self.beside = match rivals.kinds().next() {
             None => Beside::Nothing,
             Some(first) => {

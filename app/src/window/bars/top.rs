@@ -102,14 +102,13 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
                 (Command::Predict, state.predict, true),
                 (Command::Compare, matches!(state.beside, Beside::Structure(_) | Beside::Abreast(_)), true),
             ];
-            // Brute force has no structure that could be built.
-            let builds = state.slide().is_some_and(|slide| slide.plays != Plays::Walk);
+            let walks = state.slide().is_none_or(|slide| matches!(slide.plays, Plays::Walk | Plays::Packet));
             for (command, on, _) in modes.into_iter().filter(|(.., fits)| *fits) {
                 let button = Button::new(command.name()).selected(on);
                 let button = if on { button.stroke(ui.visuals().selection.stroke) } else { button };
-                let enabled = !(builds && command == Command::Compare);
+                let enabled = walks || command != Command::Compare;
                 let response = ui.add_enabled(enabled, button).on_hover_text(command.tip());
-                if response.on_disabled_hover_text("A build has no ray to compare with").clicked() {
+                if response.on_disabled_hover_text("No ray walks here that could be compared").clicked() {
                     asked = Some(Asked::Command(command));
                 }
             }

@@ -223,24 +223,32 @@ fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<C
     let Some(cost) = cost else { return };
     let structure = &*playback.play.structure;
     let (tests, of) = raystep_figure::tested(structure, &playback.play.scene.prims, &cost);
-    let mut says = format!("{tests} of {of} tested");
+    let mut says = vec![format!("{tests} of {of} tested")];
     match (cost.node_visits, cost.cell_steps) {
         (0, 0) => {}
-        (0, cells) => says.push_str(&format!(" · {cells} {}", if cells == 1 { "cell" } else { "cells" })),
-        (nodes, _) => says.push_str(&format!(" · {nodes} {}", if nodes == 1 { "node" } else { "nodes" })),
+        (0, cells) => says.push(format!("{cells} {}", if cells == 1 { "cell" } else { "cells" })),
+        (nodes, _) => says.push(format!("{nodes} {}", if nodes == 1 { "node" } else { "nodes" })),
     }
     let beside = playback.kind != Beside::Nothing;
     let step = if beside { page.state.beside_step(playback) } else { page.state.view.step };
     let over = step == playback.steps().last();
     if page.state.question().is_some() && beside {
-        says = "waits for your answer".to_owned();
+        says = vec!["waits for your answer".to_owned()];
     } else if !over {
-        says.push_str(" · not finished");
+        says.push("not finished".to_owned());
     }
     if structure.node_count() > 0 || structure.grid().is_some() {
-        says.push_str(&format!(" · built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
+        says.push(format!("built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
     }
-    let at = rect.left_bottom() + vec2(14.0, -16.0);
+    // What has no room beside the other picture's is left out, the last first.
+    let wide = |says: &[String]| raystep_figure::text_width(&says.join(" · "), Face::Regular, 12.5);
+    while says.len() > 1 && wide(&says) > rect.width() - 28.0 {
+        says.pop();
+    }
+    // In space the lowest line tells which boxes are drawn.
+    let line = if playback.play.scene.flat { -16.0 } else { -38.0 };
+    let at = rect.left_bottom() + vec2(14.0, line);
+    let says = says.join(" · ");
     caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, page.theme);
     if let Some((verdict, role)) = verdict(page.state, playback).filter(|_| over) {
         let at = at - vec2(0.0, 20.0);

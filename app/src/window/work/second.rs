@@ -166,8 +166,11 @@ fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task)
                 Some(built) => built,
                 None => usual(playback, kind, task)?,
             };
-            playback.through(built).ok_or_else(no_ray)
+            playback.through(built).ok_or_else(|| no_ray(playback))
         }
+        Beside::Abreast(_) if playback.play.tape.plays() == Plays::Packet => Err(Failure::Wrong(
+            "A packet is compared with one structure at a time: choose one kd-tree, BSP tree or hierarchy.".to_owned(),
+        )),
         Beside::Abreast(rivals) => {
             let made = match stands {
                 Some(built) => playback.abreast_of(built, rivals),
@@ -177,13 +180,7 @@ fn made(playback: &Playback, beside: Beside, stands: Option<Built>, task: &Task)
                     playback.abreast(others?, rivals)
                 }
             };
-            made.ok_or_else(|| match playback.play.tape.plays() {
-                Plays::Packet => Failure::Wrong(
-                    "Packets walk kd-trees, BSP trees and hierarchies of volumes: compare with one of these."
-                        .to_owned(),
-                ),
-                _ => no_ray(),
-            })
+            made.ok_or_else(|| no_ray(playback))
         }
     }
 }
@@ -196,8 +193,12 @@ fn usual(playback: &Playback, kind: &str, task: &Task) -> Result<Built, Failure>
     build(scene, rule, Plays::Walk, None, Care::Full, task)
 }
 
-fn no_ray() -> Failure {
-    Failure::Wrong("A build has no ray to compare: go to a slide on which one walks.".to_owned())
+fn no_ray(playback: &Playback) -> Failure {
+    let why = match playback.play.tape.plays() {
+        Plays::Packet => "Packets walk kd-trees, BSP trees and hierarchies of volumes: compare with one of these.",
+        _ => "No ray walks here that could be compared: go to a slide on which one does.",
+    };
+    Failure::Wrong(why.to_owned())
 }
 
 /// Where a mistake shows: on the ray that walks, on another of these, or on none.
