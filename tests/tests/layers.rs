@@ -91,7 +91,7 @@ fn only_the_window_and_the_painter_know_the_gpu() {
 }
 
 /// The rooms of the app that every way of showing slides shares.
-const SHARED: &[&str] = &["shown", "export", "counts.rs", "fault.rs", "files.rs"];
+const SHARED: &[&str] = &["shown", "export", "fault.rs", "files.rs"];
 
 #[test]
 fn what_every_window_shares_knows_none() {

@@ -36,7 +36,6 @@ const HOUSES: &[(&str, &[&str])] = &[
     (
         "app/src",
         &[
-            "counts",
             "fault",
             "fields",
             "folders",

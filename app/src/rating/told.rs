@@ -141,7 +141,7 @@ mod tests {
             told(&all, true),
             [
                 "Brute force: nothing is built and nothing stored; 600 tests a ray, 300 times those of the kd-tree.",
-                "Grid: quickest to build (1 ms) and smallest (4,000 bytes); for that, 15 times the tests of the kd-tree.",
+                "Grid: quickest to build (1 ms) and smallest (4000 bytes); for that, 15 times the tests of the kd-tree.",
                 "kd-tree: fewest tests (2 a ray), fewest steps (10 a ray) and quickest rays (1 µs); for that, 50 times the \
                  time to build of the grid.",
                 "BVH: first in nothing; at best 1.5 times the tests of the kd-tree, at worst 20 times the time to build \

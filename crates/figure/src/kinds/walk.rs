@@ -60,7 +60,7 @@ impl Kind for Walk<'_> {
             Pane::Tree => tree(self, moment, ask.view.unwrap_or(&TreeView::default()), size, look),
             Pane::Cells => cells(self, moment, hide, size, look),
             Pane::Slabs => slabs(self, moment, hide, size, look),
-            Pane::Bytes => bytes(self, moment, hide, size, look),
+            Pane::Bytes if self.panes().contains(&Pane::Bytes) => bytes(self, moment, hide, size, look),
             Pane::Listing => listing("Walk", ask.lines, self.fact(at.step()), self.flat, size, look),
             Pane::Stack | Pane::StackHere if self.structure.node_count() > 0 => {
                 stack(self, moment, pane == Pane::StackHere, size, look)

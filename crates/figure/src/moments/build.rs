@@ -1,5 +1,6 @@
 //! The state of a builder after some of its events.
 
+mod changes;
 mod joins;
 
 use std::collections::BTreeMap;

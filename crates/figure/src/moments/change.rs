@@ -1,8 +1,6 @@
-//! What is done to a finished structure, and what it touches: slide 44.
+//! What is done to a finished structure: slide 44.
 
-use raystep_accel::{Change, Grow, NodeId, PrimId};
-
-use super::{Build, GrowMoment};
+use raystep_accel::Change;
 
 /// A primitive that is inserted into a finished structure, or deleted from it.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,55 +13,4 @@ pub struct Changed {
     pub done: bool,
     /// What is built anew instead to compare with, and how many nodes that makes.
     pub anew: Option<(String, u64)>,
-}
-
-impl Build<'_> {
-    /// The changes begun so far: the last of them is under way or just over.
-    pub(crate) fn begun(&self, moment: &GrowMoment) -> &[Changed] {
-        // One that the structure has no room for has no events of its own.
-        let begins = |change: &&Changed| change.from + usize::from(change.done) <= moment.step;
-        let count = self.changes.iter().take_while(begins).count();
-        &self.changes[..count]
-    }
-
-    /// The change that a step belongs to, if the structure is built already.
-    pub(crate) fn change(&self, moment: &GrowMoment) -> Option<&Changed> {
-        self.begun(moment).last()
-    }
-
-    /// The nodes that a change has touched so far, in order.
-    pub(crate) fn touched(&self, moment: &GrowMoment, change: &Changed) -> Vec<NodeId> {
-        if !change.done {
-            return Vec::new();
-        }
-        let next = self.changes.iter().map(|other| other.from).find(|from| *from > change.from);
-        let end = moment.step.min(next.unwrap_or(usize::MAX)).min(self.events.len());
-        let events = self.events.get(change.from..end).unwrap_or_default();
-        let touched = events.iter().filter_map(|event| match event {
-            Grow::Touch { node } => Some(*node),
-            _ => None,
-        });
-        touched.collect()
-    }
-
-    /// Primitives that are not in the structure yet.
-    pub(crate) fn to_come(&self, moment: &GrowMoment) -> Vec<PrimId> {
-        let rest = &self.changes[self.begun(moment).len()..];
-        rest.iter()
-            .filter(|change| matches!(change.change, Change::Insert(_)))
-            .map(|change| change.change.prim())
-            .collect()
-    }
-
-    /// Primitives that are in the structure no more.
-    pub(crate) fn gone(&self, moment: &GrowMoment) -> Vec<PrimId> {
-        let begun = self.begun(moment);
-        // Of the change under way, once it is over.
-        let over = matches!(moment.event, Some(Grow::End { .. }));
-        let done = &begun[..begun.len() - usize::from(!over && !begun.is_empty())];
-        done.iter()
-            .filter(|change| matches!(change.change, Change::Delete(_)))
-            .map(|change| change.change.prim())
-            .collect()
-    }
 }

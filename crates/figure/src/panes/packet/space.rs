@@ -3,7 +3,7 @@
 use glam::Vec3;
 use raystep_accel::{Aabb, Interval, Place, Ray};
 
-use super::{is_best, together};
+use super::together::{is_best, together};
 use crate::moments::{Cut, PacketMoment, PacketWalk};
 use crate::panes::space_to;
 use crate::theme::Role;

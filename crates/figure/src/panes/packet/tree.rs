@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use glam::Vec2;
 use raystep_accel::{Direction, Lanes, NodeId, PrimId};
 
-use super::{is_best, together};
+use super::together::{is_best, together};
 use crate::moments::{Moment, PacketMoment, PacketWalk, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::TreeView;

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Probe, Step, Trial, Visit};
 
-use super::Tried;
+use super::tried::Tried;
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;

@@ -3,8 +3,8 @@
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Body, Direction, Obb, Part, Probe, Ray, Shape, Step, Visit};
 
-use super::Tried;
 use super::bodies::{self, around, bounds, forms};
+use super::tried::Tried;
 use crate::theme::Role;
 use crate::words::number;
 use crate::world::{Form, Space, SpaceMark};

@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use super::Tried;
+use super::tried::Tried;
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::{Fact, VolumeName};
