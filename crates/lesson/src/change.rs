@@ -159,7 +159,7 @@ fn follow(change: Change, held: &mut Vec<PrimId>) {
 /// Those of the primitives, numbered anew.
 fn only(prims: &Prims, held: &[PrimId]) -> Prims {
     let Prims::Few(shapes) = prims else { return prims.clone() };
-    Prims::Few(held.iter().filter_map(|prim| shapes.get(prim.index()).cloned()).collect())
+    Prims::Few(held.iter().filter_map(|prim| shapes.get(prim.index()).copied()).collect())
 }
 
 /// How many nodes are made where a structure is built over these primitives.

@@ -120,7 +120,7 @@ fn typed(ui: &mut Ui, line: &KnobLine, digits: [Pos2; 2], asked: &mut Vec<Asked>
 fn read(text: &str) -> Option<f64> {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let plain: String = text.chars().filter(|letter| !matches!(letter, ',' | '\'' | ' ' | '\u{a0}')).collect();
-    let plain = plain.replace('−', "-").replace('⁻', "-");
+    let plain = plain.replace(['−', '⁻'], "-");
     let raised = |letter: char| RAISED.iter().position(|known| *known == letter);
     let lowered: String = plain
         .chars()

@@ -381,15 +381,27 @@ fn care_of(built: &Built) -> Care {
     built.told.as_ref().map_or(Care::Full, Tape::care)
 }
 
-/// What a kept structure has beside it: the board that it fills, the structures that are walked with it, the pairs, the
-/// packets that walk it.
-fn others(built: &Built) -> (Option<&Board>, &[Plan], &[u32], &[Vec<Ray>]) {
+/// What a kept structure has beside it.
+#[derive(PartialEq)]
+enum Others<'a> {
+    Nothing,
+    /// The board that it fills.
+    Board(&'a Board),
+    /// The structures that are walked with it.
+    Walks(&'a [Plan]),
+    /// Pairs of objects.
+    Pairs(&'a [u32]),
+    /// The packets that walk it.
+    Packets(&'a [Vec<Ray>]),
+}
+
+fn others(built: &Built) -> Others<'_> {
     match &built.told {
-        Some(Tape::Board(filled)) => (Some(filled.board.as_ref()), &[], &[], &[]),
-        Some(Tape::Walks(walks)) => (None, &walks.plans, &[], &[]),
-        Some(Tape::Pairs(pairs)) => (None, &[], &pairs.pairs, &[]),
-        Some(Tape::Packet(packet)) => (None, &[], &[], &packet.packets),
-        _ => (None, &[], &[], &[]),
+        Some(Tape::Board(filled)) => Others::Board(&filled.board),
+        Some(Tape::Walks(walks)) => Others::Walks(&walks.plans),
+        Some(Tape::Pairs(pairs)) => Others::Pairs(&pairs.pairs),
+        Some(Tape::Packet(packet)) => Others::Packets(&packet.packets),
+        Some(Tape::Walk(_) | Tape::Build(_)) | None => Others::Nothing,
     }
 }
 

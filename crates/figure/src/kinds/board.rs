@@ -50,7 +50,7 @@ impl Kind for Board<'_> {
     }
 
     fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
-        knobs(&self.panels, ask)
+        knobs(self.panels, ask)
     }
 
     fn fact(&self, step: usize) -> Option<&dyn Fact> {

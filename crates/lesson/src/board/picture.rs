@@ -117,7 +117,9 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pic
         reading.problem(keys.at(), format!("from one to {MOST} `pictures` stand beside each other"));
     }
     let size = SIZES[pictures.len().clamp(1, SIZES.len()) - 1];
-    pictures.iter_mut().for_each(|picture| picture.size = size);
+    for picture in &mut pictures {
+        picture.size = size;
+    }
     Some(Pictures { title: title?.1, about: about.unwrap_or_default().1, pictures })
 }
 

@@ -11,7 +11,10 @@ use crate::Plan;
 /// Together they have at most so many bytes, but for the last one.
 const MOST: usize = 96 << 20;
 
-static KEPT: LazyLock<Mutex<VecDeque<(String, Arc<Structure>)>>> = LazyLock::new(Mutex::default);
+/// Structures by what they were built over and how, the last one first.
+type Kept = VecDeque<(String, Arc<Structure>)>;
+
+static KEPT: LazyLock<Mutex<Kept>> = LazyLock::new(Mutex::default);
 
 /// What `plan` says over a scene, built or found; nothing where the plan cannot be followed.
 ///

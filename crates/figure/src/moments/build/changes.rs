@@ -34,7 +34,7 @@ impl Build<'_> {
     }
 
     /// Primitives that are not in the structure yet.
-    pub(crate) fn to_come(&self, moment: &GrowMoment) -> Vec<PrimId> {
+    pub(crate) fn coming(&self, moment: &GrowMoment) -> Vec<PrimId> {
         let rest = &self.changes[self.begun(moment).len()..];
         rest.iter()
             .filter(|change| matches!(change.change, Change::Insert(_)))

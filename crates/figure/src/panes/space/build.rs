@@ -135,7 +135,7 @@ impl Drawing<'_> {
     /// What the change at hand has touched so far, and the primitives that are not in the structure.
     fn changes(&mut self) {
         let (build, moment) = (self.build, self.moment);
-        for prim in build.to_come(moment) {
+        for prim in build.coming(moment) {
             self.add(Role::Waiting, Some(Place::Prim(prim)), Form::Prim(prim));
         }
         for prim in build.gone(moment) {
