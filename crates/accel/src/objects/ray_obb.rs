@@ -5,6 +5,11 @@ use super::Watch;
 use crate::slab::Slab;
 use crate::{Axis, Direction, Interval, Obb, Observer, Place, Ray, Visit};
 
+/// A direction shorter than this, 2⁻⁹⁶, is counted in a unit of 2⁻⁶⁴: the smallest numbers of single precision have
+/// only a few digits. What is divided by it is counted likewise, so that t stays what it is.
+const SHORT: f64 = 1.0 / (1_u128 << 96) as f64;
+const UNIT: f64 = 1.0 / (1_u128 << 64) as f64;
+
 impl Obb {
     /// The part of `within` for which the ray lies in it; empty if it misses.
     #[inline]
@@ -14,8 +19,9 @@ impl Obb {
         for axis in Axis::ALL {
             // Across each pair of faces, seen from the middle of the box.
             let across = self.axes[axis.index()].as_dvec3();
-            let (o, d) = (across.dot(f) as f32, across.dot(d) as f32);
-            let half = self.half[axis];
+            let (o, d, half) = (across.dot(f), across.dot(d), f64::from(self.half[axis]));
+            let unit = if d.abs() < SHORT { UNIT } else { 1.0 };
+            let [o, d, half] = [o, d, half].map(|length| (length / unit) as f32);
             live = Slab { across: Direction::Own(axis), o, d, low: -half, high: half }.narrow(live, place, watch);
         }
         live
