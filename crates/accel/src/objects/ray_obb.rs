@@ -20,7 +20,7 @@ impl Obb {
             // Across each pair of faces, seen from the middle of the box.
             let across = self.axes[axis.index()].as_dvec3();
             let (o, d, half) = (across.dot(f), across.dot(d), f64::from(self.half[axis]));
-            let unit = if d.abs() < SHORT { UNIT } else { 1.0 };
+            let unit = if d != 0.0 && d.abs() < SHORT { UNIT } else { 1.0 };
             let [o, d, half] = [o, d, half].map(|length| (length / unit) as f32);
             live = Slab { across: Direction::Own(axis), o, d, low: -half, high: half }.narrow(live, place, watch);
         }
