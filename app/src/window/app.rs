@@ -17,7 +17,8 @@ use super::last::{Around, Keeper, Last};
 use super::look::fonts;
 use super::look::remembered::Remembered;
 use super::look::visuals::{self, fill};
-use super::panes::{self, Kept, Moved, Page, present, study};
+use super::panes::present::{self, Marks};
+use super::panes::{self, Kept, Moved, Page, study};
 use super::wishes::Wishes;
 use super::work::Underway;
 use super::work::errands::News;
@@ -37,7 +38,12 @@ use crate::shown::view::RayChoice;
 pub struct App {
     /// What is shown.
     pub state: State,
-    theme: &'static Theme,
+    /// The theme of the study page, and that of the presenter's.
+    themes: [&'static Theme; 2],
+    /// Whether the last frame was the presenter's page, and whether the window filled the screen before that.
+    presented: Option<bool>,
+    /// What the lecturer's hand leaves on the page.
+    marks: Marks,
     underway: Underway,
     kept: Kept,
     overlay: Overlay,
@@ -81,13 +87,16 @@ impl App {
         let mut state = State::new(Arc::new(library), slide);
         state.predict = remembered.predict;
         state.motion = remembered.moves();
-        let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);
+        let theme = |name: &str| Theme::named(name).unwrap_or(&Theme::LIGHT);
+        let themes = [theme(&remembered.theme), theme(&remembered.presenting)];
         context.set_zoom_factor(remembered.zoom);
         let mut kept = Kept::default();
         remembered.wrong.iter().for_each(|sentence| kept.notices.keep(sentence));
         App {
             state,
-            theme,
+            themes,
+            presented: None,
+            marks: Marks::default(),
             underway: Underway::new(context),
             kept,
             overlay: Overlay::default(),
@@ -186,6 +195,16 @@ impl App {
         }
     }
 
+    /// Which page of what is said is shown to a class, from 0 on, and how many there are.
+    pub fn pages(&self) -> [usize; 2] {
+        self.kept.pages.now()
+    }
+
+    /// How many strokes of the pen the class sees.
+    pub fn strokes(&self) -> usize {
+        self.marks.strokes()
+    }
+
     /// Where the window stands; nothing while it goes somewhere else.
     fn stands(&self) -> Option<Last> {
         let stands = self.state.is_current() && self.reopens.is_none();
@@ -236,20 +255,27 @@ impl App {
     /// Does what a command says.
     pub fn run(&mut self, ui: &Ui, command: Command) {
         let context = ui.ctx();
+        if self.kept.pages.turn(&self.state, command) {
+            context.request_repaint();
+            return;
+        }
         match command {
+            // The class sees no dialog: they open on the speaker's window, or in the study.
+            Command::Palette | Command::Help | Command::Export | Command::Open | Command::Best
+                if self.state.present && !self.state.lecture.speaker => {}
             Command::FullScreen => {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
             }
             Command::Palette => self.overlay.find(),
             Command::Help => self.overlay.help(),
-            Command::Export => self.overlay.export(&self.state, self.theme),
+            Command::Export => self.overlay.export(&self.state, self.theme()),
             Command::Open => self.overlay.open(),
             Command::Copy => self.copy(),
             Command::Cancel => self.underway.stop_all(&mut self.state),
             Command::Theme => {
                 let themes = [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR];
-                let now = themes.iter().position(|theme| theme.name == self.theme.name).unwrap_or(0);
+                let now = themes.iter().position(|theme| theme.name == self.theme().name).unwrap_or(0);
                 self.set_theme(themes[(now + 1) % themes.len()]);
             }
             Command::ZoomIn => egui::gui_zoom::zoom_in(context),
@@ -289,9 +315,32 @@ impl App {
         }
     }
 
+    /// The theme of the page that is shown.
+    fn theme(&self) -> &'static Theme {
+        self.themes[usize::from(self.state.present)]
+    }
+
+    /// Sets the theme of the page that is shown; each has its own.
     fn set_theme(&mut self, theme: &'static Theme) {
-        self.theme = theme;
-        theme.name.clone_into(&mut self.remembered.theme);
+        self.themes[usize::from(self.state.present)] = theme;
+        let Remembered { theme: study, presenting, .. } = &mut self.remembered;
+        theme.name.clone_into(if self.state.present { presenting } else { study });
+    }
+
+    /// The presenter's page fills the screen; the study is as large as it was.
+    fn fill_screen(&mut self, ui: &Ui) {
+        match (self.state.present, self.presented) {
+            (true, None) => {
+                let full = ui.input(|input| input.viewport().fullscreen.unwrap_or(false));
+                self.presented = Some(full);
+                ui.ctx().send_viewport_cmd(ViewportCommand::Fullscreen(true));
+            }
+            (false, Some(full)) => {
+                self.presented = None;
+                ui.ctx().send_viewport_cmd(ViewportCommand::Fullscreen(full));
+            }
+            _ => {}
+        }
     }
 
     /// Moves the camera to where the walk stands.
@@ -323,7 +372,13 @@ impl App {
     fn copy(&mut self) {
         let sight = &self.kept.sight;
         let window = Window::of(&self.state, sight.aspect);
-        exporting::copy(&mut self.underway.errands, window, self.state.view.step, sight.size * 2.0, self.theme);
+        exporting::copy(
+            &mut self.underway.errands,
+            window,
+            self.state.view.step,
+            sight.size * 2.0,
+            self.themes[usize::from(self.state.present)],
+        );
     }
 
     /// Says something for a while.
@@ -419,9 +474,9 @@ impl App {
 
     /// The theme's colours and sizes for egui, when they are not set yet.
     fn dress(&mut self, ui: &mut Ui) {
-        if self.styled != Some(self.theme.name) {
-            self.styled = Some(self.theme.name);
-            let style = visuals::style(self.theme);
+        if self.styled != Some(self.theme().name) {
+            self.styled = Some(self.theme().name);
+            let style = visuals::style(self.theme());
             for theme in [egui::Theme::Light, egui::Theme::Dark] {
                 ui.ctx().set_style_of(theme, style.clone());
             }
@@ -436,9 +491,10 @@ impl App {
 
     /// Shows the bars and does what they ask for; says which place the pointer is on.
     fn bars(&mut self, ui: &mut Ui) -> Option<Place> {
-        let bar = Frame::new().fill(fill(self.theme, Role::Page)).inner_margin(Margin::symmetric(16, 0));
+        let theme = self.theme();
+        let bar = Frame::new().fill(fill(theme, Role::Page)).inner_margin(Margin::symmetric(16, 0));
         let top = Panel::top("top").exact_size(48.0).frame(bar).resizable(false);
-        match top.show(ui, |ui| top::bar(ui, &self.state, self.theme)).inner {
+        match top.show(ui, |ui| top::bar(ui, &self.state, theme)).inner {
             Some(top::Asked::Command(command)) => self.run(ui, command),
             Some(top::Asked::Slide(slide)) => self.state.show_slide(slide),
             Some(top::Asked::Ray(ray)) => self.state.show_ray(RayChoice::Named(ray), false),
@@ -449,7 +505,7 @@ impl App {
         let bottom = Panel::bottom("bottom").exact_size(80.0).frame(bar).resizable(false);
         let lit = self.lit();
         let pictures = self.kept.pictures.as_mut();
-        let (asked, under) = bottom.show(ui, |ui| bottom::bar(ui, &self.state, pictures, self.theme, lit)).inner;
+        let (asked, under) = bottom.show(ui, |ui| bottom::bar(ui, &self.state, pictures, theme, lit)).inner;
         match asked {
             Some(bottom::Asked::Command(command)) => self.run(ui, command),
             Some(bottom::Asked::Step(step)) => {
@@ -467,7 +523,7 @@ impl App {
         let leaves = self.state.leaves();
         let gone = ui.ctx().animate_bool_with_time(egui::Id::unique("veil"), leaves, 0.4);
         if leaves && gone > 0.0 {
-            let page = fill(self.theme, Role::Page);
+            let page = fill(self.theme(), Role::Page);
             ui.painter().rect_filled(room, 0.0, page.gamma_multiply(0.75 * gone));
         }
     }
@@ -487,10 +543,10 @@ impl App {
             heat,
             counting,
             lit: self.lit(),
-            theme: self.theme,
+            theme: self.theme(),
         };
         let under = match present {
-            true => present::page(ui, page, &mut self.kept, &mut asked),
+            true => present::page(ui, page, &mut self.kept, &mut self.marks, &mut asked),
             false => study::page(ui, page, &mut self.kept, &mut self.remembered, &mut asked),
         };
         self.kept.hover(ui, under.or(in_bars));
@@ -542,7 +598,7 @@ impl App {
     /// Shows what lies over the page and does what it asks for.
     fn overlay(&mut self, ui: &Ui) {
         let tasks = self.underway.tasks();
-        let asked = self.overlay.show(ui, &self.state, &tasks, &self.underway.judging, self.theme);
+        let asked = self.overlay.show(ui, &self.state, &tasks, &self.underway.judging, self.theme());
         if !asked.is_empty() {
             ui.ctx().request_repaint();
         }
@@ -569,7 +625,31 @@ fn shift(ui: &Ui) -> bool {
     ui.input(|input| input.modifiers.shift)
 }
 
+/// So many seconds after it was moved a mouse lies still before a class: nothing shows it, and it lights nothing up.
+const RESTS: f32 = 2.0;
+
 impl eframe::App for App {
+    fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
+        if !self.state.present {
+            return;
+        }
+        let pointer = |input: &egui::InputState| {
+            let pointer = &input.pointer;
+            (pointer.time_since_last_movement(), pointer.any_down(), pointer.has_pointer())
+        };
+        let (still, down, there) = context.input(pointer);
+        let moves =
+            |event: &egui::Event| matches!(event, egui::Event::PointerMoved(_) | egui::Event::PointerButton { .. });
+        if down || input.events.iter().any(moves) {
+            return;
+        }
+        if there && still >= RESTS {
+            input.events.push(egui::Event::PointerGone);
+        } else if there {
+            context.request_repaint_after_secs(RESTS - still);
+        }
+    }
+
     fn logic(&mut self, context: &egui::Context, _frame: &mut eframe::Frame) {
         self.watch_device(context);
     }
@@ -583,15 +663,18 @@ impl eframe::App for App {
         if takes_back {
             self.state.take_back();
         } else if !busy {
-            for command in keys::pressed(ui) {
+            for command in keys::pressed(ui, self.state.present) {
                 self.run(ui, command);
             }
         }
         if escape && !takes_back {
             self.state.picked = None;
-            if self.state.present {
+            if self.state.lecture.cover.take().is_none() && self.state.present {
                 self.state.apply(Command::Present);
             }
+        }
+        if self.state.present && !ui.input(|input| input.pointer.has_pointer()) {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::None);
         }
         self.catch_up(ui);
         // Playing follows the clock, however long a frame takes.
@@ -600,6 +683,8 @@ impl eframe::App for App {
         if let Some(wait) = self.state.tick(seconds as f32) {
             ui.ctx().request_repaint_after_secs(wait.min(0.1));
         }
+        self.fill_screen(ui);
+        self.marks.begin(&self.state);
         self.kept.moving.begin(ui, &self.state);
         self.kept.pictures = Pictures::of(self.kept.pictures.take(), &self.state);
         let drawn = self.state.stamp();

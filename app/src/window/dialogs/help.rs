@@ -28,11 +28,24 @@ const COLUMNS: [&[Group]; 2] = [
             ],
         ),
         ("Questions", &[Command::Predict, Command::Answer(0), Command::Skip]),
-        ("Slides", &[Command::NextSlide, Command::PreviousSlide, Command::Restore, Command::Undo, Command::Redo]),
+        (
+            "Slides",
+            &[
+                Command::NextSlide,
+                Command::PreviousSlide,
+                Command::NextRay,
+                Command::PreviousRay,
+                Command::OtherStage,
+                Command::Restore,
+                Command::Undo,
+                Command::Redo,
+            ],
+        ),
         (
             "The picture",
             &[
                 Command::Compare,
+                Command::Break,
                 Command::Heat,
                 Command::Frame,
                 Command::ResetCamera,
@@ -45,21 +58,39 @@ const COLUMNS: [&[Group]; 2] = [
             ],
         ),
     ],
-    &[(
-        "The window",
-        &[
-            Command::ByHand,
-            Command::Present,
-            Command::FullScreen,
-            Command::Open,
-            Command::Cancel,
-            Command::Palette,
-            Command::ZoomIn,
-            Command::ZoomOut,
-            Command::ZoomReset,
-            Command::Help,
-        ],
-    )],
+    &[
+        (
+            "The window",
+            &[
+                Command::ByHand,
+                Command::Present,
+                Command::Speaker,
+                Command::FullScreen,
+                Command::Open,
+                Command::Cancel,
+                Command::Palette,
+                Command::ZoomIn,
+                Command::ZoomOut,
+                Command::ZoomReset,
+                Command::Help,
+            ],
+        ),
+        (
+            "Before a class",
+            &[
+                Command::Onward,
+                Command::Backward,
+                Command::Type(b'0'),
+                Command::Panes,
+                Command::Black,
+                Command::White,
+                Command::Freeze,
+                Command::Pointer,
+                Command::Pen,
+                Command::Notes,
+            ],
+        ),
+    ],
 ];
 
 /// What the mouse does.
@@ -120,7 +151,8 @@ fn row(entry: &Entry) -> (String, &'static str) {
     let keys = entry.keys_text().replace("Ctrl+", "Ctrl ").replace("Shift+", "Shift ");
     match entry.command {
         Command::Speed(_) => ("1 … 9".to_owned(), "Speed of playing"),
-        Command::Answer(_) => ("A B C D".to_owned(), "Answer the open question"),
+        Command::Answer(_) => ("A B C D".to_owned(), "Answer the open question; before a class with Alt"),
+        Command::Type(_) => ("3 3 Enter".to_owned(), "Slide 33; as well 5/33"),
         Command::Cancel => (keys, "Cancel, close, let go of a field"),
         _ => (keys, entry.name),
     }
@@ -146,10 +178,11 @@ mod tests {
     #[test]
     fn every_key_stands_on_the_page_once() {
         let listed: Vec<&Command> = COLUMNS.iter().flat_map(|groups| groups.iter().flat_map(|(_, all)| *all)).collect();
-        for entry in ENTRIES.iter().filter(|entry| !entry.keys.is_empty()) {
+        for entry in ENTRIES.iter().filter(|entry| !entry.keys_text().is_empty()) {
             let shown = match entry.command {
                 Command::Speed(_) => Command::Speed(QUARTERS),
                 Command::Answer(_) => Command::Answer(0),
+                Command::Type(_) => Command::Type(b'0'),
                 other => other,
             };
             assert_eq!(listed.iter().filter(|command| ***command == shown).count(), 1, "{}", entry.name);

@@ -24,7 +24,6 @@ mod rival;
 mod sight;
 mod solid;
 mod space;
-mod speech;
 mod stage;
 pub(super) mod study;
 mod trial;
