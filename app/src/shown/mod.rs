@@ -17,6 +17,7 @@ pub(crate) mod playback;
 pub(crate) mod reel;
 pub mod state;
 pub(crate) mod steps;
+pub(crate) mod talk;
 pub(crate) mod view;
 pub(crate) mod words;
 
@@ -25,4 +26,5 @@ pub use lecture::{Cover, InHand, Lecture};
 pub use own::{OwnScene, Tried};
 pub use playback::{Playback, Posed};
 pub use steps::Steps;
+pub use talk::Talk;
 pub use view::{RayChoice, View};

@@ -7,6 +7,7 @@ use egui::{Frame, Margin, Panel, Ui, ViewportCommand, ViewportInfo};
 use raystep_accel::{Place, Ray};
 use raystep_figure::{Role, Theme};
 use raystep_lesson::Library;
+use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use super::bars::{bottom, top};
@@ -18,7 +19,9 @@ use super::look::fonts;
 use super::look::remembered::Remembered;
 use super::look::visuals::{self, fill};
 use super::panes::present::{self, Marks};
-use super::panes::{self, Kept, Moved, Page, study};
+use super::panes::speaker::AskedHere;
+use super::panes::{self, Kept, Moved, Notices, Page, study};
+use super::speaker::{self, Speaker};
 use super::wishes::Wishes;
 use super::work::Underway;
 use super::work::errands::News;
@@ -44,6 +47,9 @@ pub struct App {
     presented: Option<bool>,
     /// What the lecturer's hand leaves on the page.
     marks: Marks,
+    speaker: Speaker,
+    /// The class's page, while it is held.
+    held: Option<Held>,
     underway: Underway,
     kept: Kept,
     overlay: Overlay,
@@ -72,6 +78,13 @@ pub struct App {
 /// Rays across and down by which all structures are measured.
 const JUDGED: [u32; 2] = [160, 120];
 
+/// A page that a class goes on seeing, with what is drawn on it.
+struct Held {
+    state: State,
+    beside: Option<Arc<Playback>>,
+    mesh: Option<Arc<Mesh>>,
+}
+
 /// A device was lost, and with it the window.
 pub(super) struct Lost {
     /// Why, as far as that is known.
@@ -97,6 +110,8 @@ impl App {
             themes,
             presented: None,
             marks: Marks::default(),
+            speaker: Speaker::new(context),
+            held: None,
             underway: Underway::new(context),
             kept,
             overlay: Overlay::default(),
@@ -135,6 +150,7 @@ impl App {
         self.fate = Fate::of(&state.device, &state.queue, context);
         device::guard(context, &self.fate);
         self.kept.draw_with(Some(state));
+        self.speaker.draw_with(Some(state));
         self.underway.upload_to(Some(state.device.clone()), self.state.playback());
     }
 
@@ -142,6 +158,8 @@ impl App {
     pub(super) fn take_lost(&mut self) -> Option<Lost> {
         let lost = self.lost.take()?;
         self.kept.draw_with(None);
+        self.speaker.draw_with(None);
+        self.held = None;
         self.underway.upload_to(None, None);
         Some(lost)
     }
@@ -249,7 +267,7 @@ impl App {
 
     /// Whether nothing is built beside the UI thread, not even what was given up.
     pub fn is_idle(&self) -> bool {
-        self.underway.is_idle()
+        self.underway.is_idle() && self.speaker.is_idle()
     }
 
     /// Does what a command says.
@@ -268,7 +286,7 @@ impl App {
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
             }
             Command::Palette => self.overlay.find(),
-            Command::Help => self.overlay.help(),
+            Command::Help => self.overlay.help(self.state.present),
             Command::Export => self.overlay.export(&self.state, self.theme()),
             Command::Open => self.overlay.open(),
             Command::Copy => self.copy(),
@@ -383,14 +401,22 @@ impl App {
 
     /// Says something for a while.
     fn say(&mut self, ui: &Ui, sentence: impl Into<String>) {
-        self.kept.notices.say(ui.ctx(), sentence);
+        self.notices().say(ui.ctx(), sentence);
+    }
+
+    /// Where sentences for the user stand: on the speaker's window, while that is open.
+    fn notices(&mut self) -> &mut Notices {
+        match self.state.present && self.state.lecture.speaker {
+            true => &mut self.speaker.kept().notices,
+            false => &mut self.kept.notices,
+        }
     }
 
     /// Says what went wrong, until somebody closes it, and on the standard error.
     fn complain(&mut self, sentence: impl Into<String>) {
         let sentence = sentence.into();
         files::say(&sentence);
-        self.kept.notices.keep(sentence);
+        self.notices().keep(sentence);
     }
 
     /// Says what is wrong in the lessons, until they are read again.
@@ -535,10 +561,11 @@ impl App {
         let mut asked = Vec::new();
         let room = ui.available_rect_before_wrap();
         let (heat, counting) = self.underway.heat();
+        let held = self.held.as_ref();
         let page = Page {
-            state: &self.state,
-            beside: self.underway.beside(),
-            mesh: self.underway.mesh(),
+            state: held.map_or(&self.state, |held| &held.state),
+            beside: held.map_or(self.underway.beside(), |held| held.beside.as_ref()),
+            mesh: held.map_or(self.underway.mesh(), |held| held.mesh.as_ref()),
             making: self.underway.is_making(),
             heat,
             counting,
@@ -551,6 +578,14 @@ impl App {
         };
         self.kept.hover(ui, under.or(in_bars));
         self.veil(ui, room);
+        // What is held is only looked at.
+        if self.held.is_none() {
+            self.answer(ui, asked);
+        }
+    }
+
+    /// Does what the panes ask for.
+    fn answer(&mut self, ui: &Ui, asked: Vec<panes::Asked>) {
         for asked in asked {
             match asked {
                 panes::Asked::Command(command) => self.run(ui, command),
@@ -591,6 +626,84 @@ impl App {
                 panes::Asked::Compare(kind) => self.state.compare(kind),
                 panes::Asked::Abreast(rivals) => self.state.compare_all(rivals),
                 panes::Asked::Pace(pace) => self.state.pace = pace,
+            }
+        }
+    }
+
+    /// Keeps what the class sees while its page is held; what covers it and what points at it goes on.
+    fn hold(&mut self) {
+        let frozen = self.state.present && self.state.lecture.frozen;
+        self.held = self.held.take().filter(|_| frozen);
+        match &mut self.held {
+            Some(held) => held.state.lecture = self.state.lecture.clone(),
+            None if frozen => {
+                let (beside, mesh) = (self.underway.beside().cloned(), self.underway.mesh().cloned());
+                self.held = Some(Held { state: self.state.clone(), beside, mesh });
+            }
+            None => {}
+        }
+    }
+
+    /// Shows the speaker's window, if it is open, and does what it asks for. Dialogs open there, where the class does not
+    /// see them.
+    fn speak(&mut self, ui: &Ui) {
+        if !self.state.present {
+            return self.speaker.end();
+        }
+        self.speaker.keep_time(&self.state, ui.input(|input| input.time));
+        if !self.state.lecture.speaker {
+            return self.speaker.rest();
+        }
+        let size = ui.ctx().content_rect().size().max(egui::vec2(160.0, 90.0));
+        let (id, builder) = speaker::viewport();
+        let context = ui.ctx().clone();
+        context.show_viewport_immediate(id, builder, |ui, class| {
+            if ui.input(|input| input.viewport().close_requested()) {
+                self.state.lecture.speaker = false;
+                return;
+            }
+            // Embedded in the class's window it has the same keys.
+            if class != egui::ViewportClass::EmbeddedWindow {
+                self.take_keys(ui);
+            }
+            let (heat, counting) = self.underway.heat();
+            let (theme, making) = (self.theme(), self.underway.is_making());
+            let (beside, mesh) = (self.underway.beside(), self.underway.mesh());
+            let page = Page { state: &self.state, beside, mesh, making, heat, counting, lit: None, theme };
+            let asked = self.speaker.show(ui, page, theme, size, &mut self.marks);
+            for asked in asked {
+                match asked {
+                    AskedHere::Wall(asked) => self.answer(ui, vec![asked]),
+                    AskedHere::Command(command) => self.run(ui, command),
+                    AskedHere::Slide(slide) => self.state.show_slide(slide),
+                    AskedHere::Step(step) => {
+                        self.state.playing = false;
+                        self.state.go(step);
+                    }
+                    AskedHere::Lengthen(_) | AskedHere::Restart => {}
+                }
+            }
+            self.overlay(ui);
+        });
+    }
+
+    /// Does what the keys say, while no dialog has them.
+    fn take_keys(&mut self, ui: &Ui) {
+        let busy = self.overlay.is_open();
+        let escape = ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy;
+        // What is held goes back to where it was, and nothing else happens.
+        let takes_back = escape && self.kept.sight.let_go();
+        if takes_back {
+            self.state.take_back();
+        } else if !busy {
+            for command in keys::pressed(ui, self.state.present) {
+                self.run(ui, command);
+            }
+        }
+        if escape && !takes_back {
+            self.state.picked = None;
+            if self.state.lecture.cover.take().is_none() && self.state.present {
+                self.state.apply(Command::Present);
             }
         }
     }
@@ -656,23 +769,7 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
-        let busy = self.overlay.is_open();
-        let escape = ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy;
-        // What is held goes back to where it was, and nothing else happens.
-        let takes_back = escape && self.kept.sight.let_go();
-        if takes_back {
-            self.state.take_back();
-        } else if !busy {
-            for command in keys::pressed(ui, self.state.present) {
-                self.run(ui, command);
-            }
-        }
-        if escape && !takes_back {
-            self.state.picked = None;
-            if self.state.lecture.cover.take().is_none() && self.state.present {
-                self.state.apply(Command::Present);
-            }
-        }
+        self.take_keys(ui);
         if self.state.present && !ui.input(|input| input.pointer.has_pointer()) {
             ui.ctx().set_cursor_icon(egui::CursorIcon::None);
         }
@@ -686,10 +783,16 @@ impl eframe::App for App {
         self.fill_screen(ui);
         self.marks.begin(&self.state);
         self.kept.moving.begin(ui, &self.state);
-        self.kept.pictures = Pictures::of(self.kept.pictures.take(), &self.state);
+        self.hold();
+        let shown = self.held.as_ref().map_or(&self.state, |held| &held.state);
+        self.kept.pictures = Pictures::of(self.kept.pictures.take(), shown);
         let drawn = self.state.stamp();
         self.panes(ui);
-        self.overlay(ui);
+        self.speak(ui);
+        // A class sees no dialog, and not how far anything is.
+        if !self.state.present {
+            self.overlay(ui);
+        }
         if ui.input(|input| !input.pointer.any_down()) {
             self.remembered.keep(ui.ctx().zoom_factor(), self.state.predict, self.state.motion);
             self.keep_place(ui.ctx());

@@ -21,6 +21,7 @@ mod keys;
 mod library;
 mod limits;
 mod listing;
+mod minutes;
 mod offer;
 mod packet;
 mod packets;

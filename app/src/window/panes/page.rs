@@ -102,7 +102,7 @@ pub(crate) struct Kept {
     pub(crate) sight: Sight,
     /// What is said to the user.
     pub(crate) notices: Notices,
-    pub(super) formulas: Formulas,
+    pub(crate) formulas: Formulas,
     pub(super) tree: TreeView,
     /// Which page of a long beat is shown.
     pub(crate) pages: Pages,

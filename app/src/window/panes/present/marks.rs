@@ -15,21 +15,22 @@ pub(crate) struct Marks {
     /// The slide and the step that the strokes are drawn on.
     of: Option<(usize, usize)>,
     strokes: Vec<Vec<Pos2>>,
-    pointer: Option<Pos2>,
+    /// Where the large pointer is, as far as a page has said so in this frame, and where it was in the last one.
+    pointer: [Option<Pos2>; 2],
 }
 
 /// The most points of a stroke: a hand that never rests fills no memory.
 const LONGEST: usize = 4000;
 
 impl Marks {
-    /// Nothing is pointed at until a pointer is somewhere in this frame.
+    /// A frame begins.
     pub(crate) fn begin(&mut self, state: &State) {
         let of = Some((state.view.slide, state.view.step));
         if self.of != of {
             self.of = of;
             self.strokes.clear();
         }
-        self.pointer = None;
+        self.pointer = [None, self.pointer[0]];
     }
 
     /// Takes in what the hand does over a page, and shows what is there.
@@ -38,13 +39,14 @@ impl Marks {
         if in_hand == InHand::Pen {
             self.write(ui, rect);
         }
-        let hover = ui.input(|input| input.pointer.hover_pos()).filter(|at| rect.contains(*at));
+        let hover = ui.interact(rect, ui.scope_id().with("hand"), Sense::hover()).hover_pos();
         if in_hand == InHand::Pointer {
             if let Some(at) = hover {
-                self.pointer = Some(part(rect, at));
+                self.pointer[0] = Some(part(rect, at));
                 ui.ctx().set_cursor_icon(CursorIcon::None);
             }
-            if let Some(at) = self.pointer {
+            // It may be on the other of the two pages.
+            if let Some(at) = self.pointer[0].or(self.pointer[1]) {
                 point(ui, page.theme, place(rect, at), body);
             }
         }
