@@ -10,7 +10,7 @@ use raystep_lesson::Library;
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
-use super::bars::{bottom, top};
+use super::bars::{bottom, go_on, top};
 use super::device::{self, Fate};
 use super::dialogs::{self, Overlay};
 use super::keys;
@@ -35,7 +35,7 @@ use crate::shown::heat::sentence;
 use crate::shown::pictures::Pictures;
 use crate::shown::playback::Playback;
 use crate::shown::state::State;
-use crate::shown::view::RayChoice;
+use crate::shown::view::{RayChoice, View};
 
 /// The window.
 pub struct App {
@@ -71,6 +71,8 @@ pub struct App {
     stepped: Option<(Ray, u32)>,
     /// Keeps where the window stands.
     keeper: Option<Keeper>,
+    /// Where it stood the last time, while the bar asks whether to go on there, and the view at which that was asked.
+    offers: Option<(Last, Option<View>)>,
     /// Where it is to open once its mesh is there.
     reopens: Option<Last>,
 }
@@ -125,6 +127,7 @@ impl App {
             mesh: None,
             stepped: None,
             keeper: None,
+            offers: None,
             reopens: None,
         }
     }
@@ -195,7 +198,7 @@ impl App {
         self.underway.errands.load(path);
     }
 
-    /// Keeps where the window stands in a file from now on. With `reopens` it opens where the file says.
+    /// Keeps where the window stands in a file from now on. With `reopens` it asks whether to go on where the file says.
     pub fn keep_in(&mut self, file: PathBuf, reopens: bool) {
         if !reopens {
             self.keeper = Some(Keeper::new(file));
@@ -204,12 +207,37 @@ impl App {
         let (keeper, found) = Keeper::reopening(file);
         self.keeper = Some(keeper);
         found.wrong.into_iter().for_each(|sentence| self.complain(sentence));
-        let Some(last) = found.last.filter(|last| last.is_of(self.lessons.as_deref())) else { return };
+        let of_these = |last: &Last| last.is_of(self.lessons.as_deref()) && last.place(&self.state.library).is_some();
+        self.offers = found.last.filter(of_these).map(|last| (last, None));
+    }
+
+    /// Goes on where the window stood the last time; says whether that was still asked.
+    pub fn go_on(&mut self) -> bool {
+        let Some((last, _)) = self.offers.take() else { return false };
+        if let Some(keeper) = &mut self.keeper {
+            keeper.goes_on(&last);
+        }
         last.reopen(&mut self.state, None);
         self.kept.sight.aspect = last.aspect();
         if let Some(mesh) = last.mesh().map(Path::to_path_buf) {
             self.open_mesh(mesh);
             self.reopens = Some(last);
+        }
+        true
+    }
+
+    /// Asks whether to go on where the window stood, until somebody answers or does anything else.
+    fn offer_to_go_on(&mut self, ui: &mut Ui) {
+        let theme = self.theme();
+        let Some((last, asked_at)) = &mut self.offers else { return };
+        let now = self.state.target();
+        let asked_at = asked_at.get_or_insert_with(|| now.clone());
+        let place = last.place(&self.state.library).filter(|_| asked_at.same_page(now));
+        let chosen = place.map_or(Some(go_on::Chosen::Begin), |place| go_on::bar(ui, &place, theme));
+        match chosen {
+            Some(go_on::Chosen::GoOn) => drop(self.go_on()),
+            Some(go_on::Chosen::Begin) => self.offers = None,
+            None => {}
         }
     }
 
@@ -225,7 +253,7 @@ impl App {
 
     /// Where the window stands; nothing while it goes somewhere else.
     fn stands(&self) -> Option<Last> {
-        let stands = self.state.is_current() && self.reopens.is_none();
+        let stands = self.state.is_current() && self.reopens.is_none() && self.offers.is_none();
         let aspect = self.kept.sight.aspect;
         let around = Around { lessons: self.lessons.as_deref(), mesh: self.mesh.as_ref(), aspect };
         stands.then(|| Last::of(&self.state, &around))
@@ -281,6 +309,7 @@ impl App {
             // The class sees no dialog: they open on the speaker's window, or in the study.
             Command::Palette | Command::Help | Command::Export | Command::Open | Command::Best
                 if self.state.present && !self.state.lecture.speaker => {}
+            Command::Skip if self.go_on() => {}
             Command::FullScreen => {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
@@ -528,6 +557,7 @@ impl App {
             Some(top::Asked::Theme(theme)) => self.set_theme(theme),
             None => {}
         }
+        self.offer_to_go_on(ui);
         let bottom = Panel::bottom("bottom").exact_size(80.0).frame(bar).resizable(false);
         let lit = self.lit();
         let pictures = self.kept.pictures.as_mut();
