@@ -260,7 +260,7 @@ fn nothing_is_cut_off_at_any_step() {
         for step in 0..=played.events.len() {
             let moment = Moment::at(&walk, step);
             for text in [13.0, 24.0] {
-                let look = Look { text, titles: true };
+                let look = Look { text, titles: true, least: 0.0 };
                 let size = |x: f32, y: f32| Vec2::new(x, y) * (text / 13.0);
                 let wide = size(600.0, 130.0);
                 let narrow = size(380.0, 150.0);

@@ -5,7 +5,7 @@ use raystep_accel::Reveal;
 
 use super::{Instant, Kind};
 use crate::page::Figure;
-use crate::panes::{Ask, KnobLine, Pane, Panel, Pixel, board, knobs, pixel_at, probe};
+use crate::panes::{Ask, KnobLine, Pane, Panel, Pixel, across, board, knobs, pixel_at, probe};
 use crate::words::Fact;
 
 /// Tables and charts, and what comes to be seen on them.
@@ -49,8 +49,12 @@ impl Kind for Board<'_> {
         Some(probe(self.panels, *at.state(), ask, pixel))
     }
 
-    fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
-        knobs(self.panels, ask)
+    fn across(&self) -> f32 {
+        across(self.panels)
+    }
+
+    fn knobs(&self, at: &Instant, ask: &Ask<'_>) -> Vec<KnobLine> {
+        knobs(self.panels, *at.state(), ask)
     }
 
     fn fact(&self, step: usize) -> Option<&dyn Fact> {

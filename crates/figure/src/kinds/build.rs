@@ -64,7 +64,7 @@ impl Kind for Build<'_> {
         let nodes = self.structure.node_count() > 0;
         let ruler = nodes && !self.weighs_in_the_plane();
         Some(match pane {
-            Pane::Picture if self.weighs_in_the_plane() => weighing(self, moment, ask),
+            Pane::Picture if self.weighs_in_the_plane() => weighing(self, moment, &legible(ask)),
             // Between two weighings there is nothing but the tree so far.
             Pane::RulerLine if ruler && moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)
@@ -194,15 +194,21 @@ impl Kind for Build<'_> {
     }
 
     fn cut_line(&self, at: &Instant, ask: &Ask<'_>) -> Option<CutLine> {
-        cut_line(self, at.state(), ask).filter(|_| self.weighs_in_the_plane())
+        cut_line(self, at.state(), &legible(ask)).filter(|_| self.weighs_in_the_plane())
     }
 
     fn cut_to(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
-        cut_to(self, at.state(), ask, point).filter(|_| self.weighs_in_the_plane())
+        cut_to(self, at.state(), &legible(ask), point).filter(|_| self.weighs_in_the_plane())
     }
 
     fn guess(&self, at: &mut Instant, guesses: &[Guess]) {
         let plane = |guess: &Guess| guess.plane.map(|(across, at)| (across, at, guess.text.clone()));
         at.state_mut::<GrowMoment>().guesses = guesses.iter().filter_map(plane).collect();
     }
+}
+
+/// Letters that leave the picture of a weighing its room.
+fn legible<'a>(ask: &Ask<'a>) -> Ask<'a> {
+    let Ask { size, look, .. } = *ask;
+    Ask { look: Look { text: look.text.min(size.x / 42.0).min(size.y / 28.0), ..look }, ..*ask }
 }

@@ -28,7 +28,7 @@ pub use board::{
     Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Pixel, Row,
     Scale, Table,
 };
-pub(crate) use board::{board, knobs, pixel_at, probe};
+pub(crate) use board::{across, board, knobs, pixel_at, probe};
 pub use bytes::bytes;
 pub(crate) use bytes::bytes_height;
 pub use cells::{cells, cells_of_build};

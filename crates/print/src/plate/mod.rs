@@ -30,7 +30,7 @@ pub struct Plate<'a> {
 
 /// The page at this size; `picture` draws space at the size that it gets.
 pub fn plate(plate: &Plate<'_>, size: Vec2, picture: &dyn Fn(Vec2) -> Figure) -> Figure {
-    let mut page = Page { figure: Figure::new(size), look: Look { text: TEXT, titles: true }, plate };
+    let mut page = Page { figure: Figure::new(size), look: Look { text: TEXT, titles: true, least: 0.0 }, plate };
     if size.x >= size.y * 1.2 {
         page.wide(picture);
     } else {

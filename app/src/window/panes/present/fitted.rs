@@ -22,6 +22,8 @@ pub(super) struct Column {
     pub(super) leading: f32,
     /// Whether it reaches down beside the panes below space, which then are as narrow as that.
     pub(super) tall: bool,
+    /// Whether it is no column, but stands below a picture that needs the whole width.
+    pub(super) below: bool,
 }
 
 impl Column {
@@ -36,15 +38,22 @@ impl Column {
 
 /// What is tried, the best first: letters of less than a thirty-fourth of the page's height are never tried.
 const COLUMNS: [Column; 9] = [
-    Column { part: 0.30, size: 1.0, leading: LEADING, tall: false },
-    Column { part: 0.30, size: 0.92, leading: LEADING, tall: false },
-    Column { part: 0.34, size: 0.92, leading: 1.4, tall: false },
-    Column { part: 0.36, size: 0.86, leading: 1.35, tall: false },
-    Column { part: 0.38, size: FLOOR, leading: 1.35, tall: false },
-    Column { part: 0.43, size: FLOOR, leading: 1.3, tall: false },
-    Column { part: 0.38, size: 0.86, leading: 1.35, tall: true },
-    Column { part: 0.43, size: FLOOR, leading: 1.35, tall: true },
-    Column { part: 0.48, size: FLOOR, leading: 1.28, tall: true },
+    Column { part: 0.30, size: 1.0, leading: LEADING, tall: false, below: false },
+    Column { part: 0.30, size: 0.92, leading: LEADING, tall: false, below: false },
+    Column { part: 0.34, size: 0.92, leading: 1.4, tall: false, below: false },
+    Column { part: 0.36, size: 0.86, leading: 1.35, tall: false, below: false },
+    Column { part: 0.38, size: FLOOR, leading: 1.35, tall: false, below: false },
+    Column { part: 0.43, size: FLOOR, leading: 1.3, tall: false, below: false },
+    Column { part: 0.38, size: 0.86, leading: 1.35, tall: true, below: false },
+    Column { part: 0.43, size: FLOOR, leading: 1.35, tall: true, below: false },
+    Column { part: 0.48, size: FLOOR, leading: 1.28, tall: true, below: false },
+];
+
+/// What is tried below a picture that needs the whole width.
+const BELOW: [Column; 3] = [
+    Column { part: 1.0, size: 1.0, leading: LEADING, tall: false, below: true },
+    Column { part: 1.0, size: 0.9, leading: 1.35, tall: false, below: true },
+    Column { part: 1.0, size: FLOOR, leading: 1.28, tall: false, below: true },
 ];
 
 /// The smallest letters in parts of the page's: a thirty-fourth of its height.
@@ -65,7 +74,7 @@ pub(crate) struct Fitted {
 
 impl Fitted {
     /// The best column in which all fits that is said on this walk or build: it stays while that is shown. `room` is
-    /// what a column has, and `body` the size of letters.
+    /// what a column has, and `body` the size of letters; `below` a picture that needs the whole width.
     pub(super) fn of(
         kept: Option<Fitted>,
         ui: &Ui,
@@ -74,10 +83,12 @@ impl Fitted {
         theme: &Theme,
         room: impl Fn(Column) -> egui::Vec2,
         body: f32,
+        below: bool,
     ) -> Option<Fitted> {
         let playback = state.playback()?.clone();
         let predict = state.predict;
-        let last = COLUMNS[COLUMNS.len() - 1];
+        let columns = if below { &BELOW[..] } else { &COLUMNS[..] };
+        let last = columns[columns.len() - 1];
         let key = [room(last).x, room(last).y, body * 16.0].map(|side| side as u32);
         let same =
             |kept: &Fitted| Arc::ptr_eq(&kept.playback, &playback) && (kept.predict, kept.room) == (predict, key);
@@ -89,7 +100,7 @@ impl Fitted {
             let room = room(**column);
             all.iter().all(|speech| speech.height(ui, formulas, &column.set(theme, body), room.x) <= room.y)
         };
-        let column = *COLUMNS.iter().find(&mut fits).unwrap_or(&last);
+        let column = *columns.iter().find(&mut fits).unwrap_or(&last);
         Some(Fitted { playback, predict, room: key, column })
     }
 }

@@ -33,6 +33,12 @@ fn letters(rect: Rect) -> f32 {
     (rect.height() / 27.0).min(rect.width() / 36.0)
 }
 
+/// The smallest letters of a picture, in parts of the page's; the part of the width that a picture has beside words, and
+/// of the height above them.
+const READABLE: f32 = 0.5;
+const BESIDE: f32 = 0.62;
+const ABOVE: f32 = 0.56;
+
 /// Shows the page in all the room there is; says which place the pointer is on.
 pub(crate) fn page(
     ui: &mut Ui,
@@ -55,16 +61,24 @@ pub(crate) fn page(
 
     let strip = Strip::of(page.state, kept.pictures.as_ref(), inner.size(), body);
     let bottom = foot - strip.height();
+    // A wide table stands above what is said of it.
+    let across = kept.pictures.as_ref().map_or(0.0, |pictures| pictures.across());
+    let under_it = across * body * READABLE > inner.width() * BESIDE;
+    let share = top + (bottom - top) * ABOVE;
     let wide = |column: Column| inner.width() * column.part;
     let floor = |column: Column| if column.tall { foot } else { bottom };
-    let room = |column: Column| vec2(wide(column), floor(column) - top - body * 0.8);
-    let fitted = Fitted::of(kept.column.take(), ui, page.state, &mut kept.formulas, page.theme, room, body);
+    let room = |column: Column| {
+        let from = if column.below { share } else { top };
+        vec2(wide(column), floor(column) - from - body * 0.8)
+    };
+    let fitted = Fitted::of(kept.column.take(), ui, page.state, &mut kept.formulas, page.theme, room, body, under_it);
     let column = fitted.as_ref().map_or(Column::USUAL, |fitted| fitted.column);
     kept.column = fitted;
     let side = wide(column);
-    let left = inner.right() - side - body;
-    let space = Rect::from_min_max(pos2(inner.left(), top), pos2(left, bottom));
-    let words = Rect::from_min_max(pos2(left + body, top + body * 0.4), pos2(inner.right(), floor(column)));
+    let left = if column.below { inner.right() } else { inner.right() - side - body };
+    let space = Rect::from_min_max(pos2(inner.left(), top), pos2(left, if column.below { share } else { bottom }));
+    let corner = if column.below { pos2(inner.left(), share) } else { pos2(left + body, top) };
+    let words = Rect::from_min_max(corner + vec2(0.0, body * 0.4), pos2(inner.right(), floor(column)));
     let below =
         Rect::from_min_max(pos2(inner.left(), bottom), pos2(if column.tall { left } else { inner.right() }, foot));
 
@@ -112,7 +126,7 @@ fn side_page(
         caption(ui.painter(), at, Align2::RIGHT_BOTTOM, &says, Face::Medium, body * 0.68, Role::Quiet, page.theme);
         return None;
     }
-    let look = Look { text: body * 0.62, titles: true };
+    let look = Look { text: body * 0.62, titles: true, least: 0.0 };
     let pictures = kept.pictures.as_ref()?;
     let rest = (rect.bottom() - end - body * 0.6).min(changed_height(6, &look));
     let shows = pictures.has(Pane::Changed) && rest >= changed_height(2, &look) && !page.state.is_settled();

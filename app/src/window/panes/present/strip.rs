@@ -19,6 +19,9 @@ const LETTERS: f32 = 0.7;
 /// Most of the page's height that panes take.
 const MOST: f32 = 0.34;
 
+/// The same where a slide is about bytes most of all.
+const MOST_BYTES: f32 = 0.5;
+
 /// The panes that are shown, with the widths that they need, and how high they are.
 pub(super) struct Strip {
     panes: Vec<(Pane, f32)>,
@@ -33,7 +36,7 @@ fn legible(pane: Pane) -> Option<[f32; 2]> {
         Pane::Cells => [13.0, 7.5],
         Pane::Matrix => [15.0, 8.0],
         Pane::Slabs => [16.0, 7.0],
-        Pane::Bytes => [24.0, 9.0],
+        Pane::Bytes => [30.0, 12.5],
         Pane::Listing => [20.0, 8.5],
         Pane::Bin => [9.0, 6.5],
         Pane::Work => [14.0, 6.5],
@@ -83,9 +86,15 @@ impl Strip {
         let nothing = Strip { panes: Vec::new(), height: 0.0 };
         let (Some(pictures), Some(slide)) = (pictures, state.slide()) else { return nothing };
         let mut panes: Vec<Pane> = slide.show.iter().filter_map(pane).filter(|pane| pictures.has(*pane)).collect();
-        // A key calls for those that had no room.
-        let many = panes.len().max(1);
-        panes.rotate_left(state.lecture.turn % many);
+        // A key calls for those that had no room. What needs all of it stands alone until then.
+        let turn = state.lecture.turn;
+        if pictures.has(Pane::Picture) {
+            let called = (turn % (panes.len() + 1)).checked_sub(1).and_then(|index| panes.get(index)).copied();
+            panes = called.into_iter().collect();
+        } else if !panes.is_empty() {
+            let many = panes.len();
+            panes.rotate_left(turn % many);
+        }
         let question = state.question().or(state.settled().map(|(posed, _)| posed));
         let question = question.map(|posed| question_text(state, posed));
         let first = question.as_deref().map(spoken_of).unwrap_or_default();
@@ -94,7 +103,8 @@ impl Strip {
         panes.splice(0..0, first);
         // The page does not move from step to step: its foot is as high as its highest pane.
         let heights = panes.iter().filter_map(|pane| high(*pane, pictures, body));
-        let height = heights.fold(0.0, f32::max).min(size.y * MOST);
+        let bytes = slide.show.first() == Some(&Show::Bytes);
+        let height = heights.fold(0.0, f32::max).min(size.y * if bytes { MOST_BYTES } else { MOST });
         let mut left = size.x;
         let mut shown = Vec::new();
         for pane in panes {
@@ -129,7 +139,7 @@ impl Strip {
             panes.pop();
         }
         let sum: f32 = panes.iter().map(|(_, wide)| wide).sum();
-        let look = Look { text: body * LETTERS, titles: true };
+        let look = Look { text: body * LETTERS, titles: true, least: 0.0 };
         let mut left = rect.left();
         let mut under = None;
         for (index, (pane, wide)) in panes.into_iter().enumerate() {
@@ -151,7 +161,7 @@ impl Strip {
 
 /// How high a pane is to be.
 fn high(pane: Pane, pictures: &Pictures, body: f32) -> Option<f32> {
-    let look = Look { text: body * LETTERS, titles: true };
+    let look = Look { text: body * LETTERS, titles: true, least: 0.0 };
     let [_, least] = legible(pane)?;
     Some(match pane {
         Pane::RulerLine => pictures.ruler_line_height(&look) + body,
