@@ -117,7 +117,7 @@ fn inside_a_rehearsal() {
 
 #[test]
 #[ignore = "takes minutes: RAYSTEP_SPEED=1 plays as fast as in a lecture hall, without it twenty times as fast"]
-fn a_rehearsal_leaves_nothing_behind() {
+fn nothing_is_left_behind_after_forty_five_minutes() {
     let Some(display) = Display::or_step_aside() else { return };
     let folder = tempfile::tempdir().expect("a folder");
     let output = Command::new(std::env::current_exe().expect("this program"))
