@@ -1,0 +1,38 @@
+//! Who takes part.
+
+pub mod bvh_crate;
+pub mod embree;
+pub mod obvhs_crate;
+pub mod ours;
+pub mod parry_crate;
+
+use raystep_accel::{Mesh, Ray};
+
+/// Nothing hit.
+pub const NOTHING: (f32, u32) = (f32::INFINITY, u32::MAX);
+
+/// A structure over a mesh.
+pub trait Peer {
+    /// The nearest hits' t and triangles, or [`NOTHING`].
+    fn nearest(&self, rays: &[Ray], hits: &mut [(f32, u32)]);
+    /// Whether anything is hit.
+    fn any(&self, rays: &[Ray], hits: &mut [bool]);
+    /// Its size in bytes, where it can be told.
+    fn bytes(&self) -> Option<usize>;
+}
+
+/// A way to build one.
+pub struct Maker {
+    pub name: &'static str,
+    pub build: fn(&Mesh) -> Box<dyn Peer>,
+}
+
+/// All of them; the first is what the others are compared with.
+pub fn makers() -> Vec<Maker> {
+    let mut makers = obvhs_crate::makers();
+    makers.extend(ours::makers());
+    makers.extend(bvh_crate::makers());
+    makers.extend(parry_crate::makers());
+    makers.extend(embree::makers());
+    makers
+}

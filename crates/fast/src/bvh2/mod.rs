@@ -1,0 +1,53 @@
+//! The hierarchy with two children to a node, slides 48-57, in its fast form: a node is one cache line that holds both
+//! children's boxes, the nearer child comes first, and the stack is our own.
+
+mod node;
+mod walk;
+
+use raystep_accel::{Hit, Mesh, Ray, Want};
+
+use crate::Fast;
+use crate::build::{Settings, tree};
+use crate::judge::{Count, Shot};
+use crate::lanes::{Isa, dispatch};
+use crate::leaf::Four;
+use node::Node;
+
+/// A hierarchy of boxes with two children to a node.
+#[derive(Clone, Debug)]
+pub struct Bvh2 {
+    nodes: Vec<Node>,
+    leaves: Vec<Four>,
+    reach: f32,
+    isa: Isa,
+}
+
+impl Bvh2 {
+    /// Builds it, on the threads of the current pool.
+    pub fn build(mesh: &Mesh, settings: &Settings) -> Bvh2 {
+        let tree = tree(mesh, settings);
+        let (nodes, leaves) = node::nodes(&tree, mesh);
+        Bvh2 { nodes, leaves, reach: tree.reach(), isa: Isa::best() }
+    }
+
+    /// The same with other instructions.
+    #[must_use]
+    pub fn with(self, isa: Isa) -> Bvh2 {
+        Bvh2 { isa, ..self }
+    }
+}
+
+impl Fast for Bvh2 {
+    fn walk(&self, ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
+        match Shot::new(ray, self.reach) {
+            Some(shot) => walk::STACK.with_borrow_mut(|stack| {
+                dispatch!(self.isa, walk::walk(&self.nodes, &self.leaves, &shot, want, stack, count))
+            }),
+            None => walk::careful(&self.nodes, &self.leaves, ray, want, count),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.leaves)
+    }
+}

@@ -1,0 +1,130 @@
+//! From two children to eight, so that a ray is expected to pay least: the method of Ylitie, Karras and Laine (2017).
+
+use raystep_accel::{Aabb, Mesh};
+
+use super::node::{LEAF, Node};
+use crate::build::{Knot, Tree};
+use crate::leaf::Four;
+
+/// What a node of eight boxes costs.
+const NODE_COST: f32 = 1.0;
+/// What a leaf of up to four triangles costs.
+const LEAF_COST: f32 = 1.0;
+/// The children of a node.
+const WIDE: usize = 8;
+
+/// The nodes and leaves, parents before children, siblings side by side.
+pub(super) fn nodes(tree: &Tree, mesh: &Mesh) -> (Vec<Node>, Vec<Four>) {
+    let mut plans = Plans { tree, plans: vec![Plan::default(); tree.pairs.len()] };
+    let mut laid = Laid { mesh, nodes: vec![Node::EMPTY], leaves: Vec::new() };
+    if !tree.prims.is_empty() {
+        plans.plan(&tree.root);
+        laid.fill(0, &tree.root, &plans);
+    }
+    (laid.nodes, laid.leaves)
+}
+
+/// What the tree below a node costs at least.
+#[derive(Clone, Copy, Default)]
+struct Plan {
+    /// With up to so many roots, less one.
+    costs: [f32; WIDE],
+    /// How many of so many roots, less one, stand on the left; none where one root fewer does as well.
+    lefts: [u8; WIDE],
+}
+
+/// A plan for each pair of children, about their parent.
+struct Plans<'a> {
+    tree: &'a Tree,
+    plans: Vec<Plan>,
+}
+
+impl<'a> Plans<'a> {
+    /// Finds the plans of a node and of all below it; the costs of the node.
+    fn plan(&mut self, knot: &Knot) -> [f32; WIDE] {
+        let area = half_area(&knot.bounds);
+        let Some([left, right]) = self.tree.children(knot) else { return [area * LEAF_COST; WIDE] };
+        let (left, right) = (self.plan(left), self.plan(right));
+        let mut plan = Plan::default();
+        // The least cost if the node itself is opened, and its children's trees have so many roots.
+        for roots in 2..=WIDE {
+            let (mut least, mut best) = (f32::INFINITY, 1);
+            for on_left in 1..roots {
+                let cost = left[on_left - 1] + right[roots - on_left - 1];
+                if cost < least {
+                    (least, best) = (cost, on_left);
+                }
+            }
+            (plan.costs[roots - 1], plan.lefts[roots - 1]) = (least, best as u8);
+        }
+        // With one root: a node of eight children. More roots than are of use are not used.
+        plan.costs[0] = plan.costs[WIDE - 1] + area * NODE_COST;
+        for roots in 2..WIDE {
+            if plan.costs[roots - 2] <= plan.costs[roots - 1] {
+                (plan.costs[roots - 1], plan.lefts[roots - 1]) = (plan.costs[roots - 2], 0);
+            }
+        }
+        self.plans[knot.pair()] = plan;
+        plan.costs
+    }
+
+    /// Opens a node and finds the roots of the trees below it, `roots` at most.
+    fn open(&self, knot: &'a Knot, roots: usize, found: &mut Vec<&'a Knot>) {
+        let Some([left, right]) = self.tree.children(knot) else {
+            found.push(knot);
+            return;
+        };
+        let on_left = usize::from(self.plans[knot.pair()].lefts[roots - 1]);
+        self.root(left, on_left, found);
+        self.root(right, roots - on_left, found);
+    }
+
+    /// Finds the roots for a node's tree, `roots` at most: itself or some below it.
+    fn root(&self, knot: &'a Knot, mut roots: usize, found: &mut Vec<&'a Knot>) {
+        if self.tree.children(knot).is_some() {
+            while roots > 1 && self.plans[knot.pair()].lefts[roots - 1] == 0 {
+                roots -= 1;
+            }
+            if roots > 1 {
+                return self.open(knot, roots, found);
+            }
+        }
+        found.push(knot);
+    }
+}
+
+struct Laid<'a> {
+    mesh: &'a Mesh,
+    nodes: Vec<Node>,
+    leaves: Vec<Four>,
+}
+
+impl Laid<'_> {
+    /// Fills a node with the children that were planned for it, and then those.
+    fn fill(&mut self, at: usize, knot: &Knot, plans: &Plans<'_>) {
+        let mut children = Vec::with_capacity(WIDE);
+        plans.open(knot, WIDE, &mut children);
+        let mut below = [None; WIDE];
+        for (lane, child) in children.into_iter().enumerate() {
+            let place = if plans.tree.children(child).is_some() {
+                below[lane] = Some((self.nodes.len(), child));
+                self.nodes.push(Node::EMPTY);
+                self.nodes.len() - 1
+            } else {
+                self.leaves.push(Four::of(self.mesh, plans.tree.leaf_prims(child)));
+                (self.leaves.len() - 1) | LEAF as usize
+            };
+            self.nodes[at].set(lane, &child.bounds, place as u32);
+        }
+        self.nodes[at].order();
+        for (at, child) in below.into_iter().flatten() {
+            self.fill(at, child, plans);
+        }
+    }
+}
+
+/// Half the surface of a box.
+fn half_area(bounds: &Aabb) -> f32 {
+    let side = bounds.extent();
+    side.x * side.y + side.y * side.z + side.z * side.x
+}

@@ -1,0 +1,53 @@
+//! The hierarchy with eight children to a node: one ray tests eight boxes at once, and the tree is a third as deep.
+
+mod collapse;
+mod node;
+mod walk;
+
+use raystep_accel::{Hit, Mesh, Ray, Want};
+
+use crate::Fast;
+use crate::build::{Settings, tree};
+use crate::judge::{Count, Shot};
+use crate::lanes::{Isa, dispatch};
+use crate::leaf::Four;
+use node::Node;
+
+/// A hierarchy of boxes with up to eight children to a node.
+#[derive(Clone, Debug)]
+pub struct Bvh8 {
+    nodes: Vec<Node>,
+    leaves: Vec<Four>,
+    reach: f32,
+    isa: Isa,
+}
+
+impl Bvh8 {
+    /// Builds it, on the threads of the current pool.
+    pub fn build(mesh: &Mesh, settings: &Settings) -> Bvh8 {
+        let tree = tree(mesh, settings);
+        let (nodes, leaves) = collapse::nodes(&tree, mesh);
+        Bvh8 { nodes, leaves, reach: tree.reach(), isa: Isa::best() }
+    }
+
+    /// The same with other instructions.
+    #[must_use]
+    pub fn with(self, isa: Isa) -> Bvh8 {
+        Bvh8 { isa, ..self }
+    }
+}
+
+impl Fast for Bvh8 {
+    fn walk(&self, ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
+        match Shot::new(ray, self.reach) {
+            Some(shot) => walk::STACK.with_borrow_mut(|stack| {
+                dispatch!(self.isa, walk::walk(&self.nodes, &self.leaves, &shot, want, stack, count))
+            }),
+            None => walk::careful(&self.nodes, &self.leaves, ray, want, count),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        size_of_val(&*self.nodes) + size_of_val(&*self.leaves)
+    }
+}

@@ -1,0 +1,130 @@
+//! The walk.
+
+use std::cell::RefCell;
+
+use raystep_accel::{Hit, Place, Ray, Want, slab};
+
+use super::node::{CHILDREN, LEAF, Node, ORDERS};
+use crate::judge::{Count, Nearest, Shot, careful as judge};
+use crate::lanes::stamped;
+use crate::leaf::Four;
+
+/// What waits: children, and where the ray enters their boxes.
+pub(super) struct Stack {
+    children: [u32; HIGH],
+    nears: [f32; HIGH],
+}
+
+/// Room for seven children of each level of the deepest tree, and for a node's eight.
+const HIGH: usize = 1024;
+
+thread_local! {
+    /// Kept from ray to ray, as clearing it would take longer than many a walk.
+    pub(super) static STACK: RefCell<Stack> =
+        const { RefCell::new(Stack { children: [0; HIGH], nears: [0.0; HIGH] }) };
+}
+
+macro_rules! walk {
+    ($(#[$features:meta])* $isa:ident) => {
+        use super::*;
+        use crate::lanes::$isa::*;
+        use crate::leaf::$isa as leaf;
+
+        /// Walks an ordinary ray to its nearest hit, or to any.
+        $(#[$features])*
+        pub(in crate::bvh8) fn walk(
+            nodes: &[Node],
+            leaves: &[Four],
+            shot: &Shot<'_>,
+            want: Want,
+            stack: &mut Stack,
+            count: &mut impl Count,
+        ) -> Option<Hit> {
+            let mut best = Nearest::before(shot.ray.t_max);
+            let [r_x, r_y, r_z] = shot.r.map(|r| splat8(r));
+            let [enter_x, enter_y, enter_z] = shot.enter.map(|enter| splat8(enter));
+            let [leave_x, leave_y, leave_z] = shot.leave.map(|leave| splat8(leave));
+            // In which rows the planes stand through which the ray enters slabs; the next but for the last bit, those
+            // through which it leaves them.
+            let [down_x, down_y, down_z] = shot.down.map(usize::from);
+            let (row_x, row_y, row_z) = (down_x, 2 + down_y, 4 + down_z);
+            // The furthest first, so that the nearest is the last on the stack: the order of the opposite octant.
+            let octant = 3 * (7 ^ (down_x | down_y << 1 | down_z << 2)) as u32;
+            let t_min = splat8(shot.ray.t_min);
+            let mut t_max = splat8(best.t);
+            (stack.children[0], stack.nears[0]) = (0, f32::NEG_INFINITY);
+            let mut high = 1;
+            while high > 0 {
+                // Take the next child from the stack that may hold something nearer.
+                high -= 1;
+                let (child, near) = (stack.children[high % HIGH], stack.nears[high % HIGH]);
+                if near > best.t {
+                    continue;
+                }
+                if child & LEAF != 0 {
+                    leaf::meet(&leaves[(child & !LEAF) as usize], shot, &mut best, count);
+                    if want == Want::Any && best.is_some() {
+                        break;
+                    }
+                    t_max = splat8(best.t);
+                    continue;
+                }
+                let Node { rows } = &nodes[child as usize];
+                count.node(8);
+                let near_x = add_product8(load8(&rows[row_x & 7]), r_x, enter_x);
+                let near_y = add_product8(load8(&rows[row_y & 7]), r_y, enter_y);
+                let near_z = add_product8(load8(&rows[row_z & 7]), r_z, enter_z);
+                let far_x = add_product8(load8(&rows[(row_x ^ 1) & 7]), r_x, leave_x);
+                let far_y = add_product8(load8(&rows[(row_y ^ 1) & 7]), r_y, leave_y);
+                let far_z = add_product8(load8(&rows[(row_z ^ 1) & 7]), r_z, leave_z);
+                let near = max8(max8(near_x, near_y), max8(near_z, t_min));
+                let far = min8(min8(far_x, far_y), min8(far_z, t_max));
+                let (Some(children), Some(nears)) =
+                    (stack.children[high..].first_chunk_mut(), stack.nears[high..].first_chunk_mut())
+                else {
+                    unreachable!("no tree is that deep");
+                };
+                high += push8(near, far, &rows[CHILDREN], &rows[ORDERS], octant, children, nears);
+            }
+            best.hit()
+        }
+    };
+}
+
+stamped!(walk);
+
+/// Walks any ray, with the textbook's own tests.
+pub(super) fn careful(nodes: &[Node], leaves: &[Four], ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
+    let mut best = Nearest::before(ray.t_max);
+    let mut waiting = vec![0];
+    while let Some(child) = waiting.pop() {
+        if child & LEAF != 0 {
+            let four = &leaves[(child & !LEAF) as usize];
+            count.triangles(four.count());
+            for lane in 0..four.count() as usize {
+                judge(four.triangle(lane), four.prim(lane), ray, &mut best);
+            }
+            if want == Want::Any && best.is_some() {
+                break;
+            }
+            continue;
+        }
+        let node = &nodes[child as usize];
+        count.node(8);
+        let mut met = Vec::new();
+        for lane in 0..8 {
+            let bounds = node.bounds(lane);
+            if bounds.is_empty() {
+                continue;
+            }
+            let within = slab(&bounds, ray, ray.range(), Place::World, &mut ());
+            if !within.is_empty() && within.near <= best.t {
+                met.push((within.near, node.rows[CHILDREN][lane]));
+            }
+        }
+        // The nearest last, as it is taken first.
+        met.sort_by(|a, b| b.0.total_cmp(&a.0));
+        waiting.extend(met.into_iter().map(|(_, child)| child));
+    }
+    best.hit()
+}
