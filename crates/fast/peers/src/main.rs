@@ -9,7 +9,7 @@ mod scenes;
 use cpu_time::ThreadTime;
 use peers::{NOTHING, Peer};
 use rays::{Ask, Rays};
-use raystep_accel::Random;
+use raystep_accel::{Random, Want};
 use raystep_fast::{Bvh2, Fast, Settings};
 
 struct Options {
@@ -112,6 +112,17 @@ fn scene(name: &'static str, options: &Options) {
         }
     }
     print(&built, &kinds);
+    for one in &built {
+        for Rays { name, ask, rays } in &kinds {
+            let want = if *ask == Ask::Any { Want::Any } else { Want::Nearest };
+            if let Some(work) = one.peer.work(rays, want) {
+                let each = |number: u64| number as f64 / rays.len() as f64;
+                let (nodes, boxes) = (each(work.nodes), each(work.boxes));
+                let (triangles, judged) = (each(work.triangles), each(work.judged));
+                println!("  {}, {name}: {nodes:.2} nodes, {boxes:.1} boxes, {triangles:.2} triangles a ray, {judged:.3} of them judged", one.name);
+            }
+        }
+    }
 }
 
 /// Hits before speed: every peer's answers beside the exact ones.

@@ -55,6 +55,10 @@ impl Box4 {
         self.high = self.high.max(point);
     }
 
+    pub(crate) fn from(bounds: &Aabb) -> Box4 {
+        Box4 { low: bounds.min.extend(1.0), high: bounds.max.extend(1.0) }
+    }
+
     #[inline]
     pub(crate) fn union(&self, other: &Box4) -> Box4 {
         Box4 { low: self.low.min(other.low), high: self.high.max(other.high) }

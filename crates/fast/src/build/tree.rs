@@ -36,6 +36,11 @@ impl Knot {
         Knot { bounds, first: pair, count: 0 }
     }
 
+    /// The first triangle of a leaf and how many there are.
+    pub(crate) fn range(&self) -> (u32, u32) {
+        (self.first, self.count)
+    }
+
     /// The number of an inner node's pair of children.
     pub(crate) fn pair(&self) -> usize {
         self.first as usize
@@ -53,6 +58,44 @@ impl Tree {
     #[inline]
     pub(crate) fn leaf_prims(&self, knot: &Knot) -> &[u32] {
         &self.prims[knot.first as usize..][..knot.count as usize]
+    }
+
+    /// The triangles of all leaves below a node.
+    pub(crate) fn all_prims(&self, knot: &Knot, found: &mut Vec<u32>) {
+        match self.children(knot) {
+            None => found.extend_from_slice(self.leaf_prims(knot)),
+            Some(children) => children.iter().for_each(|child| self.all_prims(child, found)),
+        }
+    }
+
+    /// Whether there are no more than so many triangles below a node.
+    pub(crate) fn has_few(&self, knot: &Knot, most: usize) -> bool {
+        // No leaf is empty, so nothing is looked at for longer than a few steps once too many are found.
+        let (mut count, mut waiting) = (0, vec![knot]);
+        while let Some(knot) = waiting.pop() {
+            match self.children(knot) {
+                None => count += knot.count as usize,
+                Some(children) => waiting.extend(children),
+            }
+            if count + waiting.len() > most {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// The most nodes on the way from the root to a leaf.
+    pub(super) fn measured_depth(&self) -> u32 {
+        let (mut deepest, mut waiting) = (0, vec![(self.root, 1)]);
+        while let Some((knot, depth)) = waiting.pop() {
+            deepest = deepest.max(depth);
+            if !self.prims.is_empty()
+                && let Some(children) = self.children(&knot)
+            {
+                waiting.extend(children.map(|child| (child, depth + 1)));
+            }
+        }
+        deepest
     }
 
     /// The largest coordinate, without its sign.

@@ -73,9 +73,9 @@ pub(crate) fn nodes(tree: &Tree, mesh: &Mesh) -> (Vec<Node>, Vec<Four>) {
     let mut laying = Laying { tree, mesh, nodes: vec![Node::EMPTY], leaves: Vec::new() };
     if !tree.prims.is_empty() {
         match tree.children(&tree.root) {
-            Some(children) => laying.fill(0, children),
+            Some(children) if !laying.merges(&tree.root) => laying.fill(0, children),
             // A leaf alone still needs a node above it.
-            None => {
+            _ => {
                 let leaf = laying.leaf(&tree.root);
                 laying.nodes[0].set(0, &tree.root.bounds, leaf);
             }
@@ -93,20 +93,27 @@ struct Laying<'a> {
 
 impl Laying<'_> {
     fn leaf(&mut self, knot: &Knot) -> Child {
-        self.leaves.push(Four::of(self.mesh, self.tree.leaf_prims(knot)));
+        let mut prims = Vec::with_capacity(Four::LANES);
+        self.tree.all_prims(knot, &mut prims);
+        self.leaves.push(Four::of(self.mesh, &prims));
         Child::leaf(self.leaves.len() - 1)
+    }
+
+    /// Whether a node's triangles fit in one leaf, which is never dearer than two.
+    fn merges(&self, knot: &Knot) -> bool {
+        self.tree.has_few(knot, Four::LANES)
     }
 
     fn fill(&mut self, node: usize, children: &[Knot; 2]) {
         for (side, knot) in children.iter().enumerate() {
             let child = match self.tree.children(knot) {
-                None => self.leaf(knot),
-                Some(below) => {
+                Some(below) if !self.merges(knot) => {
                     let child = self.nodes.len();
                     self.nodes.push(Node::EMPTY);
                     self.fill(child, below);
                     Child::inner(child)
                 }
+                _ => self.leaf(knot),
             };
             self.nodes[node].set(side, &knot.bounds, child);
         }

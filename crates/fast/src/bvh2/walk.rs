@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use raystep_accel::{Hit, Place, Ray, Want, slab};
 
 use super::node::{Child, Node};
-use crate::judge::{Count, Nearest, Shot, careful as judge};
+use crate::judge::{Count, Nearest, NotOrdinary, Shot, careful as judge};
 use crate::lanes::stamped;
 use crate::leaf::Four;
 
@@ -35,11 +35,13 @@ macro_rules! walk {
         pub(in crate::bvh2) fn walk(
             nodes: &[Node],
             leaves: &[Four],
-            shot: &Shot<'_>,
+            ray: &Ray,
+            reach: f32,
             want: Want,
             stack: &mut Stack,
             count: &mut impl Count,
-        ) -> Option<Hit> {
+        ) -> Result<Option<Hit>, NotOrdinary> {
+            let shot = &Shot::new(ray, reach)?;
             let mut best = Nearest::before(shot.ray.t_max);
             // Lanes 0 and 1 say where the ray enters the left and the right child; lanes 2 and 3, where it leaves them,
             // with the sign turned, so that one maximum narrows both ends.
@@ -101,7 +103,7 @@ macro_rules! walk {
                     }
                 }
             }
-            best.hit()
+            Ok(best.hit())
         }
     };
 }

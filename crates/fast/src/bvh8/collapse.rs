@@ -31,7 +31,12 @@ struct Plan {
     costs: [f32; WIDE],
     /// How many of so many roots, less one, stand on the left; none where one root fewer does as well.
     lefts: [u8; WIDE],
+    /// Whether all below it makes one leaf.
+    leaf: bool,
 }
+
+/// What a node and all below it cost, and how many triangles that is.
+type Costs = ([f32; WIDE], u32);
 
 /// A plan for each pair of children, about their parent.
 struct Plans<'a> {
@@ -41,10 +46,11 @@ struct Plans<'a> {
 
 impl<'a> Plans<'a> {
     /// Finds the plans of a node and of all below it; the costs of the node.
-    fn plan(&mut self, knot: &Knot) -> [f32; WIDE] {
+    fn plan(&mut self, knot: &Knot) -> Costs {
         let area = half_area(&knot.bounds);
-        let Some([left, right]) = self.tree.children(knot) else { return [area * LEAF_COST; WIDE] };
-        let (left, right) = (self.plan(left), self.plan(right));
+        let Some([left, right]) = self.tree.children(knot) else { return ([area * LEAF_COST; WIDE], knot.range().1) };
+        let ((left, on_left), (right, on_right)) = (self.plan(left), self.plan(right));
+        let count = on_left + on_right;
         let mut plan = Plan::default();
         // The least cost if the node itself is opened, and its children's trees have so many roots.
         for roots in 2..=WIDE {
@@ -59,18 +65,26 @@ impl<'a> Plans<'a> {
         }
         // With one root: a node of eight children. More roots than are of use are not used.
         plan.costs[0] = plan.costs[WIDE - 1] + area * NODE_COST;
+        if count as usize <= Four::LANES && area * LEAF_COST <= plan.costs[0] {
+            (plan.costs[0], plan.leaf) = (area * LEAF_COST, true);
+        }
         for roots in 2..WIDE {
             if plan.costs[roots - 2] <= plan.costs[roots - 1] {
                 (plan.costs[roots - 1], plan.lefts[roots - 1]) = (plan.costs[roots - 2], 0);
             }
         }
         self.plans[knot.pair()] = plan;
-        plan.costs
+        (plan.costs, count)
+    }
+
+    /// The children of a node that is not planned to be a leaf.
+    fn inner(&self, knot: &Knot) -> Option<&'a [Knot; 2]> {
+        self.tree.children(knot).filter(|_| !self.plans[knot.pair()].leaf)
     }
 
     /// Opens a node and finds the roots of the trees below it, `roots` at most.
     fn open(&self, knot: &'a Knot, roots: usize, found: &mut Vec<&'a Knot>) {
-        let Some([left, right]) = self.tree.children(knot) else {
+        let Some([left, right]) = self.inner(knot) else {
             found.push(knot);
             return;
         };
@@ -81,7 +95,7 @@ impl<'a> Plans<'a> {
 
     /// Finds the roots for a node's tree, `roots` at most: itself or some below it.
     fn root(&self, knot: &'a Knot, mut roots: usize, found: &mut Vec<&'a Knot>) {
-        if self.tree.children(knot).is_some() {
+        if self.inner(knot).is_some() {
             while roots > 1 && self.plans[knot.pair()].lefts[roots - 1] == 0 {
                 roots -= 1;
             }
@@ -106,12 +120,14 @@ impl Laid<'_> {
         plans.open(knot, WIDE, &mut children);
         let mut below = [None; WIDE];
         for (lane, child) in children.into_iter().enumerate() {
-            let place = if plans.tree.children(child).is_some() {
+            let place = if plans.inner(child).is_some() {
                 below[lane] = Some((self.nodes.len(), child));
                 self.nodes.push(Node::EMPTY);
                 self.nodes.len() - 1
             } else {
-                self.leaves.push(Four::of(self.mesh, plans.tree.leaf_prims(child)));
+                let mut prims = Vec::with_capacity(Four::LANES);
+                plans.tree.all_prims(child, &mut prims);
+                self.leaves.push(Four::of(self.mesh, &prims));
                 (self.leaves.len() - 1) | LEAF as usize
             };
             self.nodes[at].set(lane, &child.bounds, place as u32);

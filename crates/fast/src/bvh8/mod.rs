@@ -8,7 +8,7 @@ use raystep_accel::{Hit, Mesh, Ray, Want};
 
 use crate::Fast;
 use crate::build::{Settings, tree};
-use crate::judge::{Count, Shot};
+use crate::judge::{Count, NotOrdinary};
 use crate::lanes::{Isa, dispatch};
 use crate::leaf::Four;
 use node::Node;
@@ -39,11 +39,12 @@ impl Bvh8 {
 
 impl Fast for Bvh8 {
     fn walk(&self, ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
-        match Shot::new(ray, self.reach) {
-            Some(shot) => walk::STACK.with_borrow_mut(|stack| {
-                dispatch!(self.isa, walk::walk(&self.nodes, &self.leaves, &shot, want, stack, count))
-            }),
-            None => walk::careful(&self.nodes, &self.leaves, ray, want, count),
+        let walked = walk::STACK.with_borrow_mut(|stack| {
+            dispatch!(self.isa, walk::walk(&self.nodes, &self.leaves, ray, self.reach, want, stack, count))
+        });
+        match walked {
+            Ok(hit) => hit,
+            Err(NotOrdinary) => walk::careful(&self.nodes, &self.leaves, ray, want, count),
         }
     }
 

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use raystep_accel::{Hit, Place, Ray, Want, slab};
 
 use super::node::{CHILDREN, LEAF, Node, ORDERS};
-use crate::judge::{Count, Nearest, Shot, careful as judge};
+use crate::judge::{Count, Nearest, NotOrdinary, Shot, careful as judge};
 use crate::lanes::stamped;
 use crate::leaf::Four;
 
@@ -35,11 +35,13 @@ macro_rules! walk {
         pub(in crate::bvh8) fn walk(
             nodes: &[Node],
             leaves: &[Four],
-            shot: &Shot<'_>,
+            ray: &Ray,
+            reach: f32,
             want: Want,
             stack: &mut Stack,
             count: &mut impl Count,
-        ) -> Option<Hit> {
+        ) -> Result<Option<Hit>, NotOrdinary> {
+            let shot = &Shot::new(ray, reach)?;
             let mut best = Nearest::before(shot.ray.t_max);
             let [r_x, r_y, r_z] = shot.r.map(|r| splat8(r));
             let [enter_x, enter_y, enter_z] = shot.enter.map(|enter| splat8(enter));
@@ -52,41 +54,64 @@ macro_rules! walk {
             let octant = 3 * (7 ^ (down_x | down_y << 1 | down_z << 2)) as u32;
             let t_min = splat8(shot.ray.t_min);
             let mut t_max = splat8(best.t);
-            (stack.children[0], stack.nears[0]) = (0, f32::NEG_INFINITY);
-            let mut high = 1;
-            while high > 0 {
-                // Take the next child from the stack that may hold something nearer.
-                high -= 1;
-                let (child, near) = (stack.children[high % HIGH], stack.nears[high % HIGH]);
-                if near > best.t {
-                    continue;
+            let (mut here, mut high) = (0u32, 0usize);
+            'walk: loop {
+                // Down to a leaf, the nearest child first.
+                while here & LEAF == 0 {
+                    let Node { rows } = &nodes[here as usize];
+                    count.node(8);
+                    let near_x = add_product8(load8(&rows[row_x & 7]), r_x, enter_x);
+                    let near_y = add_product8(load8(&rows[row_y & 7]), r_y, enter_y);
+                    let near_z = add_product8(load8(&rows[row_z & 7]), r_z, enter_z);
+                    let far_x = add_product8(load8(&rows[(row_x ^ 1) & 7]), r_x, leave_x);
+                    let far_y = add_product8(load8(&rows[(row_y ^ 1) & 7]), r_y, leave_y);
+                    let far_z = add_product8(load8(&rows[(row_z ^ 1) & 7]), r_z, leave_z);
+                    let near = max8(max8(near_x, near_y), max8(near_z, t_min));
+                    let far = min8(min8(far_x, far_y), min8(far_z, t_max));
+                    let met = at_most8(near, far);
+                    if met & met.wrapping_sub(1) != 0 {
+                        // Several: all of them on the stack, the nearest last, and on with that.
+                        let (Some(children), Some(nears)) =
+                            (stack.children[high..].first_chunk_mut(), stack.nears[high..].first_chunk_mut())
+                        else {
+                            unreachable!("no tree is that deep");
+                        };
+                        push8(near, met, &rows[CHILDREN], &rows[ORDERS], octant, children, nears);
+                        high += met.count_ones() as usize - 1;
+                        here = stack.children[high % HIGH];
+                    } else if met != 0 {
+                        here = rows[CHILDREN][met.trailing_zeros() as usize & 7];
+                    } else {
+                        // Take the next child from the stack that may hold something nearer.
+                        loop {
+                            if high == 0 {
+                                break 'walk;
+                            }
+                            high -= 1;
+                            if stack.nears[high % HIGH] <= best.t {
+                                here = stack.children[high % HIGH];
+                                break;
+                            }
+                        }
+                    }
                 }
-                if child & LEAF != 0 {
-                    leaf::meet(&leaves[(child & !LEAF) as usize], shot, &mut best, count);
-                    if want == Want::Any && best.is_some() {
+                leaf::meet(&leaves[(here & !LEAF) as usize], shot, &mut best, count);
+                if want == Want::Any && best.is_some() {
+                    break;
+                }
+                t_max = splat8(best.t);
+                loop {
+                    if high == 0 {
+                        break 'walk;
+                    }
+                    high -= 1;
+                    if stack.nears[high % HIGH] <= best.t {
+                        here = stack.children[high % HIGH];
                         break;
                     }
-                    t_max = splat8(best.t);
-                    continue;
                 }
-                let Node { rows } = &nodes[child as usize];
-                count.node(8);
-                let near_x = add_product8(load8(&rows[row_x & 7]), r_x, enter_x);
-                let near_y = add_product8(load8(&rows[row_y & 7]), r_y, enter_y);
-                let near_z = add_product8(load8(&rows[row_z & 7]), r_z, enter_z);
-                let far_x = add_product8(load8(&rows[(row_x ^ 1) & 7]), r_x, leave_x);
-                let far_y = add_product8(load8(&rows[(row_y ^ 1) & 7]), r_y, leave_y);
-                let far_z = add_product8(load8(&rows[(row_z ^ 1) & 7]), r_z, leave_z);
-                let near = max8(max8(near_x, near_y), max8(near_z, t_min));
-                let far = min8(min8(far_x, far_y), min8(far_z, t_max));
-                let (Some(children), Some(nears)) =
-                    (stack.children[high..].first_chunk_mut(), stack.nears[high..].first_chunk_mut())
-                else {
-                    unreachable!("no tree is that deep");
-                };
-                high += push8(near, far, &rows[CHILDREN], &rows[ORDERS], octant, children, nears);
             }
-            best.hit()
+            Ok(best.hit())
         }
     };
 }

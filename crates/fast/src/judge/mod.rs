@@ -42,6 +42,17 @@
 //! g, are covered by the difference. 2⁻¹⁰⁰ covers products that underflow.
 //!
 //! A triangle is ruled out where one area is surely negative and another surely positive. `accel` rejects it then.
+//!
+//! # Meetings: within a box's interval but for 1.5·u of its ends
+//!
+//! What the judge met counts as it is if it lies in the slab interval of the triangle's own box. To know that, the six
+//! divisions of the interval are not needed. Where no component of the direction was taken for more than it is, fl(x·r)
+//! with x = fl(b − o), which `accel` computes alike, is within 2.1·u of x/d. The end of `accel`'s interval is fl(x/d) moved
+//! outward by 8u and rounded: at least 5.9·u of x/d further out. Moved outward by 1.5·u and rounded once or twice, fl(x·r)
+//! is at most 2.1 + 1.5 + 1.1·u, and so less, further out than x/d. A meeting between such ends lies in the interval. (The least and the greatest of
+//! the three corners' are those of the box, as subtraction and multiplication are monotone.) Where it does not lie there,
+//! the six divisions decide; and so they do where the meeting's t is less than 2⁻¹⁰⁰, since the ends of such intervals may
+//! underflow.
 
 mod best;
 mod count;
@@ -50,7 +61,7 @@ mod verdict;
 
 pub(crate) use best::Nearest;
 pub use count::{Count, Work};
-pub(crate) use shot::Shot;
+pub(crate) use shot::{NotOrdinary, Shot};
 pub(crate) use verdict::{accept, careful};
 
 /// The margin of a box, as a part of S·|r|.
@@ -61,5 +72,9 @@ pub(crate) const AREA: f32 = 64.0 * UNIT;
 pub(crate) const FAR_AREA: f32 = 1024.0 * UNIT * UNIT;
 /// ... and this.
 pub(crate) const LEAST_AREA: f32 = f32::from_bits((127 - 100) << 23);
+/// The part of an end by which a meeting may lie further out and surely be within.
+pub(crate) const INWARD: f32 = 1.5 * UNIT;
+/// The least t of which that can be said.
+pub(crate) const LEAST_T: f32 = LEAST_AREA;
 /// The largest relative rounding.
 const UNIT: f32 = f32::EPSILON / 2.0;

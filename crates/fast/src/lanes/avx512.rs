@@ -12,11 +12,11 @@ pub(crate) type F8 = __m256;
 pub(crate) type D4 = __m256d;
 
 macro_rules! ops {
-    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $kind:ty),*) -> $result:ty { $body:expr })*) => {
+    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $kind:ty),*) -> $result:ty $body:block)*) => {
         $($(#[$doc])*
         #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
         #[inline]
-        pub(crate) fn $name($($argument: $kind),*) -> $result { $body })*
+        pub(crate) fn $name($($argument: $kind),*) -> $result $body)*
     };
 }
 
@@ -65,16 +65,17 @@ ops! {
     /// In which lanes a ≤ b.
     fn at_most_d4(a: D4, b: D4) -> u32 { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b)) as u32 }
 
-    /// Puts the children that are met (near ≤ far) on a stack, in the order that three bits of `orders` from `octant` on
-    /// say for each lane; how many they are. All eight places are written.
-    fn push8(near: F8, far: F8, children: &[u32; 8], orders: &[u32; 8], octant: u32, stack: &mut [u32; 8], nears: &mut [f32; 8]) -> usize {{
+    /// In which lanes a ≤ b.
+    fn at_most8(a: F8, b: F8) -> u32 { u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a, b)) }
+
+    /// Puts the children that are met on a stack, in the order that three bits of `orders` from `octant` on say for each
+    /// lane. All eight places are written.
+    fn push8(near: F8, met: u32, children: &[u32; 8], orders: &[u32; 8], octant: u32, stack: &mut [u32; 8], nears: &mut [f32; 8]) -> () {
         let order = _mm256_srl_epi32(cast(*orders), _mm_cvtsi32_si128(octant as i32));
-        // Those that are missed are infinitely far away, in whichever order.
-        let met = _mm256_cmp_ps_mask::<_CMP_LE_OQ>(near, far);
-        let nearest = _mm256_permutexvar_ps(order, _mm256_mask_mov_ps(_mm256_set1_ps(f32::INFINITY), met, near));
-        let met = _mm256_cmp_ps_mask::<_CMP_LT_OQ>(nearest, _mm256_set1_ps(f32::INFINITY));
-        *stack = cast(_mm256_maskz_compress_epi32(met, _mm256_permutexvar_epi32(order, cast(*children))));
-        *nears = cast(_mm256_maskz_compress_ps(met, nearest));
-        met.count_ones() as usize
-    }}
+        // The bits of the mask in that order.
+        let place = _mm256_sub_epi32(_mm256_set1_epi32(31), _mm256_and_si256(order, _mm256_set1_epi32(7)));
+        let mask = _mm256_movepi32_mask(_mm256_sllv_epi32(_mm256_set1_epi32(met as i32), place));
+        *stack = cast(_mm256_maskz_compress_epi32(mask, _mm256_permutexvar_epi32(order, cast(*children))));
+        *nears = cast(_mm256_maskz_compress_ps(mask, _mm256_permutexvar_ps(order, near)));
+    }
 }

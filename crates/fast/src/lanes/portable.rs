@@ -10,10 +10,10 @@ pub(crate) type F8 = [f32; 8];
 pub(crate) type D4 = [f64; 4];
 
 macro_rules! ops {
-    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $kind:ty),*) -> $result:ty { $body:expr })*) => {
+    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $kind:ty),*) -> $result:ty $body:block)*) => {
         $($(#[$doc])*
         #[inline(always)]
-        pub(crate) fn $name($($argument: $kind),*) -> $result { $body })*
+        pub(crate) fn $name($($argument: $kind),*) -> $result $body)*
     };
 }
 
@@ -79,16 +79,18 @@ ops! {
     /// In which lanes a ≤ b.
     fn at_most_d4(a: D4, b: D4) -> u32 { bits::<4>(|i| a[i] <= b[i]) }
 
-    /// Puts the children that are met (near ≤ far) on a stack, in the order that three bits of `orders` from `octant` on
-    /// say for each lane; how many they are. All eight places are written.
-    fn push8(near: F8, far: F8, children: &[u32; 8], orders: &[u32; 8], octant: u32, stack: &mut [u32; 8], nears: &mut [f32; 8]) -> usize {{
+    /// In which lanes a ≤ b.
+    fn at_most8(a: F8, b: F8) -> u32 { bits::<8>(|i| a[i] <= b[i]) }
+
+    /// Puts the children that are met on a stack, in the order that three bits of `orders` from `octant` on say for each
+    /// lane. All eight places are written.
+    fn push8(near: F8, met: u32, children: &[u32; 8], orders: &[u32; 8], octant: u32, stack: &mut [u32; 8], nears: &mut [f32; 8]) -> () {
         let mut high = 0;
         for order in orders {
             let lane = (order >> octant & 7) as usize;
             stack[high & 7] = children[lane];
             nears[high & 7] = near[lane];
-            high += usize::from(near[lane] <= far[lane]);
+            high += (met >> lane & 1) as usize;
         }
-        high
-    }}
+    }
 }

@@ -1,6 +1,6 @@
 //! A ray and four triangles: ruled out in single precision, judged in double.
 
-use crate::judge::{AREA, Count, FAR_AREA, LEAST_AREA, Nearest, Shot, accept};
+use crate::judge::{AREA, Count, FAR_AREA, INWARD, LEAST_AREA, LEAST_T, Nearest, Shot, accept};
 use crate::lanes::stamped;
 use crate::leaf::Four;
 
@@ -93,12 +93,38 @@ macro_rules! meet {
 
             let height = add_d4(add_d4(mul_d4(u, a_z), mul_d4(v, b_z)), mul_d4(w, c_z));
             let met = single4(div_d4(div_d4(height, area), splat_d4(d_z)));
+            // Where the meeting surely lies in the interval of the triangle's own box, it is the hit.
+            let sure = if shot.steep { within(four, shot, &met) } else { 0 };
             let mut met_lanes = inside & !edge_on;
             while met_lanes != 0 {
                 let lane = met_lanes.trailing_zeros() as usize;
+                let (t, prim) = (met[lane & 3], four.prim(lane));
+                if sure >> lane & 1 == 0 {
+                    accept(&four.triangle(lane), prim, t, shot.ray, best);
+                } else if shot.ray.t_min <= t && t <= shot.ray.t_max {
+                    best.offer(t, prim);
+                }
                 met_lanes &= met_lanes - 1;
-                accept(&four.triangle(lane), four.prim(lane), met[lane & 3], shot.ray, best);
             }
+        }
+
+        /// In which lanes `met` surely lies in the slab interval of the triangle's own box. The proof stands in `judge`.
+        $(#[$features])*
+        #[inline]
+        fn within(four: &Four, shot: &Shot<'_>, met: &[f32; 4]) -> u32 {
+            let met = load4(met);
+            let [mut low, mut high] = [splat4(f32::NEG_INFINITY), splat4(f32::INFINITY)];
+            for i in 0..3 {
+                let [a, b, c] = &four.rows[shot.axes[i] & 3];
+                let (o, r) = (splat4(shot.o[i]), splat4(shot.sorted_r[i]));
+                let [a, b, c] = [load4(a), load4(b), load4(c)].map(|p| mul4(sub4(p, o), r));
+                low = max4(low, min4(min4(a, b), c));
+                high = min4(high, max4(max4(a, b), c));
+            }
+            let slack = splat4(INWARD);
+            let from = sub_product4(abs4(low), slack, low);
+            let to = add_product4(abs4(high), slack, high);
+            at_most4(from, met) & at_most4(met, to) & at_most4(splat4(LEAST_T), abs4(met))
         }
     };
 }

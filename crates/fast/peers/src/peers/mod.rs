@@ -6,7 +6,8 @@ pub mod obvhs_crate;
 pub mod ours;
 pub mod parry_crate;
 
-use raystep_accel::{Mesh, Ray};
+use raystep_accel::{Mesh, Ray, Want};
+use raystep_fast::Work;
 
 /// Nothing hit.
 pub const NOTHING: (f32, u32) = (f32::INFINITY, u32::MAX);
@@ -17,6 +18,10 @@ pub trait Peer {
     fn nearest(&self, rays: &[Ray], hits: &mut [(f32, u32)]);
     /// Whether anything is hit.
     fn any(&self, rays: &[Ray], hits: &mut [bool]);
+    /// What the rays meet on their ways, where it is counted.
+    fn work(&self, _rays: &[Ray], _want: Want) -> Option<Work> {
+        None
+    }
     /// Its size in bytes, where it can be told.
     fn bytes(&self) -> Option<usize>;
 }
