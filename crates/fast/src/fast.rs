@@ -25,24 +25,70 @@ pub trait Fast: Sync {
         self.walk(ray, Want::Any, &mut ()).is_some()
     }
 
-    /// The answers to rays side by side; rays that run alike should stand together.
-    fn intersect_some(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            *hit = self.intersect(ray);
+    /// The answers to rays one after the other, on this thread. Quicker than one call a ray; rays that run alike should
+    /// stand together.
+    fn ask_some<T>(&self, rays: &[Ray], answers: &mut [T], question: impl Question<T>) {
+        for (ray, answer) in rays.iter().zip(answers) {
+            *answer = question.answer(self.walk(ray, question.want(), &mut ()));
         }
     }
 
-    /// The nearest hits of many rays, in their order, on the threads of the current pool. The same on any number of them.
-    fn intersect_many(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
-        let mut hits = vec![None; rays.len()];
-        let pieces = rays.par_chunks(TILE).zip(hits.par_chunks_mut(TILE));
-        pieces.for_each(|(rays, hits)| self.intersect_some(rays, hits));
-        hits
+    /// The answers to many rays, in their order, on the threads of the current pool. The same on any number of them.
+    fn ask_many<T: Clone + Send>(&self, rays: &[Ray], question: impl Question<T>) -> Vec<T> {
+        let mut answers = vec![question.answer(None); rays.len()];
+        let tiles = rays.par_chunks(TILE).zip(answers.par_chunks_mut(TILE));
+        tiles.for_each(|(rays, answers)| self.ask_some(rays, answers, question));
+        answers
     }
 
-    /// Whether each of many rays hits anything, in their order.
+    /// The nearest hits of many rays: see [`ask_many`](Fast::ask_many).
+    fn intersect_many(&self, rays: &[Ray]) -> Vec<Option<Hit>> {
+        self.ask_many(rays, Nearest)
+    }
+
+    /// Whether each of many rays hits anything: see [`ask_many`](Fast::ask_many).
     fn occluded_many(&self, rays: &[Ray]) -> Vec<bool> {
-        rays.par_iter().with_min_len(TILE).map(|ray| self.occluded(ray)).collect()
+        self.ask_many(rays, Any)
+    }
+}
+
+/// What is asked of rays, and what form the answers have.
+pub trait Question<T>: Copy + Sync {
+    /// What a walk has to find.
+    fn want(&self) -> Want;
+    /// The answer for what it found.
+    fn answer(&self, found: Option<Hit>) -> T;
+}
+
+/// The nearest hit.
+#[derive(Clone, Copy, Debug)]
+pub struct Nearest;
+
+impl Question<Option<Hit>> for Nearest {
+    #[inline(always)]
+    fn want(&self) -> Want {
+        Want::Nearest
+    }
+
+    #[inline(always)]
+    fn answer(&self, found: Option<Hit>) -> Option<Hit> {
+        found
+    }
+}
+
+/// Whether there is any hit.
+#[derive(Clone, Copy, Debug)]
+pub struct Any;
+
+impl Question<bool> for Any {
+    #[inline(always)]
+    fn want(&self) -> Want {
+        Want::Any
+    }
+
+    #[inline(always)]
+    fn answer(&self, found: Option<Hit>) -> bool {
+        found.is_some()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use raystep_accel::{Hit, Mesh, Ray, Want};
 
-use crate::{Bvh2, Bvh8, Count, Fast, Isa, Settings};
+use crate::{Bvh2, Bvh8, Count, Fast, Isa, Question, Settings};
 
 /// The kinds of fast structures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -60,6 +60,13 @@ impl Fast for AnyFast {
         match self {
             AnyFast::Bvh2(tree) => tree.walk(ray, want, count),
             AnyFast::Bvh8(tree) => tree.walk(ray, want, count),
+        }
+    }
+
+    fn ask_some<T>(&self, rays: &[Ray], answers: &mut [T], question: impl Question<T>) {
+        match self {
+            AnyFast::Bvh2(tree) => tree.ask_some(rays, answers, question),
+            AnyFast::Bvh8(tree) => tree.ask_some(rays, answers, question),
         }
     }
 

@@ -29,7 +29,7 @@ mod leaf;
 pub use build::Settings;
 pub use bvh2::Bvh2;
 pub use bvh8::Bvh8;
-pub use fast::Fast;
+pub use fast::{Any, Fast, Nearest, Question};
 pub use judge::{Count, Work};
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;

@@ -7,7 +7,7 @@ mod referee;
 mod scenes;
 
 use cpu_time::ThreadTime;
-use peers::{NOTHING, Peer};
+use peers::Peer;
 use rays::{Ask, Rays};
 use raystep_accel::{Random, Want};
 use raystep_fast::{Bvh2, Fast, Settings};
@@ -89,7 +89,7 @@ fn scene(name: &'static str, options: &Options) {
         .collect();
     check(&stage.mesh, &kinds, &exact, &built);
     let mut random = Random::new(9);
-    let mut nearest = vec![NOTHING; options.rays];
+    let mut nearest = vec![None; options.rays];
     let mut any = vec![false; options.rays];
     for round in 0..=options.rounds {
         for (kind, Rays { ask, rays, .. }) in kinds.iter().enumerate() {
@@ -128,14 +128,13 @@ fn scene(name: &'static str, options: &Options) {
 /// Hits before speed: every peer's answers beside the exact ones.
 fn check(mesh: &raystep_accel::Mesh, kinds: &[Rays; 3], exact: &Bvh2, built: &[Built]) {
     for Rays { name, ask, rays } in kinds {
-        let truth: Vec<(f32, u32)> =
-            exact.intersect_many(rays).iter().map(|hit| hit.map_or(NOTHING, |hit| (hit.t, hit.prim.0))).collect();
+        let truth = exact.intersect_many(rays);
         let own = referee::report(mesh, rays, &truth, &truth);
         assert_eq!(own.wrong, 0, "{name}: hits of ours that double precision does not know");
         for Built { name: peer, peer: own, .. } in built {
             let wrong = match ask {
                 Ask::Nearest => {
-                    let mut found = vec![NOTHING; rays.len()];
+                    let mut found = vec![None; rays.len()];
                     own.nearest(rays, &mut found);
                     if peer.starts_with("fast") {
                         assert!(found == truth, "{peer}, {name}: not the exact answers");
@@ -145,7 +144,7 @@ fn check(mesh: &raystep_accel::Mesh, kinds: &[Rays; 3], exact: &Bvh2, built: &[B
                 Ask::Any => {
                     let mut found = vec![false; rays.len()];
                     own.any(rays, &mut found);
-                    truth.iter().zip(found).filter(|&(&(t, _), any)| (t != f32::INFINITY) != any).count()
+                    truth.iter().zip(found).filter(|(hit, any)| hit.is_some() != *any).count()
                 }
             };
             let share = wrong as f64 / rays.len() as f64;

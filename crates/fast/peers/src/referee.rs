@@ -1,9 +1,7 @@
 //! Whether answers can be right, in double precision and by another formula.
 
 use glam::DVec3;
-use raystep_accel::{Mesh, PrimId, Ray};
-
-use crate::peers::NOTHING;
+use raystep_accel::{Hit, Mesh, PrimId, Ray};
 
 /// How answers fare beside the truth.
 #[derive(Default)]
@@ -20,15 +18,17 @@ const OFF: f64 = 2e-3;
 pub const SLIPS: f64 = 0.004;
 
 /// Compares answers with those of Raystep, which are exact, and those in turn with double precision.
-pub fn report(mesh: &Mesh, rays: &[Ray], truth: &[(f32, u32)], found: &[(f32, u32)]) -> Report {
+pub fn report(mesh: &Mesh, rays: &[Ray], truth: &[Option<Hit>], found: &[Option<Hit>]) -> Report {
     let mut report = Report { rays: rays.len(), ..Report::default() };
-    for ((ray, &(t_true, _)), &(t, prim)) in rays.iter().zip(truth).zip(found) {
-        report.hits += usize::from(prim != NOTHING.1);
-        let is_right = if prim == NOTHING.1 || t_true == f32::INFINITY {
-            prim == NOTHING.1 && t_true == f32::INFINITY
-        } else {
-            let (t, t_true) = (f64::from(t), f64::from(t_true));
-            (t - t_true).abs() <= OFF * t_true.abs() + 1e-5 && lies_on(mesh, ray, t, prim)
+    for ((ray, truth), found) in rays.iter().zip(truth).zip(found) {
+        report.hits += usize::from(found.is_some());
+        let is_right = match (truth, found) {
+            (None, None) => true,
+            (Some(truth), Some(found)) => {
+                let (t, t_true) = (f64::from(found.t), f64::from(truth.t));
+                (t - t_true).abs() <= OFF * t_true.abs() + 1e-5 && lies_on(mesh, ray, t, found.prim)
+            }
+            _ => false,
         };
         report.wrong += usize::from(!is_right);
     }
@@ -36,8 +36,8 @@ pub fn report(mesh: &Mesh, rays: &[Ray], truth: &[(f32, u32)], found: &[(f32, u3
 }
 
 /// Whether the point at t lies on the triangle, but for rounding.
-fn lies_on(mesh: &Mesh, ray: &Ray, t: f64, prim: u32) -> bool {
-    let triangle = mesh.triangle(PrimId(prim));
+fn lies_on(mesh: &Mesh, ray: &Ray, t: f64, prim: PrimId) -> bool {
+    let triangle = mesh.triangle(prim);
     let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|p| p.as_dvec3());
     let (o, d): (DVec3, DVec3) = (ray.o.as_dvec3(), ray.d.as_dvec3());
     let p = o + d * t;

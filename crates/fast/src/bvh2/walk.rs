@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use raystep_accel::{Hit, Place, Ray, Want, slab};
 
 use super::node::{Child, Node};
+use crate::fast::Question;
 use crate::judge::{Count, Nearest, NotOrdinary, Shot, careful as judge};
 use crate::lanes::stamped;
 use crate::leaf::Four;
@@ -30,8 +31,29 @@ macro_rules! walk {
         use crate::lanes::$isa::*;
         use crate::leaf::$isa as leaf;
 
+        /// Walks rays one after the other, up to the first that is not an ordinary one; how many that are.
+        $(#[$features])*
+        pub(in crate::bvh2) fn walk_some<T>(
+            nodes: &[Node],
+            leaves: &[Four],
+            rays: &[Ray],
+            answers: &mut [T],
+            reach: f32,
+            question: impl Question<T>,
+            stack: &mut Stack,
+        ) -> usize {
+            for (at, (ray, answer)) in rays.iter().zip(answers).enumerate() {
+                match walk(nodes, leaves, ray, reach, question.want(), stack, &mut ()) {
+                    Ok(found) => *answer = question.answer(found),
+                    Err(NotOrdinary) => return at,
+                }
+            }
+            rays.len()
+        }
+
         /// Walks an ordinary ray.
         $(#[$features])*
+        #[inline]
         pub(in crate::bvh2) fn walk(
             nodes: &[Node],
             leaves: &[Four],

@@ -2,7 +2,7 @@
 
 use raystep_accel::{Aabb, Mesh};
 
-use super::node::{LEAF, Node};
+use super::node::Node;
 use crate::build::{Knot, Tree};
 use crate::leaf::Four;
 
@@ -118,23 +118,20 @@ impl Laid<'_> {
     fn fill(&mut self, at: usize, knot: &Knot, plans: &Plans<'_>) {
         let mut children = Vec::with_capacity(WIDE);
         plans.open(knot, WIDE, &mut children);
-        let mut below = [None; WIDE];
-        for (lane, child) in children.into_iter().enumerate() {
-            let place = if plans.inner(child).is_some() {
-                below[lane] = Some((self.nodes.len(), child));
-                self.nodes.push(Node::EMPTY);
-                self.nodes.len() - 1
-            } else {
-                let mut prims = Vec::with_capacity(Four::LANES);
-                plans.tree.all_prims(child, &mut prims);
-                self.leaves.push(Four::of(self.mesh, &prims));
-                (self.leaves.len() - 1) | LEAF as usize
-            };
-            self.nodes[at].set(lane, &child.bounds, place as u32);
+        // Those that are nodes first.
+        children.sort_by_key(|child| plans.inner(child).is_none());
+        let nodes = children.iter().filter(|child| plans.inner(child).is_some()).count();
+        let boxes: Vec<&Aabb> = children.iter().map(|child| &child.bounds).collect();
+        let (first_node, first_leaf) = (self.nodes.len(), self.leaves.len());
+        self.nodes[at] = Node::new(&boxes, nodes, first_node, first_leaf);
+        self.nodes.resize(first_node + nodes, Node::EMPTY);
+        for leaf in &children[nodes..] {
+            let mut prims = Vec::with_capacity(Four::LANES);
+            plans.tree.all_prims(leaf, &mut prims);
+            self.leaves.push(Four::of(self.mesh, &prims));
         }
-        self.nodes[at].order();
-        for (at, child) in below.into_iter().flatten() {
-            self.fill(at, child, plans);
+        for (i, child) in children[..nodes].iter().enumerate() {
+            self.fill(first_node + i, child, plans);
         }
     }
 }

@@ -6,8 +6,8 @@ mod walk;
 
 use raystep_accel::{Hit, Mesh, Ray, Want};
 
-use crate::Fast;
 use crate::build::{Settings, tree};
+use crate::fast::{Fast, Question};
 use crate::judge::{Count, NotOrdinary};
 use crate::lanes::{Isa, dispatch};
 use crate::leaf::Four;
@@ -45,6 +45,23 @@ impl Fast for Bvh8 {
         match walked {
             Ok(hit) => hit,
             Err(NotOrdinary) => walk::careful(&self.nodes, &self.leaves, ray, want, count),
+        }
+    }
+
+    fn ask_some<T>(&self, rays: &[Ray], answers: &mut [T], question: impl Question<T>) {
+        let mut done = 0;
+        while done < rays.len() {
+            let (rays, answers) = (&rays[done..], &mut answers[done..]);
+            let ordinary = walk::STACK.with_borrow_mut(|stack| {
+                let Self { nodes, leaves, reach, .. } = self;
+                dispatch!(self.isa, walk::walk_some(nodes, leaves, rays, answers, *reach, question, stack))
+            });
+            done += ordinary;
+            // One that is not ordinary.
+            if let (Some(ray), Some(answer)) = (rays.get(ordinary), answers.get_mut(ordinary)) {
+                *answer = question.answer(walk::careful(&self.nodes, &self.leaves, ray, question.want(), &mut ()));
+                done += 1;
+            }
         }
     }
 

@@ -4,7 +4,8 @@ use std::cell::RefCell;
 
 use raystep_accel::{Hit, Place, Ray, Want, slab};
 
-use super::node::{CHILDREN, LEAF, Node, ORDERS};
+use super::node::{LEAF, Node, octant};
+use crate::fast::Question;
 use crate::judge::{Count, Nearest, NotOrdinary, Shot, careful as judge};
 use crate::lanes::stamped;
 use crate::leaf::Four;
@@ -30,8 +31,29 @@ macro_rules! walk {
         use crate::lanes::$isa::*;
         use crate::leaf::$isa as leaf;
 
+        /// Walks rays one after the other, up to the first that is not an ordinary one; how many that are.
+        $(#[$features])*
+        pub(in crate::bvh8) fn walk_some<T>(
+            nodes: &[Node],
+            leaves: &[Four],
+            rays: &[Ray],
+            answers: &mut [T],
+            reach: f32,
+            question: impl Question<T>,
+            stack: &mut Stack,
+        ) -> usize {
+            for (at, (ray, answer)) in rays.iter().zip(answers).enumerate() {
+                match walk(nodes, leaves, ray, reach, question.want(), stack, &mut ()) {
+                    Ok(found) => *answer = question.answer(found),
+                    Err(NotOrdinary) => return at,
+                }
+            }
+            rays.len()
+        }
+
         /// Walks an ordinary ray to its nearest hit, or to any.
         $(#[$features])*
+        #[inline]
         pub(in crate::bvh8) fn walk(
             nodes: &[Node],
             leaves: &[Four],
@@ -50,37 +72,52 @@ macro_rules! walk {
             // through which it leaves them.
             let [down_x, down_y, down_z] = shot.down.map(usize::from);
             let (row_x, row_y, row_z) = (down_x, 2 + down_y, 4 + down_z);
-            // The furthest first, so that the nearest is the last on the stack: the order of the opposite octant.
-            let octant = 3 * (7 ^ (down_x | down_y << 1 | down_z << 2)) as u32;
+            let (octant, turned) = octant(shot.down);
             let t_min = splat8(shot.ray.t_min);
             let mut t_max = splat8(best.t);
             let (mut here, mut high) = (0u32, 0usize);
             'walk: loop {
                 // Down to a leaf, the nearest child first.
                 while here & LEAF == 0 {
-                    let Node { rows } = &nodes[here as usize];
+                    let node = &nodes[here as usize];
                     count.node(8);
-                    let near_x = add_product8(load8(&rows[row_x & 7]), r_x, enter_x);
-                    let near_y = add_product8(load8(&rows[row_y & 7]), r_y, enter_y);
-                    let near_z = add_product8(load8(&rows[row_z & 7]), r_z, enter_z);
-                    let far_x = add_product8(load8(&rows[(row_x ^ 1) & 7]), r_x, leave_x);
-                    let far_y = add_product8(load8(&rows[(row_y ^ 1) & 7]), r_y, leave_y);
-                    let far_z = add_product8(load8(&rows[(row_z ^ 1) & 7]), r_z, leave_z);
+                    let near_x = add_product8(load8(&node.planes[row_x]), r_x, enter_x);
+                    let near_y = add_product8(load8(&node.planes[row_y]), r_y, enter_y);
+                    let near_z = add_product8(load8(&node.planes[row_z]), r_z, enter_z);
+                    let far_x = add_product8(load8(&node.planes[row_x ^ 1]), r_x, leave_x);
+                    let far_y = add_product8(load8(&node.planes[row_y ^ 1]), r_y, leave_y);
+                    let far_z = add_product8(load8(&node.planes[row_z ^ 1]), r_z, leave_z);
                     let near = max8(max8(near_x, near_y), max8(near_z, t_min));
                     let far = min8(min8(far_x, far_y), min8(far_z, t_max));
                     let met = at_most8(near, far);
-                    if met & met.wrapping_sub(1) != 0 {
-                        // Several: all of them on the stack, the nearest last, and on with that.
-                        let (Some(children), Some(nears)) =
-                            (stack.children[high..].first_chunk_mut(), stack.nears[high..].first_chunk_mut())
-                        else {
-                            unreachable!("no tree is that deep");
-                        };
-                        push8(near, met, &rows[CHILDREN], &rows[ORDERS], octant, children, nears);
-                        high += met.count_ones() as usize - 1;
-                        here = stack.children[high % HIGH];
-                    } else if met != 0 {
-                        here = rows[CHILDREN][met.trailing_zeros() as usize & 7];
+                    let others = met & met.wrapping_sub(1);
+                    if others == 0 && met != 0 {
+                        here = node.child(met.trailing_zeros());
+                    } else if others != 0 {
+                        let nears = array8(near);
+                        let (first, last) = (met.trailing_zeros(), 31 ^ met.leading_zeros());
+                        if others & (others - 1) == 0 {
+                            // Two: the nearer one is next, the other one waits.
+                            let is_behind = node.before(octant, turned, first) >> last & 1 == 1;
+                            let (next, waits) = if is_behind { (last, first) } else { (first, last) };
+                            here = node.child(next);
+                            stack.children[high % HIGH] = node.child(waits);
+                            stack.nears[high % HIGH] = nears[waits as usize & 7];
+                            high += 1;
+                        } else {
+                            // Several: each waits where its rank puts it, the nearest at the top; and that is next.
+                            high += met.count_ones() as usize - 1;
+                            let mut left = met;
+                            while left != 0 {
+                                let lane = left.trailing_zeros();
+                                left &= left - 1;
+                                let before = node.before(octant, turned, lane) & met & !(1 << lane);
+                                let place = (high - before.count_ones() as usize) % HIGH;
+                                stack.children[place] = node.child(lane);
+                                stack.nears[place] = nears[lane as usize & 7];
+                            }
+                            here = stack.children[high % HIGH];
+                        }
                     } else {
                         // Take the next child from the stack that may hold something nearer.
                         loop {
@@ -137,14 +174,11 @@ pub(super) fn careful(nodes: &[Node], leaves: &[Four], ray: &Ray, want: Want, co
         let node = &nodes[child as usize];
         count.node(8);
         let mut met = Vec::new();
-        for lane in 0..8 {
+        for lane in 0..node.count() {
             let bounds = node.bounds(lane);
-            if bounds.is_empty() {
-                continue;
-            }
             let within = slab(&bounds, ray, ray.range(), Place::World, &mut ());
             if !within.is_empty() && within.near <= best.t {
-                met.push((within.near, node.rows[CHILDREN][lane]));
+                met.push((within.near, node.child(lane as u32)));
             }
         }
         // The nearest last, as it is taken first.

@@ -43,7 +43,8 @@ ops! {
     fn upper4(a: F4) -> F4 { _mm_movehl_ps(a, a) }
 
     fn splat8(x: f32) -> F8 { _mm256_set1_ps(x) }
-    fn load8(x: &[u32; 8]) -> F8 { cast(*x) }
+    fn load8(x: &[f32; 8]) -> F8 { cast(*x) }
+    fn array8(x: F8) -> [f32; 8] { cast(x) }
     fn min8(a: F8, b: F8) -> F8 { _mm256_min_ps(a, b) }
     fn max8(a: F8, b: F8) -> F8 { _mm256_max_ps(a, b) }
     /// a·b + c, fused or not.
@@ -67,37 +68,4 @@ ops! {
 
     /// In which lanes a ≤ b.
     fn at_most8(a: F8, b: F8) -> u32 { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)) as u32 }
-
-    /// Puts the children that are met on a stack, in the order that three bits of `orders` from `octant` on say for each
-    /// lane. All eight places are written.
-    fn push8(near: F8, met: u32, children: &[u32; 8], orders: &[u32; 8], octant: u32, stack: &mut [u32; 8], nears: &mut [f32; 8]) -> () {
-        let order = _mm256_srl_epi32(cast(*orders), _mm_cvtsi32_si128(octant as i32));
-        // The bits of the mask in that order, then where they stand.
-        let place = _mm256_sub_epi32(_mm256_set1_epi32(31), _mm256_and_si256(order, _mm256_set1_epi32(7)));
-        let mask = _mm256_movemask_ps(cast(_mm256_sllv_epi32(_mm256_set1_epi32(met as i32), place))) as usize;
-        let first = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(i64::from_le_bytes(FIRST[mask & 255])));
-        let lanes = _mm256_permutevar8x32_epi32(order, first);
-        *stack = cast(_mm256_permutevar8x32_epi32(cast(*children), lanes));
-        *nears = cast(_mm256_permutevar8x32_ps(near, lanes));
-    }
-}
-
-/// Which lanes to take so that those of a mask come first.
-static FIRST: [[u8; 8]; 256] = first();
-
-const fn first() -> [[u8; 8]; 256] {
-    let mut first = [[0; 8]; 256];
-    let mut mask = 0;
-    while mask < 256 {
-        let (mut lane, mut place) = (0, 0);
-        while lane < 8 {
-            if mask >> lane & 1 == 1 {
-                first[mask][place] = lane as u8;
-                place += 1;
-            }
-            lane += 1;
-        }
-        mask += 1;
-    }
-    first
 }

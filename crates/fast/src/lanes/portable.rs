@@ -57,7 +57,8 @@ ops! {
     fn upper4(a: F4) -> F4 { [a[2], a[3], a[2], a[3]] }
 
     fn splat8(x: f32) -> F8 { [x; 8] }
-    fn load8(x: &[u32; 8]) -> F8 { x.map(f32::from_bits) }
+    fn load8(x: &[f32; 8]) -> F8 { *x }
+    fn array8(x: F8) -> [f32; 8] { x }
     fn min8(a: F8, b: F8) -> F8 { from_fn(|i| lesser(a[i], b[i])) }
     fn max8(a: F8, b: F8) -> F8 { from_fn(|i| greater(a[i], b[i])) }
     /// a·b + c, fused or not.
@@ -81,16 +82,4 @@ ops! {
 
     /// In which lanes a ≤ b.
     fn at_most8(a: F8, b: F8) -> u32 { bits::<8>(|i| a[i] <= b[i]) }
-
-    /// Puts the children that are met on a stack, in the order that three bits of `orders` from `octant` on say for each
-    /// lane. All eight places are written.
-    fn push8(near: F8, met: u32, children: &[u32; 8], orders: &[u32; 8], octant: u32, stack: &mut [u32; 8], nears: &mut [f32; 8]) -> () {
-        let mut high = 0;
-        for order in orders {
-            let lane = (order >> octant & 7) as usize;
-            stack[high & 7] = children[lane];
-            nears[high & 7] = near[lane];
-            high += (met >> lane & 1) as usize;
-        }
-    }
 }

@@ -6,16 +6,18 @@ pub mod obvhs_crate;
 pub mod ours;
 pub mod parry_crate;
 
-use raystep_accel::{Mesh, Ray, Want};
+use raystep_accel::{Hit, Mesh, PrimId, Ray, Want};
 use raystep_fast::Work;
 
-/// Nothing hit.
-pub const NOTHING: (f32, u32) = (f32::INFINITY, u32::MAX);
+/// A hit as Raystep tells it.
+pub fn hit(t: f32, prim: u32) -> Option<Hit> {
+    Some(Hit { t, prim: PrimId(prim), inner: None })
+}
 
 /// A structure over a mesh.
 pub trait Peer {
-    /// The nearest hits' t and triangles, or [`NOTHING`].
-    fn nearest(&self, rays: &[Ray], hits: &mut [(f32, u32)]);
+    /// The nearest hits.
+    fn nearest(&self, rays: &[Ray], hits: &mut [Option<Hit>]);
     /// Whether anything is hit.
     fn any(&self, rays: &[Ray], hits: &mut [bool]);
     /// What the rays meet on their ways, where it is counted.

@@ -11,9 +11,9 @@ use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::ray::RayHit;
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
-use raystep_accel::{Mesh, PrimId, Ray};
+use raystep_accel::{Hit, Mesh, PrimId, Ray};
 
-use super::{Maker, NOTHING, Peer};
+use super::{Maker, Peer};
 
 struct Two {
     tree: Bvh2,
@@ -59,15 +59,13 @@ fn ray(ray: &Ray) -> obvhs::ray::Ray {
 macro_rules! peer {
     ($kind:ident) => {
         impl Peer for $kind {
-            fn nearest(&self, rays: &[Ray], hits: &mut [(f32, u32)]) {
+            fn nearest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
                 for (own, found) in rays.iter().zip(hits) {
                     let mut hit = RayHit::none();
                     self.tree.ray_traverse(ray(own), &mut hit, |ray, id| self.triangles[id].intersect(ray));
-                    *found = if hit.primitive_id == u32::MAX {
-                        NOTHING
-                    } else {
-                        (hit.t, self.tree.primitive_indices[hit.primitive_id as usize])
-                    };
+                    *found = (hit.primitive_id != u32::MAX)
+                        .then(|| super::hit(hit.t, self.tree.primitive_indices[hit.primitive_id as usize]))
+                        .flatten();
                 }
             }
 

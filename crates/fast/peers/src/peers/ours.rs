@@ -1,23 +1,19 @@
 //! Raystep's own.
 
-use raystep_accel::{Mesh, Ray, Want};
-use raystep_fast::{Fast, FastKind, Settings, Work};
+use raystep_accel::{Hit, Mesh, Ray, Want};
+use raystep_fast::{Any, Fast, FastKind, Isa, Nearest, Settings, Work};
 
-use super::{Maker, NOTHING, Peer};
+use super::{Maker, Peer};
 
 struct Ours<F>(F);
 
 impl<F: Fast> Peer for Ours<F> {
-    fn nearest(&self, rays: &[Ray], hits: &mut [(f32, u32)]) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            *hit = self.0.intersect(ray).map_or(NOTHING, |hit| (hit.t, hit.prim.0));
-        }
+    fn nearest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
+        self.0.ask_some(rays, hits, Nearest);
     }
 
     fn any(&self, rays: &[Ray], hits: &mut [bool]) {
-        for (ray, hit) in rays.iter().zip(hits) {
-            *hit = self.0.occluded(ray);
-        }
+        self.0.ask_some(rays, hits, Any);
     }
 
     fn work(&self, rays: &[Ray], want: Want) -> Option<Work> {
@@ -35,7 +31,10 @@ impl<F: Fast> Peer for Ours<F> {
 
 pub fn makers() -> Vec<Maker> {
     fn build(kind: FastKind, mesh: &Mesh, settings: &Settings) -> Box<dyn Peer> {
-        match kind.build(mesh, settings) {
+        let built = kind.build(mesh, settings);
+        let asked = std::env::var("RAYSTEP_ISA");
+        let isa = Isa::all().into_iter().find(|isa| asked.as_deref() == Ok(isa.name()));
+        match isa.map_or(built.clone(), |isa| built.with(isa)) {
             raystep_fast::AnyFast::Bvh2(tree) => Box::new(Ours(tree)),
             raystep_fast::AnyFast::Bvh8(tree) => Box::new(Ours(tree)),
         }
