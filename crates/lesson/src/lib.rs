@@ -12,6 +12,7 @@ mod change;
 mod check;
 mod choices;
 mod condition;
+mod counts;
 mod facts;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
@@ -61,5 +62,6 @@ pub use slide::{Look, NamedRay, Plan, Setting, Show, Slide, Stage, StageKind};
 pub use tape::{BuildTape, Tape, WalkTape};
 pub use term::Term;
 pub use texts::{Script, Setter};
-pub use wait::{Wait, names};
+pub use vocabulary::names;
+pub use wait::Wait;
 pub use walks::WalksTape;
