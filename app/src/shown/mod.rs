@@ -10,6 +10,7 @@ pub(crate) mod eye;
 pub(crate) mod heat;
 pub(crate) mod history;
 pub(crate) mod kind_name;
+pub(crate) mod link;
 pub(crate) mod own;
 pub(crate) mod pictures;
 pub(crate) mod playback;
@@ -20,6 +21,7 @@ pub(crate) mod view;
 pub(crate) mod words;
 
 pub use beside::{Beside, Pace, Rivals};
+pub use link::Link;
 pub use own::{OwnScene, Tried};
 pub use playback::{Playback, Posed};
 pub use steps::Steps;

@@ -5,6 +5,7 @@ mod answering;
 mod given_away;
 mod heat;
 mod held;
+mod linking;
 mod stepping;
 mod wanting;
 
