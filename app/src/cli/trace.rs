@@ -125,6 +125,19 @@ struct Row {
     box_tests: Option<u64>,
 }
 
+impl Row {
+    /// The same with a hit that is true or false, and why there is neither.
+    fn object(&self) -> serde_json::Value {
+        let mut object = serde_json::json!(self);
+        let hit = self.hit.parse::<bool>().ok();
+        object["hit"] = hit.into();
+        if hit.is_none() {
+            object["wrong"] = self.hit.clone().into();
+        }
+        object
+    }
+}
+
 /// The table of hits.
 fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>], format: Format) -> Result<String, Fault> {
     let bar = if rays.len() > 10_000 && std::io::stderr().is_terminal() {
@@ -143,7 +156,7 @@ fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>], form
     let rows = answers.enumerate().map(|(ray, answer)| row(ray, answer));
     let text = match format {
         Format::Csv => to_csv(rows)?,
-        Format::Json => to_json(&rows.collect::<Vec<_>>())?,
+        Format::Json => to_json(&rows.map(|row| row.object()).collect::<Vec<_>>())?,
         format => page(rows).written(format),
     };
     bar.finish_and_clear();

@@ -1,9 +1,9 @@
 //! A beat on paper: its picture with what is said of it, or the question that comes before.
 
 use glam::Vec2;
-use raystep_figure::{Anchor, Face, Figure, Ink, Role, Theme};
+use raystep_figure::{Anchor, Face, Figure, Ink, Role, Theme, crop};
 use raystep_lesson::{Show, Slide};
-use raystep_print::{prose, set_in};
+use raystep_print::{enlarge, prose, set_in};
 
 use super::sheet::INNER;
 use crate::cli::page::plain;
@@ -63,24 +63,13 @@ const SHARP: f32 = 1.5;
 
 /// A picture at this size, with nothing beyond its edge, and a line around it.
 fn framed(mut picture: Figure, size: Vec2) -> Figure {
-    let mut figure = Figure::new(size);
     let by = size.x / picture.size.x.max(1.0);
-    raystep_print::enlarge(&mut picture, by);
-    set_in(&mut figure, picture, Vec2::ZERO);
-    // What is drawn beyond the edge disappears.
-    let far = 4000.0;
-    let (low, high) = (Vec2::splat(-far), size + far);
-    for (min, max) in [
-        (low, Vec2::new(high.x, 0.0)),
-        (Vec2::new(low.x, size.y), high),
-        (low, Vec2::new(0.0, high.y)),
-        (Vec2::new(size.x, low.y), high),
-    ] {
-        figure.add(Role::Page, None, Ink::Rect { min, max, round: 0.0 });
-    }
+    enlarge(&mut picture, by);
+    picture.size = size;
+    crop(&mut picture, 0.0);
     let points = vec![Vec2::ZERO, Vec2::new(size.x, 0.0), size, Vec2::new(0.0, size.y), Vec2::ZERO];
-    figure.add(Role::Edge, None, Ink::Line { points });
-    figure
+    picture.add(Role::Edge, None, Ink::Line { points });
+    picture
 }
 
 impl Entry {
@@ -92,7 +81,6 @@ impl Entry {
     /// It on paper; of a beat that asks nothing is told that answers.
     pub(super) fn figure(&self) -> Figure {
         let mut pile = Pile::default();
-        // Grounds first: what they hide lies under the words.
         let mut x = 0.0;
         let high = self.pictures.iter().map(|picture| picture.size.y).fold(0.0, f32::max);
         for picture in &self.pictures {

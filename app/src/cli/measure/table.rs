@@ -92,8 +92,8 @@ pub(super) fn page(scene: &Scene, shot: &Shot, measured: &[Measured]) -> Page {
 const NOTES: [&str; 2] = [
     "A test is a ray against a primitive: each one counts, also one that is made again. Visits are nodes or cells \
      entered; boxes are volumes tested. A ray is counted once, whatever it meets. \"Tests per box ray\" averages over \
-     the rays that meet the box around everything, \"tests per hit ray\" over those that hit. \"To the row above\" is \
-     the ratio of tests per ray.",
+     the rays that meet the box around everything, \"tests per hit ray\" over those that hit. \"To row above\" is the \
+     ratio of tests per ray.",
     "The lecture's totals, divided by its tests per ray, give about 587,072 rays on slides 22 and 24 and about \
      1,579,877 on slide 41: two runs, from cameras that it does not name. So the match is of kind, not of digits.",
 ];
@@ -117,8 +117,14 @@ fn heading(page: &mut Page, scene: &Scene, shot: &Shot, measured: &[Measured]) {
 
 /// As the lecture prints it, beside what was measured here.
 fn printed(table: &[Measured]) -> Grid {
-    let heads =
-        ["tests per ray, printed", "measured", "to the row above, printed", "measured", "total, printed", "measured"];
+    let heads = [
+        "tests per ray, printed",
+        "tests per ray, here",
+        "to row above, printed",
+        "to row above, here",
+        "total, printed",
+        "total, here",
+    ];
     let mut grid = Grid::new([("row", Align::Left)].into_iter().chain(heads.map(|head| (head, Align::Right))));
     for (index, own @ Measured { row, survey, .. }) in table.iter().enumerate() {
         let none = || "-".to_owned();
