@@ -147,11 +147,6 @@ impl Pictures {
         self.playback.reel().still(&self.instant).height(pane, look)
     }
 
-    /// How many rows its stack has.
-    pub(crate) fn stacked(&self) -> usize {
-        self.playback.reel().still(&self.instant).stacked()
-    }
-
     /// How high the presenter's ruler is.
     pub(crate) fn ruler_line_height(&self, look: &Look) -> f32 {
         let reel = self.playback.reel();

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use raystep_lesson::Library;
 use toml::{Table, Value};
 
 use crate::shown::Link;
@@ -67,6 +68,14 @@ impl Last {
         Ok(())
     }
 
+    /// Where it stood, for whoever asks: `"5/34 Inner node, inner node, leaf, step 13"`; nothing where that is gone.
+    pub fn place(&self, library: &Library) -> Option<String> {
+        let slide = library.slide(&self.link.slide)?;
+        let on = if self.link.mesh.is_some() { ", on your own mesh" } else { "" };
+        let before = if self.link.present { ", before a class" } else { "" };
+        Some(format!("{} {}, step {}{on}{before}", slide.id(), slide.title, self.link.step.unwrap_or(0)))
+    }
+
     /// Whether these are its lessons.
     pub(super) fn is_of(&self, lessons: Option<&Path>) -> bool {
         self.lessons == lessons.and_then(named)
@@ -114,11 +123,11 @@ impl Keeper {
         Keeper { file, kept: None, written: None, opened: Instant::now(), ended: 0 }
     }
 
-    /// The same, and what stands in the file: the window opens there.
+    /// The same, and what stands in the file: the window can go on there.
     pub(super) fn reopening(file: PathBuf) -> (Keeper, Found) {
-        let mut keeper = Keeper::new(file);
+        let keeper = Keeper::new(file);
         let Ok(bytes) = std::fs::read(&keeper.file) else { return (keeper, Found { last: None, wrong: Vec::new() }) };
-        let (mut last, wrong) = Last::read(&String::from_utf8_lossy(&bytes));
+        let (last, wrong) = Last::read(&String::from_utf8_lossy(&bytes));
         let mut wrong: Vec<String> =
             wrong.into_iter().map(|wrong| format!("{}:{wrong}", keeper.file.display())).collect();
         if last.ended >= TRIES {
@@ -129,10 +138,14 @@ impl Keeper {
             ));
             return (keeper, Found { last: None, wrong });
         }
-        last.ended += 1;
-        keeper.ended = last.ended;
-        keeper.put(last.clone());
         (keeper, Found { last: Some(last), wrong })
+    }
+
+    /// The window goes on there: if it ends at once, that is known the next time.
+    pub(super) fn goes_on(&mut self, last: &Last) {
+        self.ended = last.ended + 1;
+        self.opened = Instant::now();
+        self.put(Last { ended: self.ended, ..last.clone() });
     }
 
     /// Keeps where the window stands now, but not more often than now and then. Says when it will, if it has not.
@@ -216,14 +229,18 @@ mod tests {
         assert!(found.last.is_none() && found.wrong.is_empty());
         keeper.keep(Last::read(GOOD).0);
         for _ in 0..TRIES {
-            let (_, found) = Keeper::reopening(file.clone());
+            let (mut keeper, found) = Keeper::reopening(file.clone());
             assert_eq!((found.last.as_ref().and_then(step_of), found.wrong.len()), (Some(7), 0));
+            keeper.goes_on(&found.last.unwrap());
         }
         let (_, found) = Keeper::reopening(file.clone());
         assert!(found.last.is_none() && found.wrong[0].contains("at step 7 of slide 5/33"), "{:?}", found.wrong);
 
         // One that has stood for a while, or was closed, is opened again.
         let (mut keeper, _) = Keeper::reopening(file.clone());
+        // Looking at it alone is no try.
+        let (_, again) = Keeper::reopening(file.clone());
+        assert_eq!(again.wrong.len(), 1);
         keeper.close(at(9));
         let (_, found) = Keeper::reopening(file);
         assert_eq!(found.last.as_ref().and_then(step_of), Some(9));

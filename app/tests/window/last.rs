@@ -20,7 +20,20 @@ fn folder(name: &str) -> PathBuf {
     path
 }
 
+/// A window with that file: it goes on where the file says, if nothing else is wished for.
 fn window(file: &Path, wishes: Wishes) -> Window {
+    let goes_on = wishes.slide.is_none();
+    let mut harness = asking(file, wishes);
+    if goes_on && harness.query_by_label("Begin here").is_some() {
+        harness.key_press(egui::Key::Enter);
+        harness.run_steps(2);
+        settle(&mut harness);
+    }
+    harness
+}
+
+/// A window that asks whether to go on.
+fn asking(file: &Path, wishes: Wishes) -> Window {
     let reopens = wishes.slide.is_none();
     let file = file.to_path_buf();
     let mut harness = sized([1280.0, 800.0]).build_eframe(move |context| {
@@ -107,6 +120,101 @@ fn a_window_that_was_not_closed_opens_again_as_well() {
     let second = window(&file, Wishes::default());
     assert_eq!(second.state().state.view.step, 7);
     assert_eq!(second.state().state.slide().unwrap().id(), "5/33");
+}
+
+#[test]
+fn it_is_asked_whether_to_go_on() {
+    let file = folder("asked first").join("last.toml");
+    let text = "link = \"5/34?stage=flat&step=13\"\n";
+    std::fs::write(&file, text).unwrap();
+    let asks =
+        |harness: &Window| harness.query_by_label("Go on at 5/34 Inner node, inner node, leaf, step 13?").is_some();
+    // Whoever only looks at the bar loses nothing.
+    let mut harness = asking(&file, Wishes::default());
+    assert!(asks(&harness));
+    harness.state_mut().close();
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text);
+    // Whoever begins elsewhere is asked no more.
+    harness.key_press(egui::Key::PageDown);
+    harness.run_steps(2);
+    settle(&mut harness);
+    harness.run_steps(2);
+    assert!(!asks(&harness));
+    let here = harness.state().state.slide().unwrap().id();
+    harness.state_mut().close();
+    assert!(std::fs::read_to_string(&file).unwrap().contains(&here));
+}
+
+/// The file of a window that is to be killed, in the program that is.
+const KILLED: &str = "RAYSTEP_KILLED";
+
+#[test]
+#[ignore = "a window that walks on until it is killed: `a_window_killed_at_any_moment` starts it"]
+fn walks_until_it_is_killed() {
+    let Some(file) = std::env::var_os(KILLED).map(PathBuf::from) else { return };
+    let mut harness = window(&file, Wishes { slide: Some("5/33".to_owned()), ..Wishes::default() });
+    let keys = [egui::Key::ArrowRight, egui::Key::ArrowRight, egui::Key::Y, egui::Key::ArrowLeft, egui::Key::PageDown];
+    for turn in 0_usize.. {
+        if turn > 0 {
+            harness.key_press(keys[turn * turn % 7 % keys.len()]);
+            harness.run_steps(1);
+        }
+        let state = &harness.state().state;
+        if state.is_current() {
+            println!("at {} {}", state.slide().unwrap().id(), state.view.step);
+        }
+        std::thread::sleep(std::time::Duration::from_millis(25));
+    }
+}
+
+/// Kills a window so many times, each time at another moment: it must be found where it stood within the last second.
+fn killed(times: u64) {
+    use std::io::{BufRead, BufReader};
+    use std::time::{Duration, Instant};
+    let file = folder("killed at any moment").join("last.toml");
+    let mut random = raystep_accel::Random::new(11);
+    for turn in 0..times {
+        let _ = std::fs::remove_file(&file);
+        let mut program = std::process::Command::new(std::env::current_exe().unwrap());
+        program.args(["--exact", "last::walks_until_it_is_killed", "--ignored", "--nocapture", "--test-threads=1"]);
+        let mut child = program.env(KILLED, &file).stdout(std::process::Stdio::piped()).spawn().unwrap();
+        let lines = BufReader::new(child.stdout.take().unwrap()).lines();
+        let said = std::thread::spawn(move || {
+            let at = |line: std::io::Result<String>| Some((Instant::now(), line.ok()?.strip_prefix("at ")?.to_owned()));
+            lines.filter_map(at).collect::<Vec<_>>()
+        });
+        while !file.exists() {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        std::thread::sleep(Duration::from_secs_f32(2.0 * random.unit()));
+        child.kill().unwrap();
+        let now = Instant::now();
+        child.wait().unwrap();
+        let said = said.join().unwrap();
+        let text = std::fs::read_to_string(&file).unwrap();
+        let (last, wrong) = raystep::window::Last::read(&text);
+        assert!(wrong.is_empty(), "{turn}: {wrong:?}");
+        let place = last.place(&library()).unwrap_or_else(|| panic!("{turn}: no place in {text}"));
+        let names = |said: &str| {
+            let (slide, step) = said.split_once(' ').unwrap();
+            place.starts_with(&format!("{slide} ")) && place.ends_with(&format!(", step {step}"))
+        };
+        // A little more than a second: both programs share a machine with others.
+        let late = said.iter().rposition(|(at, _)| now.duration_since(*at) > Duration::from_millis(1500)).unwrap_or(0);
+        let recent: Vec<&String> = said[late..].iter().map(|(_, said)| said).collect();
+        assert!(recent.iter().any(|said| names(said)), "{turn}: {place} is none of {recent:?}");
+    }
+}
+
+#[test]
+fn a_window_killed_at_any_moment_is_found_where_it_stood() {
+    killed(3);
+}
+
+#[test]
+#[ignore = "takes minutes: a window is killed 200 times"]
+fn a_window_killed_two_hundred_times_is_found_where_it_stood() {
+    killed(200);
 }
 
 #[test]

@@ -22,6 +22,7 @@ mod keys;
 mod library;
 mod limits;
 mod listing;
+mod minutes;
 mod offer;
 mod packet;
 mod packets;

@@ -6,6 +6,7 @@ use glam::{Vec2, Vec3};
 use raystep_accel::{Ray, Rule};
 use raystep_scene::{Scene, Scenes};
 
+use crate::minutes::minutes;
 use crate::reading::Reading;
 use crate::{Beat, Board, PairsTape, Planned, Plays, Problem, Spot, body, head};
 
@@ -143,6 +144,11 @@ impl Slide {
             title_spot: head.title_spot,
             listing_spot: head.listing_spot,
         })
+    }
+
+    /// How many minutes it takes, if its notes say so.
+    pub fn minutes(&self) -> Option<f32> {
+        minutes(&self.notes)
     }
 
     /// The stage of that kind, if the slide offers it.

@@ -8,9 +8,9 @@ use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, CutLine, Pane, TreeView, cells_of_build, changed_of_build, costs, cut_line, cut_to, ghost_of_build, legend,
-    listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build, tree_height, tree_of_build,
-    tree_with, weighed, weighing, work_of_build,
+    Ask, CutLine, Pane, TreeView, bin_of_build, cells_of_build, changed_of_build, costs, cut_line, cut_to,
+    ghost_of_build, legend, listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build,
+    tree_height, tree_of_build, tree_with, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, counted};
@@ -45,7 +45,7 @@ impl Kind for Build<'_> {
         let mut panes = vec![Pane::Tree, Pane::Cells, Pane::Listing, Pane::Changed, Pane::Work, Pane::Timeline];
         // The cells of a grid are not weighed, and are filled one after the other.
         if self.structure.node_count() > 0 {
-            panes.extend([Pane::RulerLine, Pane::Stack, Pane::StackHere]);
+            panes.extend([Pane::RulerLine, Pane::Stack, Pane::Bin]);
         }
         if self.structure.node_count() > 0 && self.weighs() {
             panes.push(Pane::Ruler);
@@ -78,7 +78,8 @@ impl Kind for Build<'_> {
             }
             Pane::Cells => cells_of_build(self, moment, size, look),
             Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),
-            Pane::Stack | Pane::StackHere if nodes => stack_of_build(moment, pane == Pane::StackHere, size, look),
+            Pane::Stack if nodes => stack_of_build(moment, size, look),
+            Pane::Bin if nodes => bin_of_build(moment, size, look),
             Pane::Work => work_of_build(self, moment, size, look),
             Pane::Timeline => timeline_of_build(self, at.step(), hide, size, look),
             _ => return None,

@@ -1,5 +1,6 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
+mod bin;
 mod board;
 mod bytes;
 mod cells;
@@ -21,6 +22,8 @@ mod walks;
 mod weighing;
 mod work;
 
+pub(crate) use bin::bin_of_packet;
+pub use bin::{bin, bin_of_build};
 pub use board::{
     Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Pixel, Row,
     Scale, Table,

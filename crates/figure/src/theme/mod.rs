@@ -189,7 +189,7 @@ impl Theme {
         text: Color::hex(0x0B0E14),
         quiet: Color::hex(0x343B47),
         edge: Color::hex(0x656D7B),
-        scene: Color::hex(0xE6E9E2),
+        scene: Color::hex(0xC9CFC3),
         here: Color::hex(0x05467C),
         ray: Color::hex(0x8C2900),
         waiting: Color::hex(0x5B1F72),
