@@ -281,7 +281,7 @@ fn two_pictures_never_share_a_file() {
     let output = raystep(&folder, &["--lessons", "lessons", "--only"]).output().unwrap();
     assert!(output.status.success(), "{}", said(&output));
     let page = std::fs::read_to_string(folder.join("raystep-lecture/index.html")).unwrap();
-    let parts: Vec<&str> = page.split("src=\"slide").skip(1).collect();
+    let parts: Vec<&str> = page.split("<a href=\"slide").skip(1).collect();
     let shown: Vec<String> = parts.iter().map(|part| format!("slide{}", part.split('"').next().unwrap())).collect();
     assert_eq!((shown.len(), page.matches("<option value=").count()), (9, 3), "{shown:?}");
     let mut files: Vec<&str> = shown.iter().map(|shown| shown.split('#').next().unwrap()).collect();

@@ -130,22 +130,23 @@ impl Stack<'_> {
                 None => format!("{} · {}", self.slide.section_title(), self.stage),
             };
             let file = escaped(&self.file);
-            let picture = match beat.telling.asked {
-                None => format!("src=\"{file}#{}\" alt=\"{}\"", beat.name, escaped(&beat.alt())),
+            let link = match beat.telling.asked {
+                None => format!("href=\"{file}#{}\"", beat.name),
                 Some(_) => format!(
-                    "src=\"{file}#{}\" alt=\"{}\" data-src=\"{file}#{}\" data-alt=\"{}\"",
+                    "href=\"{file}#{}\" data-href=\"{file}#{}\" data-alt=\"{}\"",
                     beat.asked_name(),
-                    escaped(&beat.asked_alt()),
                     beat.name,
                     escaped(&beat.alt()),
                 ),
             };
+            let alt = if beat.telling.asked.is_some() { beat.asked_alt() } else { beat.alt() };
             let _ = write!(
                 out,
-                "<section>\n<p class=\"about\">{}</p>\n<h2>{}</h2>\n<div class=\"picture\"><img loading=\"lazy\" \
-                 width=\"1600\" height=\"1000\" {picture}></div>\n<div class=\"said\">\n",
+                "<section>\n<p class=\"about\">{}</p>\n<h2>{}</h2>\n<a {link}><img width=\"1600\" height=\"1000\" \
+                 alt=\"{}\"></a>\n<div class=\"said\">\n",
                 escaped(&format!("{} · {on}", self.slide.numbers_text())),
                 escaped(&self.slide.title),
+                escaped(&alt),
             );
             // The question comes before what is said, which answers it.
             let said = format!("<h3>{}</h3>\n{}", inline(&beat.telling.heading), html(&beat.telling.text));
