@@ -100,7 +100,7 @@ fn what_is_wrong_in_own_lessons_is_said_with_its_place() {
     write("10-mine/96-picture.md", &flat(96, "flat-room").replace("ends.", "ends: ![a](a.png)."));
     write("scenes/flat-bad.toml", "title = \"Bad\"\nshapes = [\n  { disc = [0, 0], radios = 1 },\n]\n");
     write("scenes/bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
-    write("scenes/flat-room.obj", ROOF);
+    write("scenes/roof.toml", ROOM);
     write("scenes/teapot-6321.obj", ROOF);
     write("listings/kd-walk.txt", "other | end\n");
     insta::assert_snapshot!(check());

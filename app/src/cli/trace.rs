@@ -117,7 +117,7 @@ fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, St
 struct Row {
     ray: usize,
     hit: String,
-    t: Option<f32>,
+    t: Option<String>,
     prim: Option<u32>,
     prim_tests: Option<u64>,
     node_visits: Option<u64>,
@@ -131,6 +131,7 @@ impl Row {
         let mut object = serde_json::json!(self);
         let hit = self.hit.parse::<bool>().ok();
         object["hit"] = hit.into();
+        object["t"] = self.t.as_ref().and_then(|t| t.parse::<f32>().ok()).into();
         if hit.is_none() {
             object["wrong"] = self.hit.clone().into();
         }
@@ -178,7 +179,7 @@ fn row(ray: usize, answer: Result<(Option<Hit>, Cost), String>) -> Row {
         Ok((hit, cost)) => Row {
             ray,
             hit: hit.is_some().to_string(),
-            t: hit.map(|hit| hit.t),
+            t: hit.map(|hit| hit.t.to_string()),
             prim: hit.map(|hit| hit.prim.0),
             prim_tests: Some(cost.prim_tests),
             node_visits: Some(cost.node_visits),
@@ -203,7 +204,7 @@ fn page(rows: impl Iterator<Item = Row>) -> Page {
         grid.row([
             whole(row.ray as u64),
             hit,
-            row.t.map_or_else(String::new, number),
+            row.t.and_then(|t| t.parse().ok()).map_or_else(String::new, number),
             row.prim.map_or_else(String::new, |prim| prim.to_string()),
             count(row.prim_tests),
             count(row.node_visits),
