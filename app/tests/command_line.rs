@@ -436,8 +436,10 @@ fn a_heat_map_holds_what_each_ray_costs() {
     assert_eq!((rows.len(), rows[0].len()), (30, 48));
     for [x, y] in [[0_usize, 0], [24, 15], [20, 18], [47, 29]] {
         let pixel = format!("{x},{y}");
-        let hits = done(&[&["trace"], &scene[..], &["--size", "48x30", "--pixel", &pixel]].concat());
-        let tests = hits.lines().nth(1).unwrap().split(',').nth(4).unwrap();
+        let more = ["--size", "48x30", "--format", "csv", "--pixel", &pixel];
+        let walk = done(&[&["trace"], &scene[..], &more].concat());
+        // Counted by the walk's last step, behind what it says.
+        let tests = walk.lines().last().unwrap().rsplit(',').nth(3).unwrap();
         assert_eq!(rows[y][x].to_string(), tests, "at {pixel}");
     }
     map(&["--out", "bare.png", "--bare"]);
