@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
+use raystep_scene::Scenes;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -219,6 +220,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     Some(Stage {
         kind,
         scene,
+        scenes: Scenes::default(),
         plan,
         beside,
         rays,

@@ -6,6 +6,7 @@
 mod ask;
 mod attributes;
 mod beat;
+mod beside;
 mod board;
 mod body;
 mod change;
@@ -47,7 +48,7 @@ pub use board::{
     Meter, Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
 };
 pub use change::{Planned, Told};
-pub use check::{check, check_file};
+pub use check::{check, check_beside, check_file};
 pub use condition::Condition;
 pub use facts::Facts;
 pub use library::Library;

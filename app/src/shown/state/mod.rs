@@ -6,6 +6,7 @@ mod given_away;
 mod heat;
 mod held;
 mod lecturing;
+mod linking;
 mod stepping;
 mod wanting;
 
