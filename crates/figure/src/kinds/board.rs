@@ -19,6 +19,12 @@ pub struct Board<'a> {
     pub names: &'a [String],
 }
 
+impl Board<'_> {
+    fn all(&self) -> Vec<&Panel> {
+        self.panels.iter().collect()
+    }
+}
+
 impl Kind for Board<'_> {
     fn len(&self) -> usize {
         self.events.len()
@@ -34,23 +40,25 @@ impl Kind for Board<'_> {
     }
 
     fn panes(&self) -> Vec<Pane> {
-        vec![Pane::Picture]
+        std::iter::once(Pane::Picture).chain(self.panels.iter().map(Panel::pane)).collect()
     }
 
     fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
-        (pane == Pane::Picture).then(|| board(self.panels, *at.state(), ask))
+        let shown: Vec<&Panel> =
+            self.panels.iter().filter(|panel| pane == Pane::Picture || pane == panel.pane()).collect();
+        (pane == Pane::Picture || !shown.is_empty()).then(|| board(&shown, *at.state(), ask))
     }
 
     fn pixel_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
-        pixel_at(self.panels, *at.state(), ask, point)
+        pixel_at(&self.all(), *at.state(), ask, point)
     }
 
     fn probe(&self, at: &Instant, ask: &Ask<'_>, pixel: &Pixel) -> Option<Figure> {
-        Some(probe(self.panels, *at.state(), ask, pixel))
+        Some(probe(&self.all(), *at.state(), ask, pixel))
     }
 
     fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
-        knobs(self.panels, ask)
+        knobs(&self.all(), ask)
     }
 
     fn fact(&self, step: usize) -> Option<&dyn Fact> {

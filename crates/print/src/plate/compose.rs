@@ -37,7 +37,7 @@ impl Area {
 }
 
 /// Adds the marks of `part` with their origin at `at`.
-pub(crate) fn set_in(figure: &mut Figure, part: Figure, at: Vec2) {
+pub fn set_in(figure: &mut Figure, part: Figure, at: Vec2) {
     for mut mark in part.marks {
         shift(&mut mark.ink, at);
         figure.marks.push(mark);

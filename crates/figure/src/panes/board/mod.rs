@@ -18,7 +18,7 @@ pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};
 
-use super::Ask;
+use super::{Ask, Pane};
 use crate::page::{Figure, Look};
 
 /// A part of a board. Its entries (rows, points, lines) have numbers, in the order in which they come to be seen.
@@ -34,6 +34,19 @@ pub enum Panel {
     Maps(Maps),
     /// Pictures.
     Pictures(Pictures),
+}
+
+impl Panel {
+    /// The pane that shows it and those of its kind alone.
+    pub(crate) fn pane(&self) -> Pane {
+        match self {
+            Panel::Table(_) => Pane::Table,
+            Panel::Chart(_) => Pane::Chart,
+            Panel::Meter(_) => Pane::Meter,
+            Panel::Maps(_) => Pane::Heat,
+            Panel::Pictures(_) => Pane::Traced,
+        }
+    }
 }
 
 /// How far a board is filled.
@@ -65,9 +78,9 @@ fn place(entry: usize) -> Option<Place> {
 }
 
 /// Letters that are small enough for all panels: what stands in the presenter's hall is large, but a table may not be cut.
-fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
+fn fitted(panels: &[&Panel], ask: &Ask<'_>, wide: bool) -> Look {
     // What follows a chart stands beside it; a chart that follows stands below.
-    let beside = wide && panels.len() > 1 && matches!(panels.first(), Some(Panel::Chart(_)));
+    let beside = wide && panels.len() > 1 && matches!(panels, [Panel::Chart(_), ..]);
     let (mut across, mut up) = (0.0_f32, 0.0_f32);
     for panel in panels {
         let [width, height] = match panel {
@@ -86,7 +99,7 @@ fn fitted(panels: &[Panel], ask: &Ask<'_>, wide: bool) -> Look {
 }
 
 /// How large everything is set, and the corner and the room of each panel.
-fn layout(panels: &[Panel], ask: &Ask<'_>) -> (Look, Vec<[Vec2; 2]>) {
+fn layout(panels: &[&Panel], ask: &Ask<'_>) -> (Look, Vec<[Vec2; 2]>) {
     let wide = ask.size.x > ask.size.y * 1.15;
     let look = fitted(panels, ask, wide);
     let mut corner = Vec2::ZERO;
@@ -113,7 +126,7 @@ fn layout(panels: &[Panel], ask: &Ask<'_>) -> (Look, Vec<[Vec2; 2]>) {
 }
 
 /// The panels, filled up to a step.
-pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
+pub(crate) fn board(panels: &[&Panel], step: usize, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
     let filled = Filled { step, asks: ask.hide };
     let (look, rooms) = layout(panels, ask);
@@ -131,7 +144,7 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
 }
 
 /// Where the numbers lie that can be moved by hand.
-pub(crate) fn knobs(panels: &[Panel], ask: &Ask<'_>) -> Vec<KnobLine> {
+pub(crate) fn knobs(panels: &[&Panel], ask: &Ask<'_>) -> Vec<KnobLine> {
     let (look, rooms) = layout(panels, ask);
     let lines = panels.iter().zip(rooms).filter_map(|(panel, [corner, room])| match panel {
         Panel::Meter(meter) => Some(meter.lines_in(room, &look).into_iter().map(move |line| line.moved(corner))),
@@ -141,7 +154,7 @@ pub(crate) fn knobs(panels: &[Panel], ask: &Ask<'_>) -> Vec<KnobLine> {
 }
 
 /// The pixel of a heat map at a point of the board.
-pub(crate) fn pixel_at(panels: &[Panel], step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+pub(crate) fn pixel_at(panels: &[&Panel], step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
     let filled = Filled { step, asks: ask.hide };
     let (look, rooms) = layout(panels, ask);
     panels.iter().zip(rooms).find_map(|(panel, [corner, room])| match panel {
@@ -151,7 +164,7 @@ pub(crate) fn pixel_at(panels: &[Panel], step: usize, ask: &Ask<'_>, point: Vec2
 }
 
 /// What lies over the board where a pixel of a heat map is pointed at.
-pub(crate) fn probe(panels: &[Panel], step: usize, ask: &Ask<'_>, pixel: &Pixel) -> Figure {
+pub(crate) fn probe(panels: &[&Panel], step: usize, ask: &Ask<'_>, pixel: &Pixel) -> Figure {
     let mut figure = Figure::new(ask.size);
     let filled = Filled { step, asks: ask.hide };
     let (look, rooms) = layout(panels, ask);
