@@ -151,11 +151,12 @@ impl Sheet<'_> {
             Pane::Cells => Vec2::new(COLUMN, 190.0),
             Pane::Slabs => Vec2::new(COLUMN * 1.25, 170.0),
             Pane::Matrix => Vec2::new(BARE.x * 0.75, own.unwrap_or(BARE.y)),
-            Pane::Bytes => Vec2::new(BARE.x, own.unwrap_or(300.0)),
+            Pane::Bytes => Vec2::new(ROW, own.unwrap_or(300.0)),
             Pane::Changed => Vec2::new(COLUMN, 260.0),
-            Pane::Timeline => Vec2::new(BARE.x, 70.0),
-            Pane::Ruler => Vec2::new(BARE.x, own.unwrap_or(200.0)),
-            _ => BARE,
+            Pane::Timeline => Vec2::new(ROW, 70.0),
+            Pane::Ruler => Vec2::new(ROW, own.unwrap_or(200.0)),
+            // A board's letters are as large as those of a view.
+            _ => BARE * 0.75,
         };
         self.draw(pane, size)
     }
@@ -227,6 +228,8 @@ const PLATE: Vec2 = Vec2::new(1600.0, 1000.0);
 const BARE: Vec2 = Vec2::new(1000.0, 625.0);
 /// How wide a pane of few words is.
 const COLUMN: f32 = 460.0;
+/// How wide a pane is that runs along the page.
+const ROW: f32 = 680.0;
 /// A stack has room for so many rows, so that it stays as large when they come and go.
 const ROWS: usize = 4;
 

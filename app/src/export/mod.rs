@@ -18,4 +18,5 @@ pub(crate) use job::{Which, jobs, pictures, write};
 pub(crate) use order::{Format, Order};
 pub(crate) use session::Session;
 pub use size::Size;
-pub use view::{Piece, View};
+pub(crate) use view::Piece;
+pub use view::View;

@@ -98,7 +98,7 @@ impl View {
 
 /// What can stand on a plate of one's own choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Piece {
+pub(crate) enum Piece {
     /// The title, and where it belongs.
     Title,
     /// What is said.

@@ -44,7 +44,11 @@ impl Glyphs {
     pub(crate) fn line(&mut self, out: &mut String, text: &str, face: Face, size: f32, x: f32, y: f32) {
         let typeface = Typeface::Text(face);
         if self.lettering != Lettering::Outlines {
-            self.text(out, typeface, text, size, x, y);
+            // Programs differ in what they make of several spaces: each part between them stands where it belongs.
+            for (at, part) in parts(text) {
+                let before = text_width(&text[..at], face, size);
+                self.text(out, typeface, part, size, x + before, y);
+            }
             return;
         }
         let scale = size / EM;
@@ -98,8 +102,7 @@ impl Glyphs {
         match self.lettering {
             Lettering::Outlines => "",
             Lettering::Embedded | Lettering::Named => {
-                " xml:space=\"preserve\" text-rendering=\"geometricPrecision\" \
-                 style=\"font-kerning:none;font-variant-ligatures:none;white-space:pre\""
+                " text-rendering=\"geometricPrecision\" style=\"font-kerning:none;font-variant-ligatures:none\""
             }
         }
     }
@@ -128,6 +131,16 @@ impl Glyphs {
         }
         Some(id)
     }
+}
+
+/// The parts of a line between spaces at its ends, and between several in a row: where each begins in the line.
+fn parts(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut at = 0;
+    text.split("  ").filter_map(move |part| {
+        let begin = at + part.len() - part.trim_start().len();
+        at += part.len() + 2;
+        Some((begin, part.trim())).filter(|(_, part)| !part.is_empty())
+    })
 }
 
 /// Draws formulas into an SVG file, filled as the group around them says.
@@ -220,5 +233,17 @@ impl ttf_parser::OutlineBuilder for Pen {
 
     fn close(&mut self) {
         self.d.push('Z');
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_line_is_parted_where_spaces_would_be_lost() {
+        let check = |line: &str, parts: &[(usize, &str)]| assert_eq!(super::parts(line).collect::<Vec<_>>(), parts);
+        check("go on with near", &[(0, "go on with near")]);
+        check("    push far ", &[(4, "push far")]);
+        check("[0.637, 8.55]   hit", &[(0, "[0.637, 8.55]"), (16, "hit")]);
+        check("  ", &[]);
     }
 }
