@@ -3,8 +3,7 @@
 //! again and again. It steps aside where there is no Xvfb or no driver, unless `RAYSTEP_REQUIRE_GPU=1`.
 
 use std::cell::RefCell;
-use std::io::{BufRead, BufReader};
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 use std::rc::Rc;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -14,6 +13,9 @@ use raystep::shown::{RayChoice, View, command::Command as Does};
 use raystep::window::{App, NoWindow, Opening, Patience, Wishes};
 use raystep_lesson::Library;
 use winit::platform::x11::EventLoopBuilderExtX11;
+
+mod display;
+use display::{Display, resident};
 
 /// So long a window may take to stand still.
 const LONGEST: Duration = Duration::from_secs(60);
@@ -200,13 +202,6 @@ fn save(image: &ColorImage, name: &str) {
     encoder.write_header().and_then(|mut writer| writer.write_image_data(&bytes)).expect("a picture");
 }
 
-/// The memory of this program, in KiB; 0 where the system does not say.
-fn resident() -> u64 {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find(|line| line.starts_with("VmRSS"));
-    line.and_then(|line| line.split_whitespace().nth(1)?.parse().ok()).unwrap_or(0)
-}
-
 fn opening(looks: impl FnMut(&mut App, &Ui, &eframe::Frame) + 'static, patience: Patience) -> Opening {
     let wishes =
         Wishes { slide: Some("5/33".to_owned()), ray: Some("past the handle".to_owned()), ..Wishes::default() };
@@ -267,47 +262,13 @@ fn inside_loses_patience() {
     println!("patience ended: {}", NoWindow::Lost(why));
 }
 
-/// A display of its own.
-struct Display {
-    server: Child,
-    name: String,
-}
-
-impl Drop for Display {
-    fn drop(&mut self) {
-        let _ = self.server.kill();
-        let _ = self.server.wait();
-    }
-}
-
-impl Display {
-    fn new() -> Option<Display> {
-        let mut server = Command::new("Xvfb");
-        server.args(["-displayfd", "1", "-screen", "0", "1600x1000x24", "-nolisten", "tcp"]);
-        let mut server = server.stdout(Stdio::piped()).stderr(Stdio::null()).spawn().ok()?;
-        let mut line = String::new();
-        BufReader::new(server.stdout.take()?).read_line(&mut line).ok()?;
-        Some(Display { server, name: format!(":{}", line.trim()) })
-    }
-}
-
 /// What a program of its own says that runs one of the above; nothing where that cannot be.
 fn outside(test: &str, losses: u32) -> Option<String> {
-    let required = std::env::var("RAYSTEP_REQUIRE_GPU").as_deref() == Ok("1");
-    let driver = raystep_paint::Headless::new().map_err(|none| none.to_string());
-    let display = Display::new().ok_or_else(|| "there is no Xvfb".to_owned());
-    let display = match driver.and(display) {
-        Ok(display) => display,
-        Err(none) => {
-            assert!(!required, "{none}");
-            println!("stepping aside: {none}");
-            return None;
-        }
-    };
+    let display = Display::or_step_aside()?;
     let folder = tempfile::tempdir().expect("a folder");
     let output = Command::new(std::env::current_exe().expect("this program"))
         .args(["--exact", test, "--ignored", "--nocapture"])
-        .env("DISPLAY", &display.name)
+        .env("DISPLAY", display.name())
         .env_remove("WAYLAND_DISPLAY")
         .env("RAYSTEP_LOSSES", losses.to_string())
         // One heap that gives back what is free: else gaps in the heaps of many threads look like something left over.

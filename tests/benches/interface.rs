@@ -50,7 +50,7 @@ fn steps(criterion: &mut Criterion) {
                     raystep_figure::stage(&space, &scene.prims, &camera, Vec2::new(700.0, 500.0), Scenery::Left),
                     still.draw(Pane::Tree, &Ask::new(Vec2::new(700.0, 160.0), look)),
                     still.draw(Pane::Ruler, &Ask::new(Vec2::new(700.0, 110.0), look)),
-                    still.draw(Pane::StackHere, &Ask::new(Vec2::new(380.0, 160.0), look)),
+                    still.draw(Pane::Bin, &Ask::new(Vec2::new(380.0, 160.0), look)),
                     still.draw(Pane::Work, &Ask::new(Vec2::new(380.0, 120.0), look)),
                     still.draw(Pane::Timeline, &Ask::new(Vec2::new(800.0, 60.0), look)),
                 ]

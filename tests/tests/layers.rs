@@ -9,19 +9,29 @@ use toml::Table;
 const ARROWS: &[(&str, &[&str])] = &[
     ("raystep-accel", &[]),
     ("raystep-scene", &["raystep-accel"]),
+    ("raystep-fast", &["raystep-accel"]),
     ("raystep-lesson", &["raystep-scene", "raystep-accel"]),
     ("raystep-figure", &["raystep-accel"]),
     ("raystep-paint", &["raystep-figure", "raystep-accel"]),
     ("raystep-print", &["raystep-figure", "raystep-accel"]),
     (
         "raystep",
-        &["raystep-accel", "raystep-scene", "raystep-lesson", "raystep-figure", "raystep-paint", "raystep-print"],
+        &[
+            "raystep-accel",
+            "raystep-scene",
+            "raystep-fast",
+            "raystep-lesson",
+            "raystep-figure",
+            "raystep-paint",
+            "raystep-print",
+        ],
     ),
     (
         "raystep-tests",
         &[
             "raystep-accel",
             "raystep-scene",
+            "raystep-fast",
             "raystep-lesson",
             "raystep-figure",
             "raystep-paint",

@@ -139,7 +139,7 @@ fn picture(heated: &Heated, size: Vec2, bare: bool) -> Result<Vec<u8>, Fault> {
         }
     } else {
         // In a small picture letters are smaller, so that its words fit.
-        let look = Letters { text: LETTERS.min(size.y / 12.0).max(9.0), titles: true };
+        let look = Letters { text: LETTERS.min(size.y / 12.0).max(9.0), titles: true, least: 0.0 };
         let room = Maps::room(size, 1, &look);
         let room = Vec2::new(room.x.max(look.text * 34.0).ceil(), room.y);
         figure = heated.reel().still(&heated.instant()).draw(Pane::Picture, &Ask::new(room, look));

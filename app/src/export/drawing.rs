@@ -33,8 +33,9 @@ impl Session<'_> {
         step: usize,
         beat: Option<usize>,
         pixels: Vec2,
-        theme: &'static Theme,
+        theme: &Theme,
     ) -> Result<(Figure, f32), Fault> {
+        let theme = Theme::named(theme.name).unwrap_or(&Theme::LIGHT);
         self.figure_of(&Order::new(view, Format::Png, Size::USUAL, theme), step, beat, pixels)
     }
 

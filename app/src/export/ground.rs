@@ -144,7 +144,7 @@ impl<'a> Ground<'a> {
         };
         let rays = size.to_array().map(|side| side.round() as u32);
         let heated = wish.count(rays, self.go_on).ok_or_else(cancelled)?;
-        let look = Letters { text: Letters::WINDOW.text * 1.2, titles: true };
+        let look = Letters { text: Letters::WINDOW.text * 1.2, ..Letters::WINDOW };
         let ask = Ask::new(Maps::room(size, 1, &look), look);
         Ok(heated.reel().still(&heated.instant()).draw(Pane::Picture, &ask))
     }

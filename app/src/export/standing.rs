@@ -28,7 +28,7 @@ impl<'a> Ground<'a> {
         seen: Option<(String, Seen)>,
     ) -> Result<Ground<'a>, Fault> {
         let wrong = |error: &dyn std::fmt::Display| Fault::new(format!("{}: {error}", slide.file));
-        let scene = Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(&error))?);
+        let scene = stage.scenes.named(&stage.scene).map_err(|error| wrong(&error))?;
         let mut rule = stage.plan.rule(scene.flat).map_err(|error| wrong(&error))?;
         for (key, value) in &settings {
             match stage.own_setting(key, value) {

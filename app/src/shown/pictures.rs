@@ -142,14 +142,14 @@ impl Pictures {
         self.playback.reel().has(pane)
     }
 
+    /// How wide the picture in the middle is at least, in letters; 0 where it is as wide as there is room.
+    pub(crate) fn across(&self) -> f32 {
+        self.playback.reel().across()
+    }
+
     /// How high a pane should be, where that follows from what it shows.
     pub(crate) fn height(&self, pane: Pane, look: &Look) -> Option<f32> {
         self.playback.reel().still(&self.instant).height(pane, look)
-    }
-
-    /// How many rows its stack has.
-    pub(crate) fn stacked(&self) -> usize {
-        self.playback.reel().still(&self.instant).stacked()
     }
 
     /// How high the presenter's ruler is.

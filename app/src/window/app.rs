@@ -7,17 +7,21 @@ use egui::{Frame, Margin, Panel, Ui, ViewportCommand, ViewportInfo};
 use raystep_accel::{Place, Ray};
 use raystep_figure::{Role, Theme};
 use raystep_lesson::Library;
+use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
-use super::bars::{bottom, top};
+use super::bars::{bottom, go_on, top};
 use super::device::{self, Fate};
 use super::dialogs::{self, Overlay};
 use super::keys;
-use super::last::{Around, Keeper, Last};
+use super::last::{Keeper, Last, named};
 use super::look::fonts;
 use super::look::remembered::Remembered;
 use super::look::visuals::{self, fill};
-use super::panes::{self, Kept, Moved, Page, present, study};
+use super::panes::present::{self, Marks};
+use super::panes::speaker::AskedHere;
+use super::panes::{self, Kept, Moved, Notices, Page, study};
+use super::speaker::{self, Speaker};
 use super::wishes::Wishes;
 use super::work::Underway;
 use super::work::errands::News;
@@ -25,19 +29,28 @@ use super::work::exporting::{self, Window, Wish};
 use crate::fault::Fault;
 use crate::files;
 use crate::rating::rays;
+use crate::shown::Link;
 use crate::shown::beside::Beside;
 use crate::shown::command::Command;
 use crate::shown::heat::sentence;
 use crate::shown::pictures::Pictures;
 use crate::shown::playback::Playback;
 use crate::shown::state::State;
-use crate::shown::view::RayChoice;
+use crate::shown::view::{RayChoice, View};
 
 /// The window.
 pub struct App {
     /// What is shown.
     pub state: State,
-    theme: &'static Theme,
+    /// The theme of the study page, and that of the presenter's.
+    themes: [&'static Theme; 2],
+    /// Whether the last frame was the presenter's page, and whether the window filled the screen before that.
+    presented: Option<bool>,
+    /// What the lecturer's hand leaves on the page.
+    marks: Marks,
+    speaker: Speaker,
+    /// The class's page, while it is held.
+    held: Option<Held>,
     underway: Underway,
     kept: Kept,
     overlay: Overlay,
@@ -59,12 +72,21 @@ pub struct App {
     stepped: Option<(Ray, u32)>,
     /// Keeps where the window stands.
     keeper: Option<Keeper>,
+    /// Where it stood the last time, while the bar asks whether to go on there, and the view at which that was asked.
+    offers: Option<(Last, Option<View>)>,
     /// Where it is to open once its mesh is there.
-    reopens: Option<Last>,
+    reopens: Option<Link>,
 }
 
 /// Rays across and down by which all structures are measured.
 const JUDGED: [u32; 2] = [160, 120];
+
+/// A page that a class goes on seeing, with what is drawn on it.
+struct Held {
+    state: State,
+    beside: Option<Arc<Playback>>,
+    mesh: Option<Arc<Mesh>>,
+}
 
 /// A device was lost, and with it the window.
 pub(super) struct Lost {
@@ -81,13 +103,18 @@ impl App {
         let mut state = State::new(Arc::new(library), slide);
         state.predict = remembered.predict;
         state.motion = remembered.moves();
-        let theme = Theme::named(&remembered.theme).unwrap_or(&Theme::LIGHT);
+        let theme = |name: &str| Theme::named(name).unwrap_or(&Theme::LIGHT);
+        let themes = [theme(&remembered.theme), theme(&remembered.presenting)];
         context.set_zoom_factor(remembered.zoom);
         let mut kept = Kept::default();
         remembered.wrong.iter().for_each(|sentence| kept.notices.keep(sentence));
         App {
             state,
-            theme,
+            themes,
+            presented: None,
+            marks: Marks::default(),
+            speaker: Speaker::new(context),
+            held: None,
             underway: Underway::new(context),
             kept,
             overlay: Overlay::default(),
@@ -101,6 +128,7 @@ impl App {
             mesh: None,
             stepped: None,
             keeper: None,
+            offers: None,
             reopens: None,
         }
     }
@@ -113,10 +141,13 @@ impl App {
         app.tell_problems(&library);
         wishes.go(&mut app.state);
         if let Some(folder) = &wishes.lessons {
-            app.watch_lessons(folder);
+            app.watch_lessons(folder, wishes.only);
         }
         if let Some(mesh) = wishes.mesh {
             app.open_mesh(mesh);
+        }
+        if let Some(link) = wishes.at {
+            app.follow(link);
         }
         app
     }
@@ -126,6 +157,7 @@ impl App {
         self.fate = Fate::of(&state.device, &state.queue, context);
         device::guard(context, &self.fate);
         self.kept.draw_with(Some(state));
+        self.speaker.draw_with(Some(state));
         self.underway.upload_to(Some(state.device.clone()), self.state.playback());
     }
 
@@ -133,6 +165,8 @@ impl App {
     pub(super) fn take_lost(&mut self) -> Option<Lost> {
         let lost = self.lost.take()?;
         self.kept.draw_with(None);
+        self.speaker.draw_with(None);
+        self.held = None;
         self.underway.upload_to(None, None);
         Some(lost)
     }
@@ -157,10 +191,10 @@ impl App {
         }
     }
 
-    /// Lets lessons in a folder be read again when they are saved.
-    pub fn watch_lessons(&mut self, folder: &Path) {
+    /// Lets lessons in a folder be read again when they are saved, `only` those or beside the lecture.
+    pub fn watch_lessons(&mut self, folder: &Path, only: bool) {
         self.lessons = Some(folder.to_path_buf());
-        self.underway.errands.watch(folder);
+        self.underway.errands.watch(folder, only);
     }
 
     /// Opens a mesh beside the UI thread.
@@ -168,7 +202,7 @@ impl App {
         self.underway.errands.load(path);
     }
 
-    /// Keeps where the window stands in a file from now on. With `reopens` it opens where the file says.
+    /// Keeps where the window stands in a file from now on. With `reopens` it asks whether to go on where the file says.
     pub fn keep_in(&mut self, file: PathBuf, reopens: bool) {
         if !reopens {
             self.keeper = Some(Keeper::new(file));
@@ -177,21 +211,70 @@ impl App {
         let (keeper, found) = Keeper::reopening(file);
         self.keeper = Some(keeper);
         found.wrong.into_iter().for_each(|sentence| self.complain(sentence));
-        let Some(last) = found.last.filter(|last| last.is_of(self.lessons.as_deref())) else { return };
-        last.reopen(&mut self.state, None);
-        self.kept.sight.aspect = last.aspect();
-        if let Some(mesh) = last.mesh().map(Path::to_path_buf) {
-            self.open_mesh(mesh);
-            self.reopens = Some(last);
+        let of_these = |last: &Last| last.is_of(self.lessons.as_deref()) && last.place(&self.state.library).is_some();
+        self.offers = found.last.filter(of_these).map(|last| (last, None));
+    }
+
+    /// Goes on where the window stood the last time; says whether that was still asked.
+    pub fn go_on(&mut self) -> bool {
+        let Some((last, _)) = self.offers.take() else { return false };
+        if let Some(keeper) = &mut self.keeper {
+            keeper.goes_on(&last);
         }
+        // What is not there any more is not missed.
+        let _ = self.follow(last.link);
+        true
+    }
+
+    /// Goes where a link leads, once its mesh is there; says what of it is not.
+    fn follow(&mut self, link: Link) -> Vec<String> {
+        let wrong = link.open(&mut self.state, None);
+        self.kept.sight.aspect = link.aspect;
+        if let Some(mesh) = link.mesh.as_ref().map(PathBuf::from) {
+            self.open_mesh(mesh);
+            self.reopens = Some(link);
+        }
+        wrong
+    }
+
+    /// The place where the window stands.
+    fn link(&self) -> Link {
+        let shown = |(scene, _): &&(Arc<Scene>, PathBuf)| {
+            self.state.view.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(mesh, scene))
+        };
+        let mesh = self.mesh.as_ref().filter(shown).and_then(|(_, path)| named(path));
+        Link::of(&self.state, mesh, self.kept.sight.aspect)
+    }
+
+    /// Asks whether to go on where the window stood, until somebody answers or does anything else.
+    fn offer_to_go_on(&mut self, ui: &mut Ui) {
+        let theme = self.theme();
+        let Some((last, asked_at)) = &mut self.offers else { return };
+        let now = self.state.target();
+        let asked_at = asked_at.get_or_insert_with(|| now.clone());
+        let place = last.place(&self.state.library).filter(|_| asked_at.same_page(now));
+        let chosen = place.map_or(Some(go_on::Chosen::Begin), |place| go_on::bar(ui, &place, theme));
+        match chosen {
+            Some(go_on::Chosen::GoOn) => drop(self.go_on()),
+            Some(go_on::Chosen::Begin) => self.offers = None,
+            None => {}
+        }
+    }
+
+    /// Which page of what is said is shown to a class, from 0 on, and how many there are.
+    pub fn pages(&self) -> [usize; 2] {
+        self.kept.pages.now()
+    }
+
+    /// How many strokes of the pen the class sees.
+    pub fn strokes(&self) -> usize {
+        self.marks.strokes()
     }
 
     /// Where the window stands; nothing while it goes somewhere else.
     fn stands(&self) -> Option<Last> {
-        let stands = self.state.is_current() && self.reopens.is_none();
-        let aspect = self.kept.sight.aspect;
-        let around = Around { lessons: self.lessons.as_deref(), mesh: self.mesh.as_ref(), aspect };
-        stands.then(|| Last::of(&self.state, &around))
+        let stands = self.state.is_current() && self.reopens.is_none() && self.offers.is_none();
+        stands.then(|| Last::of(self.link(), self.lessons.as_deref()))
     }
 
     /// The window closes: where it stands is kept at once.
@@ -230,26 +313,39 @@ impl App {
 
     /// Whether nothing is built beside the UI thread, not even what was given up.
     pub fn is_idle(&self) -> bool {
-        self.underway.is_idle()
+        self.underway.is_idle() && self.speaker.is_idle()
     }
 
     /// Does what a command says.
     pub fn run(&mut self, ui: &Ui, command: Command) {
         let context = ui.ctx();
+        if self.kept.pages.turn(&self.state, command) {
+            context.request_repaint();
+            return;
+        }
         match command {
+            // The class sees no dialog: they open on the speaker's window, or in the study.
+            Command::Palette | Command::Help | Command::Export | Command::Open | Command::Best
+                if self.state.present && !self.state.lecture.speaker => {}
+            Command::Skip if self.go_on() => {}
             Command::FullScreen => {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
             }
             Command::Palette => self.overlay.find(),
-            Command::Help => self.overlay.help(),
-            Command::Export => self.overlay.export(&self.state, self.theme),
+            Command::Help => self.overlay.help(self.state.present),
+            Command::Export => self.overlay.export(&self.state, self.theme()),
             Command::Open => self.overlay.open(),
             Command::Copy => self.copy(),
+            Command::Link => {
+                let link = self.link().to_string();
+                self.say(ui, format!("The link is on the clipboard: {link}"));
+                context.copy_text(link);
+            }
             Command::Cancel => self.underway.stop_all(&mut self.state),
             Command::Theme => {
                 let themes = [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR];
-                let now = themes.iter().position(|theme| theme.name == self.theme.name).unwrap_or(0);
+                let now = themes.iter().position(|theme| theme.name == self.theme().name).unwrap_or(0);
                 self.set_theme(themes[(now + 1) % themes.len()]);
             }
             Command::ZoomIn => egui::gui_zoom::zoom_in(context),
@@ -289,9 +385,32 @@ impl App {
         }
     }
 
+    /// The theme of the page that is shown.
+    fn theme(&self) -> &'static Theme {
+        self.themes[usize::from(self.state.present)]
+    }
+
+    /// Sets the theme of the page that is shown; each has its own.
     fn set_theme(&mut self, theme: &'static Theme) {
-        self.theme = theme;
-        theme.name.clone_into(&mut self.remembered.theme);
+        self.themes[usize::from(self.state.present)] = theme;
+        let Remembered { theme: study, presenting, .. } = &mut self.remembered;
+        theme.name.clone_into(if self.state.present { presenting } else { study });
+    }
+
+    /// The presenter's page fills the screen; the study is as large as it was.
+    fn fill_screen(&mut self, ui: &Ui) {
+        match (self.state.present, self.presented) {
+            (true, None) => {
+                let full = ui.input(|input| input.viewport().fullscreen.unwrap_or(false));
+                self.presented = Some(full);
+                ui.ctx().send_viewport_cmd(ViewportCommand::Fullscreen(true));
+            }
+            (false, Some(full)) => {
+                self.presented = None;
+                ui.ctx().send_viewport_cmd(ViewportCommand::Fullscreen(full));
+            }
+            _ => {}
+        }
     }
 
     /// Moves the camera to where the walk stands.
@@ -323,19 +442,33 @@ impl App {
     fn copy(&mut self) {
         let sight = &self.kept.sight;
         let window = Window::of(&self.state, sight.aspect);
-        exporting::copy(&mut self.underway.errands, window, self.state.view.step, sight.size * 2.0, self.theme);
+        exporting::copy(
+            &mut self.underway.errands,
+            window,
+            self.state.view.step,
+            sight.size * 2.0,
+            self.themes[usize::from(self.state.present)],
+        );
     }
 
     /// Says something for a while.
     fn say(&mut self, ui: &Ui, sentence: impl Into<String>) {
-        self.kept.notices.say(ui.ctx(), sentence);
+        self.notices().say(ui.ctx(), sentence);
+    }
+
+    /// Where sentences for the user stand: on the speaker's window, while that is open.
+    fn notices(&mut self) -> &mut Notices {
+        match self.state.present && self.state.lecture.speaker {
+            true => &mut self.speaker.kept().notices,
+            false => &mut self.kept.notices,
+        }
     }
 
     /// Says what went wrong, until somebody closes it, and on the standard error.
     fn complain(&mut self, sentence: impl Into<String>) {
         let sentence = sentence.into();
         files::say(&sentence);
-        self.kept.notices.keep(sentence);
+        self.notices().keep(sentence);
     }
 
     /// Says what is wrong in the lessons, until they are read again.
@@ -391,10 +524,10 @@ impl App {
                 if !scene.note.is_empty() {
                     self.say(ui, scene.note.clone());
                 }
-                let wanted = self.reopens.take().filter(|last| last.mesh() == Some(&path));
+                let wanted = self.reopens.take().filter(|link| link.mesh.as_ref().map(Path::new) == Some(&path));
                 self.mesh = Some((scene.clone(), path));
                 match wanted {
-                    Some(last) => last.reopen(&mut self.state, Some(scene)),
+                    Some(link) => _ = link.open(&mut self.state, Some(scene)),
                     None => self.state.show_mesh(scene, ray),
                 }
             }
@@ -419,9 +552,9 @@ impl App {
 
     /// The theme's colours and sizes for egui, when they are not set yet.
     fn dress(&mut self, ui: &mut Ui) {
-        if self.styled != Some(self.theme.name) {
-            self.styled = Some(self.theme.name);
-            let style = visuals::style(self.theme);
+        if self.styled != Some(self.theme().name) {
+            self.styled = Some(self.theme().name);
+            let style = visuals::style(self.theme());
             for theme in [egui::Theme::Light, egui::Theme::Dark] {
                 ui.ctx().set_style_of(theme, style.clone());
             }
@@ -436,9 +569,10 @@ impl App {
 
     /// Shows the bars and does what they ask for; says which place the pointer is on.
     fn bars(&mut self, ui: &mut Ui) -> Option<Place> {
-        let bar = Frame::new().fill(fill(self.theme, Role::Page)).inner_margin(Margin::symmetric(16, 0));
+        let theme = self.theme();
+        let bar = Frame::new().fill(fill(theme, Role::Page)).inner_margin(Margin::symmetric(16, 0));
         let top = Panel::top("top").exact_size(48.0).frame(bar).resizable(false);
-        match top.show(ui, |ui| top::bar(ui, &self.state, self.theme)).inner {
+        match top.show(ui, |ui| top::bar(ui, &self.state, theme)).inner {
             Some(top::Asked::Command(command)) => self.run(ui, command),
             Some(top::Asked::Slide(slide)) => self.state.show_slide(slide),
             Some(top::Asked::Ray(ray)) => self.state.show_ray(RayChoice::Named(ray), false),
@@ -446,10 +580,11 @@ impl App {
             Some(top::Asked::Theme(theme)) => self.set_theme(theme),
             None => {}
         }
+        self.offer_to_go_on(ui);
         let bottom = Panel::bottom("bottom").exact_size(80.0).frame(bar).resizable(false);
         let lit = self.lit();
         let pictures = self.kept.pictures.as_mut();
-        let (asked, under) = bottom.show(ui, |ui| bottom::bar(ui, &self.state, pictures, self.theme, lit)).inner;
+        let (asked, under) = bottom.show(ui, |ui| bottom::bar(ui, &self.state, pictures, theme, lit)).inner;
         match asked {
             Some(bottom::Asked::Command(command)) => self.run(ui, command),
             Some(bottom::Asked::Step(step)) => {
@@ -467,7 +602,7 @@ impl App {
         let leaves = self.state.leaves();
         let gone = ui.ctx().animate_bool_with_time(egui::Id::unique("veil"), leaves, 0.4);
         if leaves && gone > 0.0 {
-            let page = fill(self.theme, Role::Page);
+            let page = fill(self.theme(), Role::Page);
             ui.painter().rect_filled(room, 0.0, page.gamma_multiply(0.75 * gone));
         }
     }
@@ -479,22 +614,31 @@ impl App {
         let mut asked = Vec::new();
         let room = ui.available_rect_before_wrap();
         let (heat, counting) = self.underway.heat();
+        let held = self.held.as_ref();
         let page = Page {
-            state: &self.state,
-            beside: self.underway.beside(),
-            mesh: self.underway.mesh(),
+            state: held.map_or(&self.state, |held| &held.state),
+            beside: held.map_or(self.underway.beside(), |held| held.beside.as_ref()),
+            mesh: held.map_or(self.underway.mesh(), |held| held.mesh.as_ref()),
             making: self.underway.is_making(),
             heat,
             counting,
             lit: self.lit(),
-            theme: self.theme,
+            theme: self.theme(),
         };
         let under = match present {
-            true => present::page(ui, page, &mut self.kept, &mut asked),
+            true => present::page(ui, page, &mut self.kept, &mut self.marks, &mut asked),
             false => study::page(ui, page, &mut self.kept, &mut self.remembered, &mut asked),
         };
         self.kept.hover(ui, under.or(in_bars));
         self.veil(ui, room);
+        // What is held is only looked at.
+        if self.held.is_none() {
+            self.answer(ui, asked);
+        }
+    }
+
+    /// Does what the panes ask for.
+    fn answer(&mut self, ui: &Ui, asked: Vec<panes::Asked>) {
         for asked in asked {
             match asked {
                 panes::Asked::Command(command) => self.run(ui, command),
@@ -539,10 +683,88 @@ impl App {
         }
     }
 
+    /// Keeps what the class sees while its page is held; what covers it and what points at it goes on.
+    fn hold(&mut self) {
+        let frozen = self.state.present && self.state.lecture.frozen;
+        self.held = self.held.take().filter(|_| frozen);
+        match &mut self.held {
+            Some(held) => held.state.lecture = self.state.lecture.clone(),
+            None if frozen => {
+                let (beside, mesh) = (self.underway.beside().cloned(), self.underway.mesh().cloned());
+                self.held = Some(Held { state: self.state.clone(), beside, mesh });
+            }
+            None => {}
+        }
+    }
+
+    /// Shows the speaker's window, if it is open, and does what it asks for. Dialogs open there, where the class does not
+    /// see them.
+    fn speak(&mut self, ui: &Ui) {
+        if !self.state.present {
+            return self.speaker.end();
+        }
+        self.speaker.keep_time(&self.state, ui.input(|input| input.time));
+        if !self.state.lecture.speaker {
+            return self.speaker.rest();
+        }
+        let size = ui.ctx().content_rect().size().max(egui::vec2(160.0, 90.0));
+        let (id, builder) = speaker::viewport();
+        let context = ui.ctx().clone();
+        context.show_viewport_immediate(id, builder, |ui, class| {
+            if ui.input(|input| input.viewport().close_requested()) {
+                self.state.lecture.speaker = false;
+                return;
+            }
+            // Embedded in the class's window it has the same keys.
+            if class != egui::ViewportClass::EmbeddedWindow {
+                self.take_keys(ui);
+            }
+            let (heat, counting) = self.underway.heat();
+            let (theme, making) = (self.theme(), self.underway.is_making());
+            let (beside, mesh) = (self.underway.beside(), self.underway.mesh());
+            let page = Page { state: &self.state, beside, mesh, making, heat, counting, lit: None, theme };
+            let asked = self.speaker.show(ui, page, theme, size, &mut self.marks);
+            for asked in asked {
+                match asked {
+                    AskedHere::Wall(asked) => self.answer(ui, vec![asked]),
+                    AskedHere::Command(command) => self.run(ui, command),
+                    AskedHere::Slide(slide) => self.state.show_slide(slide),
+                    AskedHere::Step(step) => {
+                        self.state.playing = false;
+                        self.state.go(step);
+                    }
+                    AskedHere::Lengthen(_) | AskedHere::Restart => {}
+                }
+            }
+            self.overlay(ui);
+        });
+    }
+
+    /// Does what the keys say, while no dialog has them.
+    fn take_keys(&mut self, ui: &Ui) {
+        let busy = self.overlay.is_open();
+        let escape = ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy;
+        // What is held goes back to where it was, and nothing else happens.
+        let takes_back = escape && self.kept.sight.let_go();
+        if takes_back {
+            self.state.take_back();
+        } else if !busy {
+            for command in keys::pressed(ui, self.state.present) {
+                self.run(ui, command);
+            }
+        }
+        if escape && !takes_back {
+            self.state.picked = None;
+            if self.state.lecture.cover.take().is_none() && self.state.present {
+                self.state.apply(Command::Present);
+            }
+        }
+    }
+
     /// Shows what lies over the page and does what it asks for.
     fn overlay(&mut self, ui: &Ui) {
         let tasks = self.underway.tasks();
-        let asked = self.overlay.show(ui, &self.state, &tasks, &self.underway.judging, self.theme);
+        let asked = self.overlay.show(ui, &self.state, &tasks, &self.underway.judging, self.theme());
         if !asked.is_empty() {
             ui.ctx().request_repaint();
         }
@@ -550,6 +772,13 @@ impl App {
             match asked {
                 dialogs::Asked::Command(command) => self.run(ui, command),
                 dialogs::Asked::Slide(slide) => self.state.show_slide(slide),
+                dialogs::Asked::Link(link) => {
+                    self.state.keep();
+                    let wrong = self.follow(*link);
+                    if !wrong.is_empty() {
+                        self.say(ui, format!("Not all of the link is here: {}.", wrong.join("; ")));
+                    }
+                }
                 dialogs::Asked::ChooseFolder => self.underway.errands.ask_for_folder(),
                 dialogs::Asked::Write(wish) => {
                     let written = self.write(wish);
@@ -569,29 +798,40 @@ fn shift(ui: &Ui) -> bool {
     ui.input(|input| input.modifiers.shift)
 }
 
+/// So many seconds after it was moved a mouse lies still before a class: nothing shows it, and it lights nothing up.
+const RESTS: f32 = 2.0;
+
 impl eframe::App for App {
+    fn raw_input_hook(&mut self, context: &egui::Context, input: &mut egui::RawInput) {
+        if !self.state.present {
+            return;
+        }
+        let pointer = |input: &egui::InputState| {
+            let pointer = &input.pointer;
+            (pointer.time_since_last_movement(), pointer.any_down(), pointer.has_pointer())
+        };
+        let (still, down, there) = context.input(pointer);
+        let moves =
+            |event: &egui::Event| matches!(event, egui::Event::PointerMoved(_) | egui::Event::PointerButton { .. });
+        if down || input.events.iter().any(moves) {
+            return;
+        }
+        if there && still >= RESTS {
+            input.events.push(egui::Event::PointerGone);
+        } else if there {
+            context.request_repaint_after_secs(RESTS - still);
+        }
+    }
+
     fn logic(&mut self, context: &egui::Context, _frame: &mut eframe::Frame) {
         self.watch_device(context);
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
-        let busy = self.overlay.is_open();
-        let escape = ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy;
-        // What is held goes back to where it was, and nothing else happens.
-        let takes_back = escape && self.kept.sight.let_go();
-        if takes_back {
-            self.state.take_back();
-        } else if !busy {
-            for command in keys::pressed(ui) {
-                self.run(ui, command);
-            }
-        }
-        if escape && !takes_back {
-            self.state.picked = None;
-            if self.state.present {
-                self.state.apply(Command::Present);
-            }
+        self.take_keys(ui);
+        if self.state.present && !ui.input(|input| input.pointer.has_pointer()) {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::None);
         }
         self.catch_up(ui);
         // Playing follows the clock, however long a frame takes.
@@ -600,11 +840,19 @@ impl eframe::App for App {
         if let Some(wait) = self.state.tick(seconds as f32) {
             ui.ctx().request_repaint_after_secs(wait.min(0.1));
         }
+        self.fill_screen(ui);
+        self.marks.begin(&self.state);
         self.kept.moving.begin(ui, &self.state);
-        self.kept.pictures = Pictures::of(self.kept.pictures.take(), &self.state);
+        self.hold();
+        let shown = self.held.as_ref().map_or(&self.state, |held| &held.state);
+        self.kept.pictures = Pictures::of(self.kept.pictures.take(), shown);
         let drawn = self.state.stamp();
         self.panes(ui);
-        self.overlay(ui);
+        self.speak(ui);
+        // A class sees no dialog, and not how far anything is.
+        if !self.state.present {
+            self.overlay(ui);
+        }
         if ui.input(|input| !input.pointer.any_down()) {
             self.remembered.keep(ui.ctx().zoom_factor(), self.state.predict, self.state.motion);
             self.keep_place(ui.ctx());

@@ -4,8 +4,8 @@ use egui::{Event, Key, Modifiers, Ui};
 
 use crate::shown::command::{Command, ENTRIES};
 
-/// The commands given by keys in this frame, in order.
-pub(super) fn pressed(ui: &Ui) -> Vec<Command> {
+/// The commands given by keys in this frame, in order; `present` on the presenter's page.
+pub(super) fn pressed(ui: &Ui, present: bool) -> Vec<Command> {
     if ui.ctx().any_popup_open() {
         return Vec::new();
     }
@@ -15,20 +15,20 @@ pub(super) fn pressed(ui: &Ui) -> Vec<Command> {
         if ui.input(|input| input.key_pressed(Key::Escape)) {
             ui.ctx().memory_mut(|memory| memory.surrender_focus(id));
         }
-        return ui.input(|input| input.events.iter().filter_map(|event| command(event, true)).collect());
+        return ui.input(|input| input.events.iter().filter_map(|event| command(event, true, present)).collect());
     }
-    ui.input(|input| input.events.iter().filter_map(|event| command(event, false)).collect())
+    ui.input(|input| input.events.iter().filter_map(|event| command(event, false, present)).collect())
 }
 
 /// The command of an event; `focused` leaves only those with Ctrl and the F keys, which no button takes.
-fn command(event: &Event, focused: bool) -> Option<Command> {
+fn command(event: &Event, focused: bool, present: bool) -> Option<Command> {
     let (key, modifiers) = match event {
         Event::Copy => return (!focused).then_some(Command::Copy),
         Event::Key { key, pressed: true, modifiers, .. } => (*key, *modifiers),
         _ => return None,
     };
-    let entry = ENTRIES.iter().find(|entry| entry.keys.iter().any(|keys| given(keys, key, modifiers)))?;
-    let free = matches!(key, Key::F1 | Key::F5 | Key::F11 | Key::PageDown | Key::PageUp)
+    let entry = ENTRIES.iter().find(|entry| entry.keys_on(present).iter().any(|keys| given(keys, key, modifiers)))?;
+    let free = matches!(key, Key::F1 | Key::F5 | Key::F6 | Key::F11 | Key::PageDown | Key::PageUp)
         || modifiers.command && !matches!(entry.command, Command::Undo | Command::Redo | Command::Copy);
     (!focused || free).then_some(entry.command)
 }
@@ -36,17 +36,18 @@ fn command(event: &Event, focused: bool) -> Option<Command> {
 /// Whether this key was wanted, as the table of commands spells it.
 fn given(keys: &str, key: Key, modifiers: Modifiers) -> bool {
     let Some(wanted) = Wanted::read(keys) else { return false };
-    // A question mark or a plus may need Shift to be typed.
-    let typed = matches!(wanted.key, Key::Questionmark | Key::Plus);
+    // On some keyboards these need Shift to be typed.
+    let typed = matches!(wanted.key, Key::Questionmark | Key::Plus | Key::Slash);
     key == wanted.key
         && modifiers.command == wanted.ctrl
-        && !modifiers.alt
+        && modifiers.alt == wanted.alt
         && (typed || modifiers.shift == wanted.shift)
 }
 
 /// A key with what is held down beside it.
 struct Wanted {
     ctrl: bool,
+    alt: bool,
     shift: bool,
     key: Key,
 }
@@ -55,6 +56,7 @@ impl Wanted {
     /// `"Ctrl+Shift+Z"`.
     fn read(keys: &str) -> Option<Wanted> {
         let (ctrl, keys) = keys.strip_prefix("Ctrl+").map_or((false, keys), |rest| (true, rest));
+        let (alt, keys) = keys.strip_prefix("Alt+").map_or((false, keys), |rest| (true, rest));
         let (shift, keys) = keys.strip_prefix("Shift+").map_or((false, keys), |rest| (true, rest));
         let key = match keys {
             "→" => Key::ArrowRight,
@@ -63,7 +65,7 @@ impl Wanted {
             "Page up" => Key::PageUp,
             name => Key::from_name(name)?,
         };
-        Some(Wanted { ctrl, shift, key })
+        Some(Wanted { ctrl, alt, shift, key })
     }
 }
 
@@ -78,7 +80,7 @@ mod tests {
     #[test]
     fn keys_give_commands() {
         let ctrl = Modifiers { ctrl: true, command: true, ..Modifiers::NONE };
-        let give = |key, modifiers| command(&press(key, modifiers), false);
+        let give = |key, modifiers| command(&press(key, modifiers), false, false);
         assert_eq!(give(Key::ArrowRight, Modifiers::NONE), Some(Command::Next));
         assert_eq!(give(Key::ArrowRight, Modifiers::SHIFT), Some(Command::NextCoarse));
         assert_eq!(give(Key::Z, ctrl), Some(Command::Undo));
@@ -88,8 +90,27 @@ mod tests {
     }
 
     #[test]
+    fn a_clicker_walks_by_beats_and_letters_give_no_answers_before_a_class() {
+        let check = |key, modifiers, study, class| {
+            let event = press(key, modifiers);
+            assert_eq!((command(&event, false, false), command(&event, false, true)), (study, class), "{key:?}");
+        };
+        let none = Modifiers::NONE;
+        check(Key::PageDown, none, Some(Command::NextSlide), Some(Command::Onward));
+        check(Key::PageUp, none, Some(Command::PreviousSlide), Some(Command::Backward));
+        check(Key::PageDown, Modifiers::SHIFT, None, Some(Command::NextSlide));
+        check(Key::B, none, Some(Command::Answer(1)), Some(Command::Black));
+        check(Key::Period, none, None, Some(Command::Black));
+        check(Key::B, Modifiers::ALT, None, Some(Command::Answer(1)));
+        check(Key::Num3, none, Some(Command::Speed(12)), Some(Command::Type(b'3')));
+        check(Key::Slash, Modifiers::SHIFT, None, Some(Command::Type(b'/')));
+        check(Key::P, none, Some(Command::Predict), Some(Command::Pen));
+        check(Key::F6, none, Some(Command::Speaker), Some(Command::Speaker));
+    }
+
+    #[test]
     fn every_key_of_the_table_is_known() {
-        for keys in ENTRIES.iter().flat_map(|entry| entry.keys) {
+        for keys in ENTRIES.iter().flat_map(|entry| entry.keys.iter().chain(entry.presenting)) {
             assert!(Wanted::read(keys).is_some(), "{keys}");
         }
     }
@@ -97,8 +118,8 @@ mod tests {
     #[test]
     fn a_focused_widget_keeps_its_keys() {
         for key in [Key::Space, Key::ArrowRight, Key::Enter, Key::A] {
-            assert_eq!(command(&press(key, Modifiers::NONE), true), None);
+            assert_eq!(command(&press(key, Modifiers::NONE), true, false), None);
         }
-        assert_eq!(command(&press(Key::F5, Modifiers::NONE), true), Some(Command::Present));
+        assert_eq!(command(&press(Key::F5, Modifiers::NONE), true, true), Some(Command::Present));
     }
 }

@@ -165,6 +165,7 @@ impl eframe::App for Shown<'_> {
             let releases = buttons.into_iter().filter(|_| held).map(released);
             input.events.splice(0..0, releases.chain([WindowFocused(false), WindowFocused(true)]));
         }
+        self.app.raw_input_hook(context, input);
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {

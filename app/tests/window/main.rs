@@ -6,6 +6,7 @@ mod heat;
 mod keyboard;
 mod last;
 mod layout;
+mod lecture;
 mod looks;
 mod pictures;
 mod present;

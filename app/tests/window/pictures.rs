@@ -5,11 +5,12 @@ use std::path::Path;
 use std::time::Duration;
 
 use egui_kittest::{Harness, SnapshotOptions};
+use raystep::shown::command::Command;
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::Grain;
 use raystep_lesson::StageKind;
 
-use crate::window::{Window, library};
+use crate::window::{Window, library, settle};
 
 /// Small differences of drivers in the edges of lines.
 const DIFFERENT_PIXELS: usize = 1500;
@@ -34,6 +35,7 @@ impl Shot<'_> {
         let wishes = Wishes { slide: Some(self.slide.to_owned()), ..Wishes::default() };
         let mut remembered = Remembered::default();
         self.theme.clone_into(&mut remembered.theme);
+        self.theme.clone_into(&mut remembered.presenting);
         let options = SnapshotOptions::new().max_failed_pixels(DIFFERENT_PIXELS);
         let builder = Harness::builder().with_size(self.size).with_pixels_per_point(pixels_per_point);
         let mut harness = builder.with_options(options).wgpu().build_eframe(|context| {
@@ -106,6 +108,53 @@ fn a_kd_slide_in_a_large_window() {
 #[test]
 fn a_solid_bvh_slide_in_the_dark() {
     study("7/56", StageKind::Solid, "dark", [1600.0, 1000.0]).check("bvh-solid-dark-1600");
+}
+
+/// The step at which a walk says most, with what comes before a class: the beat, its question, the answer.
+fn hardest(playback: &raystep::shown::Playback, slide: &raystep_lesson::Slide) -> usize {
+    let long = |beat: usize| {
+        let beat = &slide.beats[beat];
+        beat.ask.as_ref().map_or(0, |ask| ask.question.len())
+    };
+    let asked = playback.posed.iter().max_by_key(|posed| (posed.choices.len(), long(posed.beat)));
+    let last = playback.play.beats.iter().flatten().copied().max();
+    asked.map(|posed| posed.before).or(last).unwrap_or(0)
+}
+
+#[test]
+#[ignore = "writes pictures of every slide before a class to look at; RAYSTEP_SLIDE=5/33 those of one"]
+fn every_slide_before_a_class() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("class-pictures");
+    std::fs::create_dir_all(&folder).expect("a folder for the pictures");
+    let only = std::env::var("RAYSTEP_SLIDE").ok();
+    let sizes = [[1920.0, 1080.0], [1280.0, 720.0], [1024.0, 768.0]];
+    for size in sizes {
+        let shot = Shot { slide: "1/1", stage: StageKind::Flat, theme: "projector", size, present: true };
+        let Some(mut harness) = shot.window(1.0) else { return };
+        let slides = harness.state().state.library.slides.clone();
+        for (index, slide) in
+            slides.iter().enumerate().filter(|(_, slide)| only.as_ref().is_none_or(|id| *id == slide.id()))
+        {
+            for stage in StageKind::ALL.into_iter().filter(|kind| slide.stage(*kind).is_some()) {
+                let state = &mut harness.state_mut().state;
+                state.show_slide(index);
+                state.show_stage(stage);
+                settle(&mut harness);
+                let playback = harness.state().state.playback().expect("a walk").clone();
+                harness.state_mut().state.go(hardest(&playback, slide));
+                for part in ["beat", "question", "answer"] {
+                    harness.run_steps(4);
+                    let picture = harness.render().expect("a picture");
+                    let name = format!("{}-{stage:?}-{}x{}-{part}.png", slide.id().replace('/', "-"), size[0], size[1]);
+                    picture.save(folder.join(name.to_lowercase())).expect("the picture is written");
+                    harness.state_mut().state.apply(Command::Answer(0));
+                    harness.run_steps(2);
+                    harness.state_mut().state.apply(Command::Onward);
+                }
+            }
+        }
+    }
+    println!("{}", folder.display());
 }
 
 #[test]

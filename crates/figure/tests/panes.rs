@@ -80,7 +80,8 @@ fn a_plane_cuts_the_ray() {
     check("kd_ruler", &ruler(&walk, &moment, false, Vec2::new(790.0, 118.0), &LOOK));
     check("kd_ruler_line", &ruler_line(&walk, &moment, false, Vec2::new(790.0, 90.0), &LOOK));
     check("kd_tree", &tree(&walk, &moment, &TreeView::default(), Vec2::new(790.0, 160.0), &LOOK));
-    check("kd_stack", &stack(&walk, &moment, true, Vec2::new(400.0, 160.0), &LOOK));
+    check("kd_stack", &stack(&walk, &moment, Vec2::new(400.0, 160.0), &LOOK));
+    check("kd_bin", &bin(&moment, Vec2::new(400.0, 160.0), &LOOK));
     check("kd_work", &work(&walk, &moment, None, Vec2::new(400.0, 160.0), &LOOK));
     check("kd_bytes", &bytes(&walk, &moment, false, Vec2::new(790.0, 220.0), &LOOK));
     check("kd_timeline", &timeline(&walk, moment.step, false, Vec2::new(1000.0, 80.0), &LOOK));
@@ -259,7 +260,7 @@ fn nothing_is_cut_off_at_any_step() {
         for step in 0..=played.events.len() {
             let moment = Moment::at(&walk, step);
             for text in [13.0, 24.0] {
-                let look = Look { text, titles: true };
+                let look = Look { text, titles: true, least: 0.0 };
                 let size = |x: f32, y: f32| Vec2::new(x, y) * (text / 13.0);
                 let wide = size(600.0, 130.0);
                 let narrow = size(380.0, 150.0);
@@ -272,7 +273,8 @@ fn nothing_is_cut_off_at_any_step() {
                     ("line", ruler_line(&walk, &moment, false, wide, &look)),
                     ("tree", tree(&walk, &moment, &view, wide, &look)),
                     ("timeline", timeline(&walk, step, false, size(900.0, 80.0), &look)),
-                    ("stack", stack(&walk, &moment, true, narrow, &look)),
+                    ("stack", stack(&walk, &moment, narrow, &look)),
+                    ("bin", bin(&moment, narrow, &look)),
                     ("changed", changed(&walk, &Moment::at(&walk, step.saturating_sub(3)), &moment, narrow, &look)),
                     ("work", work(&walk, &moment, None, narrow, &look)),
                     ("slabs", slabs(&walk, &moment, step % 2 == 0, narrow, &look)),

@@ -166,7 +166,7 @@ fn small_trees_stand_whole_in_windows_and_on_plates() {
             return;
         }
         // The panes of a window of 1280 × 800, of one of 1600 × 1000, and of a plate.
-        let plate = Look { text: 15.0, titles: true };
+        let plate = Look { text: 15.0, titles: true, least: 0.0 };
         for (width, page, look) in [(630.0, 672.0, Look::WINDOW), (790.0, 872.0, Look::WINDOW), (780.0, 0.0, plate)] {
             let whole = raystep_figure::tree_height(nodes, &look).expect("a small tree has a height");
             let height = if page > 0.0 { whole.min(page * 0.32).max(page * 0.2) } else { whole + 6.0 };

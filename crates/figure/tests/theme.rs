@@ -64,6 +64,28 @@ fn text_and_marks_stand_out_from_the_page() {
 }
 
 #[test]
+fn what_lies_in_the_scene_is_seen_from_the_last_row() {
+    let theme = &Theme::PROJECTOR;
+    let page = theme.style(Role::Page).fill.expect("a page has a colour");
+    let ground = |role| theme.style(role).fill.map_or(page, |fill| fill.over(page));
+    // What was hit, what was not touched, and the page; what was tested and missed is hatched.
+    for (a, b) in
+        [(Role::Scene, Role::Page), (Role::Hit, Role::Scene), (Role::Best, Role::Scene), (Role::Hit, Role::Page)]
+    {
+        let found = contrast(ground(a), ground(b));
+        assert!(found >= 1.5, "fills of {a:?} and {b:?}: {found:.2}");
+    }
+    assert!(theme.style(Role::Missed).hatch);
+    for role in [Role::Scene, Role::Missed, Role::Hit, Role::Best, Role::Edge, Role::Here, Role::Seen, Role::Waiting] {
+        let stroke = theme.style(role).stroke.expect("it has an edge");
+        for on in [Role::Page, Role::Scene, Role::Here, Role::Waiting] {
+            let found = contrast(stroke.color, ground(on));
+            assert!(found >= 3.0, "edge of {role:?} on {on:?}: {found:.2}");
+        }
+    }
+}
+
+#[test]
 fn states_differ_in_line_or_in_a_colour_that_everybody_sees() {
     for theme in Theme::ALL {
         for (index, &a) in STATES.iter().enumerate() {

@@ -164,7 +164,7 @@ fn a_small_tree_is_drawn_whole_in_digits_that_can_be_read() {
             }
             tried.insert(count);
             for text in [13.0, 15.0] {
-                let look = Look { text, titles: true };
+                let look = Look { text, titles: true, least: 0.0 };
                 let height = tree_height(&stand.nodes, &look).expect("a small tree has a height");
                 for width in [640.0, 800.0] {
                     let what = format!("{kind} over {discs} in {width} × {height} at {text}");
@@ -183,7 +183,7 @@ fn a_small_tree_is_drawn_whole_in_digits_that_can_be_read() {
 fn more_room_makes_larger_digits() {
     let stand = Stand::new(9, "kd", &[("min_objects", "2")]);
     let digits = |width: f32, height: f32, titles: bool| {
-        let figure = &stand.trees(Vec2::new(width, height), &Look { text: 13.0, titles })[0];
+        let figure = &stand.trees(Vec2::new(width, height), &Look { text: 13.0, titles, least: 0.0 })[0];
         drawn(figure)[0].digits
     };
     assert!(digits(800.0, 300.0, true) > digits(500.0, 90.0, true));

@@ -177,10 +177,9 @@ impl Painter<'_> {
         if text.trim().is_empty() {
             return;
         }
-        if !self.fonts.contains_key(&typeface) {
-            let Some(font) = Font::new(Data::from(typeface.bytes()), 0) else { return };
-            self.fonts.insert(typeface, font);
-        }
+        let known = self.fonts.get(&typeface).cloned();
+        let Some(font) = known.or_else(|| Font::new(Data::from(typeface.bytes()), 0)) else { return };
+        self.fonts.insert(typeface, font.clone());
         let face = typeface.parsed();
         let em = f32::from(face.units_per_em());
         let glyph = |(at, letter): (usize, char)| {
@@ -196,7 +195,6 @@ impl Painter<'_> {
             }
         };
         let glyphs: Vec<KrillaGlyph> = text.char_indices().map(glyph).collect();
-        let font = self.fonts[&typeface].clone();
         self.surface.draw_glyphs(Point::from_xy(x, y), &glyphs, font, text, size, false);
     }
 }

@@ -94,7 +94,9 @@ fn file(kind: [u8; 4], mut tables: Vec<(Tag, Vec<u8>)>) -> Vec<u8> {
         }
         offset += table.len();
     }
-    tables.iter().for_each(|(_, table)| bytes.extend(table));
+    for (_, table) in &tables {
+        bytes.extend(table);
+    }
     if let Some(at) = whole {
         let rest = 0xB1B0_AFBA_u32.wrapping_sub(sum(&bytes));
         bytes[at..at + 4].copy_from_slice(&rest.to_be_bytes());

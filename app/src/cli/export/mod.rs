@@ -16,7 +16,7 @@ use raystep_print::Lettering;
 
 pub(super) use chosen::no_slide;
 
-use super::lessons;
+use super::lessons::Lessons;
 use crate::export::{Format, Order, Piece, Session, Size, View, Which, jobs, pictures, write};
 use crate::fault::Fault;
 use crate::files;
@@ -79,9 +79,8 @@ pub struct ExportArguments {
     /// The colours.
     #[arg(long, default_value = "light", value_parser = ["light", "dark", "projector", "print"])]
     theme: String,
-    /// Lessons to read instead of those in the program.
-    #[arg(long, value_name = "DIR")]
-    lessons: Option<PathBuf>,
+    #[command(flatten)]
+    lessons: Lessons,
     /// The folder to write to; it is made if need be.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -90,7 +89,7 @@ pub struct ExportArguments {
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
     let order = order(arguments)?;
-    let library = lessons::read(arguments.lessons.as_deref())?;
+    let library = arguments.lessons.read()?;
     if arguments.own.is_asked() {
         let (ground, ray) = own::ground(&library, arguments)?;
         return draw(&own::sessions(&ground, ray), &order, arguments);

@@ -1,6 +1,7 @@
 //! Walks and builds of no slide: a scene or a mesh, a structure, and a ray through it.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use clap::Args;
 use glam::Vec2;
@@ -59,7 +60,7 @@ pub(super) fn seen(own: &Own, stage: &Stage, size: Size) -> Result<Option<(Strin
     if own.camera.is_none() {
         return Ok(None);
     }
-    let scene = subject::named(&stage.scene)?;
+    let scene = stage.scenes.named(&stage.scene).map_err(|error| Fault::new(error.to_string()))?;
     camera(own, &scene, size)
 }
 
@@ -90,7 +91,10 @@ pub(super) fn ground<'a>(
                 path.file_stem().map_or_else(|| scene.title.clone(), |stem| stem.to_string_lossy().into_owned());
             Scene { title, ..scene }
         }
-        None => subject::named(own.scene.as_deref().unwrap_or_default())?,
+        None => {
+            let named = library.scenes.named(own.scene.as_deref().unwrap_or_default());
+            Arc::unwrap_or_clone(named.map_err(|error| Fault::new(error.to_string()))?)
+        }
     };
     let rule = subject::spelt(own.structure.as_deref().unwrap_or_default(), &own.rule, scene.flat)?;
     let ray = if own.build { None } else { Some(ray(arguments, &scene)?) };

@@ -124,7 +124,8 @@ impl State {
             self.view.step = step;
             self.asking = false;
         }
-        self.answered = Some(Answered { beat, choice, right });
+        let before = self.answered.filter(|answered| answered.beat == beat).and_then(|answered| answered.wrong());
+        self.answered = Some(Answered { beat, choice, right, before });
     }
 
     /// Takes the step of the open question without an answer.

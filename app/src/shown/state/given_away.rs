@@ -33,7 +33,7 @@ const PANES: [Pane; 14] = [
     Pane::Listing,
     Pane::Changed,
     Pane::Stack,
-    Pane::StackHere,
+    Pane::Bin,
     Pane::Work,
     Pane::Timeline,
 ];

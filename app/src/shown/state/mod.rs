@@ -5,9 +5,12 @@ mod answering;
 mod given_away;
 mod heat;
 mod held;
+mod lecturing;
+mod linking;
 mod stepping;
 mod wanting;
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use raystep_accel::{Grain, Interval, Mistake, NodeId, Place, Rule};
@@ -18,6 +21,7 @@ use raystep_scene::Scene;
 use super::beside::{Beside, Pace, Rivals};
 use super::command::{Command, QUARTERS};
 use super::history::History;
+use super::lecture::Lecture;
 use super::playback::Playback;
 use super::steps::coarser;
 use super::view::{RayChoice, View};
@@ -53,6 +57,8 @@ pub struct State {
     pub by_hand: bool,
     /// Whether the presenter's page is shown.
     pub present: bool,
+    /// What is set for the class, while it is.
+    pub lecture: Lecture,
     /// Whether the question that waits behind the beat of this step has been called for.
     asking: bool,
     /// The answer given to the question that is open, or was just answered.
@@ -68,6 +74,8 @@ pub struct State {
     wanted: Option<View>,
     landing: Landing,
     history: History,
+    /// Where one was on the slides that were left, by their places.
+    left: HashMap<usize, View>,
     /// What was shown until lessons were read again, while nothing of them is shown.
     before: Option<Before>,
     waited: f32,
@@ -92,6 +100,15 @@ pub struct Answered {
     pub choice: usize,
     /// Whether it was right.
     pub right: bool,
+    /// The wrong answer that was given before it.
+    pub before: Option<usize>,
+}
+
+impl Answered {
+    /// The wrong answer that was given last.
+    pub fn wrong(&self) -> Option<usize> {
+        if self.right { self.before } else { Some(self.choice) }
+    }
 }
 
 /// Everything that decides what a frame looks like.
@@ -103,6 +120,7 @@ pub(crate) struct Stamp {
     waits: bool,
     beside: (Beside, Pace),
     modes: [bool; 5],
+    lecture: Lecture,
     heat: Option<Column>,
     answered: Option<Answered>,
 }
@@ -118,6 +136,8 @@ enum Landing {
     Named,
     /// Where this node is divided.
     Split(NodeId),
+    /// Where something is said for the last time.
+    LastBeat,
 }
 
 impl State {
@@ -142,6 +162,7 @@ impl State {
             heat: None,
             by_hand: false,
             present: false,
+            lecture: Lecture::default(),
             asking: false,
             answered: None,
             picked: None,
@@ -150,6 +171,7 @@ impl State {
             anchor: None,
             landing: Landing::Opening,
             history: History::default(),
+            left: HashMap::new(),
             before: None,
             waited: 0.0,
             wished,
@@ -186,6 +208,7 @@ impl State {
             waits: self.wanted.is_some(),
             beside: (self.beside, self.pace),
             modes: [self.playing, self.predict, self.locked, self.present, self.asking],
+            lecture: self.lecture.clone(),
             heat: self.heat,
             answered: self.answered,
         }
@@ -193,6 +216,9 @@ impl State {
 
     /// Does what a command says; those that concern the window itself change nothing here.
     pub fn apply(&mut self, command: Command) {
+        if self.present && self.lecture(command) {
+            return;
+        }
         match command {
             Command::Play => {
                 self.playing = !self.playing;
@@ -208,6 +234,8 @@ impl State {
             Command::PreviousCoarse => self.back(coarser(self.grain)),
             Command::First => self.go(0),
             Command::Last => self.go(usize::MAX),
+            Command::Onward => self.onward(),
+            Command::Backward => self.backward(),
             Command::NextSlide => self.show_slide(self.target().slide + 1),
             Command::PreviousSlide => self.show_slide(self.target().slide.wrapping_sub(1)),
             Command::Speed(speed) => self.speed = speed.clamp(1, 9 * QUARTERS),
@@ -226,13 +254,17 @@ impl State {
             Command::Redo => self.redo(),
             Command::Flat => self.show_stage(StageKind::Flat),
             Command::Solid => self.show_stage(StageKind::Solid),
+            Command::OtherStage => self.turn_stage(),
+            Command::NextRay => self.turn_ray(false),
+            Command::PreviousRay => self.turn_ray(true),
             Command::Compare => {
                 let on = matches!(self.beside, Beside::Structure(_) | Beside::Abreast(_));
                 self.compare_all(if on { Rivals::default() } else { self.rivals });
             }
             Command::Heat => self.toggle_heat(),
             Command::ByHand => self.by_hand = !self.by_hand,
-            Command::Present => self.present = !self.present,
+            Command::Present => self.present(),
+            Command::Speaker => self.speak(),
             Command::ResetCamera => self.look(None),
             Command::Deeper => self.step_depth(true),
             Command::Shallower => self.step_depth(false),
@@ -251,11 +283,17 @@ impl State {
         if slide >= self.library.slides.len() || slide == self.target().slide {
             return;
         }
-        self.keep();
+        self.leave();
         let stage = opening_stage(&self.library, slide, self.wished);
+        self.want(View::of_slide(slide, stage), Landing::Opening);
+    }
+
+    /// What is shown is left for another slide.
+    fn leave(&mut self) {
+        self.keep();
+        self.left.insert(self.view.slide, self.view.clone());
         self.beside = Beside::Nothing;
         self.heat = None;
-        self.want(View::of_slide(slide, stage), Landing::Opening);
     }
 
     /// To the slide's other stage.
@@ -446,7 +484,7 @@ impl State {
     pub fn keep(&mut self) {
         self.anchor = None;
         // What was asked for last counts, also where its walk is not there yet.
-        self.history.keep(self.wanted.as_ref().unwrap_or(&self.view));
+        self.history.keep((self.wanted.as_ref().unwrap_or(&self.view), self.opens()));
     }
 
     /// Whether there is something to undo, and to redo.
@@ -469,17 +507,22 @@ impl State {
         self.heat = None;
     }
 
+    /// Whether what is wanted is to open where its slide does, and does not stand there yet.
+    fn opens(&self) -> bool {
+        self.wanted.is_some() && self.landing == Landing::Opening
+    }
+
     fn undo(&mut self) {
-        let now = self.target().clone();
-        if let Some(view) = self.history.undo(&now) {
-            self.want(view, Landing::Named);
+        let now = (self.target().clone(), self.opens());
+        if let Some((view, opens)) = self.history.undo(now) {
+            self.want(view, if opens { Landing::Opening } else { Landing::Named });
         }
     }
 
     fn redo(&mut self) {
-        let now = self.target().clone();
-        if let Some(view) = self.history.redo(&now) {
-            self.want(view, Landing::Named);
+        let now = (self.target().clone(), self.opens());
+        if let Some((view, opens)) = self.history.redo(now) {
+            self.want(view, if opens { Landing::Opening } else { Landing::Named });
         }
     }
 }

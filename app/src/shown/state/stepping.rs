@@ -66,8 +66,11 @@ impl State {
 
     pub(super) fn forward(&mut self, grain: Grain) {
         self.heat = None;
-        let Some(playback) = &self.playback else { return };
         let step = self.view.step;
+        if self.present && self.opens_or_closes_a_question() {
+            return;
+        }
+        let Some(playback) = &self.playback else { return };
         if self.question_waits() {
             self.asking = true;
             return;
@@ -88,7 +91,7 @@ impl State {
 
     pub(super) fn back(&mut self, grain: Grain) {
         self.heat = None;
-        if self.asking {
+        if self.asking || self.is_settled() {
             // From the question back to what was said before it.
             self.asking = false;
             self.answered = None;

@@ -99,6 +99,7 @@ impl State {
                 None => self.view.step,
             },
             Landing::Named => named,
+            Landing::LastBeat => playback.play.beats.iter().flatten().copied().max().unwrap_or(named),
             Landing::Split(node) => playback.split_of(node).unwrap_or(self.view.step),
         };
         step.min(playback.steps().last())
@@ -128,6 +129,7 @@ impl State {
         }
         self.library = library;
         self.history = History::default();
+        self.left.clear();
         // What was on its way still is.
         if wanted.is_none() {
             self.landing = Landing::Named;

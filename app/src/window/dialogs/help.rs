@@ -28,11 +28,24 @@ const COLUMNS: [&[Group]; 2] = [
             ],
         ),
         ("Questions", &[Command::Predict, Command::Answer(0), Command::Skip]),
-        ("Slides", &[Command::NextSlide, Command::PreviousSlide, Command::Restore, Command::Undo, Command::Redo]),
+        (
+            "Slides",
+            &[
+                Command::NextSlide,
+                Command::PreviousSlide,
+                Command::NextRay,
+                Command::PreviousRay,
+                Command::OtherStage,
+                Command::Restore,
+                Command::Undo,
+                Command::Redo,
+            ],
+        ),
         (
             "The picture",
             &[
                 Command::Compare,
+                Command::Break,
                 Command::Heat,
                 Command::Frame,
                 Command::ResetCamera,
@@ -50,6 +63,7 @@ const COLUMNS: [&[Group]; 2] = [
         &[
             Command::ByHand,
             Command::Present,
+            Command::Speaker,
             Command::FullScreen,
             Command::Open,
             Command::Cancel,
@@ -60,6 +74,18 @@ const COLUMNS: [&[Group]; 2] = [
             Command::Help,
         ],
     )],
+];
+
+/// What differs before a class.
+const CLASS: &[Group] = &[
+    (
+        "The talk",
+        &[Command::Onward, Command::Backward, Command::NextSlide, Command::PreviousSlide, Command::Type(b'0')],
+    ),
+    ("Questions", &[Command::Answer(0), Command::Skip]),
+    ("The class's page", &[Command::Panes, Command::Black, Command::White, Command::Freeze]),
+    ("In the hand", &[Command::Pointer, Command::Pen]),
+    ("The speaker", &[Command::Speaker, Command::Notes, Command::Present]),
 ];
 
 /// What the mouse does.
@@ -76,20 +102,36 @@ const MOUSE: &[(&str, &str)] = &[
     ("Wheel", "comes nearer; stretches the ruler of t"),
 ];
 
-/// Shows the page; says whether it shall close.
-pub(super) fn page(ui: &Ui, theme: &Theme) -> bool {
+/// Shows the page of the study, or what differs before a class; says whether it shall close.
+pub(super) fn page(ui: &Ui, theme: &Theme, class: &mut bool) -> bool {
     let modal = controls::modal(ui, "help").show(ui.ctx(), |ui| {
         ui.set_width(COLUMN * 2.0 + 28.0);
-        ui.label(RichText::new(Command::Help.name()).font(font(Face::Bold, 20.0)));
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(Command::Help.name()).font(font(Face::Bold, 20.0)));
+            ui.add_space(16.0);
+            for (name, of_class) in [("In the study", false), ("Before a class", true)] {
+                if ui.selectable_label(*class == of_class, name).clicked() {
+                    *class = of_class;
+                }
+            }
+        });
         let height = (ui.ctx().content_rect().height() - 130.0).max(200.0);
         let area = ScrollArea::vertical().min_scrolled_height(height).max_height(height).auto_shrink([false, true]);
         area.show(ui, |ui| {
+            if *class {
+                column(ui, CLASS, true, theme);
+                ui.add_space(8.0);
+                ui.label(
+                    "All other keys are those of the study; digits are slides, not speeds, and letters no answers.",
+                );
+                return;
+            }
             ui.horizontal_top(|ui| {
                 ui.spacing_mut().item_spacing.x = 28.0;
                 for (index, groups) in COLUMNS.into_iter().enumerate() {
                     ui.vertical(|ui| {
                         ui.set_width(COLUMN);
-                        column(ui, groups, theme);
+                        column(ui, groups, false, theme);
                         if index == 1 {
                             let rows = MOUSE.iter().map(|(left, right)| (*left, *right));
                             group(ui, "The mouse", rows, theme);
@@ -107,20 +149,24 @@ pub(super) fn page(ui: &Ui, theme: &Theme) -> bool {
 /// The width of a column.
 const COLUMN: f32 = 410.0;
 
-fn column(ui: &mut Ui, groups: &[Group], theme: &Theme) {
+fn column(ui: &mut Ui, groups: &[Group], class: bool, theme: &Theme) {
     for (heading, commands) in groups {
-        let rows: Vec<(String, &str)> = commands.iter().filter_map(|command| Some(row(command.entry()?))).collect();
+        let rows: Vec<(String, &str)> =
+            commands.iter().filter_map(|command| Some(row(command.entry()?, class))).collect();
         group(ui, heading, rows.iter().map(|(keys, name)| (keys.as_str(), *name)), theme);
     }
 }
 
-/// A command's keys and name.
-fn row(entry: &Entry) -> (String, &'static str) {
+/// A command's keys and name, in the study or before a class.
+fn row(entry: &Entry, class: bool) -> (String, &'static str) {
     // A plus between two keys would run into the signs beside it.
-    let keys = entry.keys_text().replace("Ctrl+", "Ctrl ").replace("Shift+", "Shift ");
+    let keys = if class { entry.presenting.join("  ") } else { entry.keys_text().to_owned() };
+    let keys = keys.replace("Ctrl+", "Ctrl ").replace("Shift+", "Shift ");
     match entry.command {
         Command::Speed(_) => ("1 … 9".to_owned(), "Speed of playing"),
+        Command::Answer(_) if class => ("Alt A … D".to_owned(), "Answer the open question"),
         Command::Answer(_) => ("A B C D".to_owned(), "Answer the open question"),
+        Command::Type(_) => ("3 3 Enter".to_owned(), "Slide 33; as well 5/33"),
         Command::Cancel => (keys, "Cancel, close, let go of a field"),
         _ => (keys, entry.name),
     }
@@ -144,15 +190,26 @@ mod tests {
     use crate::shown::command::ENTRIES;
 
     #[test]
-    fn every_key_stands_on_the_page_once() {
-        let listed: Vec<&Command> = COLUMNS.iter().flat_map(|groups| groups.iter().flat_map(|(_, all)| *all)).collect();
-        for entry in ENTRIES.iter().filter(|entry| !entry.keys.is_empty()) {
-            let shown = match entry.command {
-                Command::Speed(_) => Command::Speed(QUARTERS),
-                Command::Answer(_) => Command::Answer(0),
-                other => other,
-            };
-            assert_eq!(listed.iter().filter(|command| ***command == shown).count(), 1, "{}", entry.name);
+    fn every_key_stands_on_its_page_once() {
+        let study = COLUMNS.iter().flat_map(|groups| groups.iter()).flat_map(|(_, all)| *all).collect::<Vec<_>>();
+        let class = CLASS.iter().flat_map(|(_, all)| *all).collect::<Vec<_>>();
+        let shown = |command| match command {
+            Command::Speed(_) => Command::Speed(QUARTERS),
+            Command::Answer(_) => Command::Answer(0),
+            Command::Type(_) => Command::Type(b'0'),
+            other => other,
+        };
+        for entry in ENTRIES {
+            let times = |page: &[&Command]| page.iter().filter(|command| ***command == shown(entry.command)).count();
+            if !entry.keys.is_empty() {
+                assert_eq!(times(&study), 1, "{} in the study", entry.name);
+            } else if !entry.presenting.is_empty() {
+                assert_eq!(times(&class), 1, "{} before a class", entry.name);
+            }
+            // Where the keys differ both pages say so, unless there is nothing to say.
+            if entry.keys != entry.presenting && !entry.presenting.is_empty() {
+                assert_eq!(times(&class), 1, "{} before a class", entry.name);
+            }
         }
     }
 }

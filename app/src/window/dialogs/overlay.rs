@@ -9,6 +9,7 @@ use raystep_figure::Theme;
 use super::palette::Palette;
 use super::{best, drop_hint, export, help, open, palette, progress};
 use crate::fault::Fault;
+use crate::shown::Link;
 use crate::shown::command::Command;
 use crate::shown::state::State;
 use crate::window::work::exporting::Wish;
@@ -19,7 +20,8 @@ use crate::window::work::task::Task;
 #[derive(Default)]
 pub(crate) struct Overlay {
     palette: Option<Palette>,
-    help: bool,
+    /// The page of keys: of the study, or of what differs before a class.
+    help: Option<bool>,
     best: bool,
     export: Option<export::Form>,
     open: Option<open::Form>,
@@ -31,6 +33,8 @@ pub(crate) enum Asked {
     Command(Command),
     /// A slide, by its place.
     Slide(usize),
+    /// A place, by a link.
+    Link(Box<Link>),
     /// To choose a folder to write to.
     ChooseFolder,
     /// To write files.
@@ -48,7 +52,7 @@ pub(crate) enum Asked {
 impl Overlay {
     /// Whether a dialog has the keys.
     pub(crate) fn is_open(&self) -> bool {
-        self.palette.is_some() || self.help || self.best || self.export.is_some() || self.open.is_some()
+        self.palette.is_some() || self.help.is_some() || self.best || self.export.is_some() || self.open.is_some()
     }
 
     /// Opens the palette.
@@ -57,8 +61,8 @@ impl Overlay {
     }
 
     /// Opens the page of keys, or closes it.
-    pub(crate) fn help(&mut self) {
-        self.help = !self.help;
+    pub(crate) fn help(&mut self, class: bool) {
+        self.help = if self.help.is_some() { None } else { Some(class) };
     }
 
     /// Opens the page of all structures.
@@ -117,10 +121,11 @@ impl Overlay {
             asked.extend(chosen.map(|choice| match choice {
                 palette::Choice::Command(command) => Asked::Command(command),
                 palette::Choice::Slide(slide) => Asked::Slide(slide),
+                palette::Choice::Link(link) => Asked::Link(link),
             }));
         }
-        if self.help && help::page(ui, theme) {
-            self.help = false;
+        if self.help.as_mut().is_some_and(|class| help::page(ui, theme, class)) {
+            self.help = None;
         }
         if self.best && best::page(ui, judging, theme) {
             self.best = false;

@@ -14,8 +14,10 @@ use crate::{fields, files, folders};
 /// What is remembered.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Remembered {
-    /// The theme's name.
+    /// The name of the study's theme.
     pub theme: String,
+    /// The name of the theme for a class.
+    pub presenting: String,
     /// The factor of the whole window.
     pub zoom: f32,
     /// Whether questions are asked.
@@ -67,6 +69,7 @@ impl Default for Remembered {
     fn default() -> Remembered {
         Remembered {
             theme: "light".to_owned(),
+            presenting: "projector".to_owned(),
             zoom: 1.0,
             predict: true,
             motion: None,
@@ -133,11 +136,11 @@ impl Remembered {
         };
         let size = || number(1.0, 1e5).map(Some);
         match key {
-            "theme" => {
+            "theme" | "presenting" => {
                 let name = value.as_ref().and_then(Value::as_str).unwrap_or_default();
                 let known = || Theme::ALL.map(|theme| format!("\"{}\"", theme.name)).join(", ");
                 let theme = Theme::named(name).ok_or_else(|| format!("there are {}", known()))?;
-                theme.name.clone_into(&mut self.theme);
+                theme.name.clone_into(if key == "theme" { &mut self.theme } else { &mut self.presenting });
             }
             "predict" => {
                 self.predict = value.as_ref().and_then(Value::as_bool).ok_or("true or false is needed")?;

@@ -40,7 +40,7 @@ pub(super) fn show(
     let study = !page.state.present;
     let strip = Rect::from_min_size(rect.min, vec2(rect.width(), if study { STRIP } else { 0.0 }));
     let room = Rect::from_min_max(strip.left_bottom(), rect.max);
-    let look = Look { text: Look::WINDOW.text * scale, titles: false };
+    let look = Look { text: Look::WINDOW.text * scale, titles: false, least: 0.0 };
     let Some(wish) = wish(page, kept, room, of, &look) else { return };
     let camera = wish.camera;
     if study {

@@ -24,10 +24,11 @@ mod rival;
 mod sight;
 mod solid;
 mod space;
-mod speech;
+pub(super) mod speaker;
 mod stage;
 pub(super) mod study;
 mod trial;
 
 pub(super) use hold::Moved;
+pub(super) use notices::Notices;
 pub(super) use page::{Asked, Kept, Page};

@@ -105,7 +105,7 @@ impl Moving {
 
     /// Where the places that come onto a stack were shown before: in the tree, else in space.
     fn coming(&self, frame: Frame, rect: Rect, figure: &Figure) -> Vec<(Place, Vec2)> {
-        if !matches!(frame, Frame::Pane(Pane::Stack | Pane::StackHere)) {
+        if !matches!(frame, Frame::Pane(Pane::Stack | Pane::Bin)) {
             return Vec::new();
         }
         let mut places: Vec<Place> = figure.marks.iter().filter_map(|mark| mark.place).collect();

@@ -14,8 +14,8 @@ use super::heat_kept::HeatKept;
 use super::hold::Moved;
 use super::moving::Moving;
 use super::notices::Notices;
+use super::present::{Fitted, Pages};
 use super::sight::Sight;
-use super::speech::Fitted;
 use crate::shown::beside::{Pace, Rivals};
 use crate::shown::camera::Seen;
 use crate::shown::command::Command;
@@ -102,8 +102,10 @@ pub(crate) struct Kept {
     pub(crate) sight: Sight,
     /// What is said to the user.
     pub(crate) notices: Notices,
-    pub(super) formulas: Formulas,
+    pub(crate) formulas: Formulas,
     pub(super) tree: TreeView,
+    /// Which page of a long beat is shown.
+    pub(crate) pages: Pages,
     /// The presenter's column of words, as it was fitted last.
     pub(super) column: Option<Fitted>,
     /// Walks side by side, as they were drawn last.

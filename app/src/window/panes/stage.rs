@@ -89,6 +89,9 @@ fn ground(state: &State) -> Role {
 /// Most primitives that are tried one by one to find the one under the pointer.
 const TRIED: usize = 20_000;
 
+/// The smallest letters of a board before a class, where others have their usual size.
+const LEAST: f32 = 9.5;
+
 /// The height of the names over two pictures.
 const STRIP: f32 = 38.0;
 
@@ -127,7 +130,9 @@ pub(super) fn stage(
     let look = Look::WINDOW;
     // A kind that draws the middle of the page itself needs no stage.
     let Some(space) = pictures.space.clone().filter(|_| !pictures.has(Pane::Picture)) else {
-        let look = Look { text: look.text * scale, ..look };
+        // Before a class nothing is smaller than can be read from the last row.
+        let least = if page.state.present { LEAST * scale } else { 0.0 };
+        let look = Look { text: look.text * scale, least, ..look };
         return figure::figure(ui, page, kept, Pane::Picture, rect, &look, asked);
     };
     let space = &*space;

@@ -7,6 +7,7 @@ pub(super) mod heating;
 pub(super) mod judging;
 mod second;
 pub(super) mod task;
+pub(super) mod thumbs;
 mod underway;
 mod watch;
 mod workshop;

@@ -5,7 +5,7 @@ use raystep_accel::Reveal;
 
 use super::{Instant, Kind};
 use crate::page::Figure;
-use crate::panes::{Ask, KnobLine, Pane, Panel, Pixel, board, knobs, pixel_at, probe};
+use crate::panes::{Ask, KnobLine, Pane, Panel, Pixel, across, board, knobs, pixel_at, probe};
 use crate::words::Fact;
 
 /// Tables and charts, and what comes to be seen on them.
@@ -17,12 +17,6 @@ pub struct Board<'a> {
     pub events: &'a [Reveal],
     /// What each of these is called.
     pub names: &'a [String],
-}
-
-impl Board<'_> {
-    fn all(&self) -> Vec<&Panel> {
-        self.panels.iter().collect()
-    }
 }
 
 impl Kind for Board<'_> {
@@ -44,21 +38,27 @@ impl Kind for Board<'_> {
     }
 
     fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
-        let shown: Vec<&Panel> =
-            self.panels.iter().filter(|panel| pane == Pane::Picture || pane == panel.pane()).collect();
-        (pane == Pane::Picture || !shown.is_empty()).then(|| board(&shown, *at.state(), ask))
+        if pane == Pane::Picture {
+            return Some(board(self.panels, *at.state(), ask));
+        }
+        let shown: Vec<Panel> = self.panels.iter().filter(|panel| pane == panel.pane()).cloned().collect();
+        (!shown.is_empty()).then(|| board(&shown, *at.state(), ask))
     }
 
     fn pixel_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
-        pixel_at(&self.all(), *at.state(), ask, point)
+        pixel_at(self.panels, *at.state(), ask, point)
     }
 
     fn probe(&self, at: &Instant, ask: &Ask<'_>, pixel: &Pixel) -> Option<Figure> {
-        Some(probe(&self.all(), *at.state(), ask, pixel))
+        Some(probe(self.panels, *at.state(), ask, pixel))
     }
 
-    fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
-        knobs(&self.all(), ask)
+    fn across(&self) -> f32 {
+        across(self.panels)
+    }
+
+    fn knobs(&self, at: &Instant, ask: &Ask<'_>) -> Vec<KnobLine> {
+        knobs(self.panels, *at.state(), ask)
     }
 
     fn fact(&self, step: usize) -> Option<&dyn Fact> {

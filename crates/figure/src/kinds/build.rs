@@ -8,9 +8,9 @@ use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, CutLine, Pane, TreeView, cells_of_build, changed_of_build, costs, cut_line, cut_to, ghost_of_build, legend,
-    listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build, tree_height, tree_of_build,
-    tree_with, weighed, weighing, work_of_build,
+    Ask, CutLine, Pane, TreeView, bin_of_build, cells_of_build, changed_of_build, costs, cut_line, cut_to,
+    ghost_of_build, legend, listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build,
+    tree_height, tree_of_build, tree_with, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, counted};
@@ -45,7 +45,7 @@ impl Kind for Build<'_> {
         let mut panes = vec![Pane::Tree, Pane::Cells, Pane::Listing, Pane::Changed, Pane::Work, Pane::Timeline];
         // The cells of a grid are not weighed, and are filled one after the other.
         if self.structure.node_count() > 0 {
-            panes.extend([Pane::RulerLine, Pane::Stack, Pane::StackHere]);
+            panes.extend([Pane::RulerLine, Pane::Stack, Pane::Bin]);
         }
         if self.structure.node_count() > 0 && self.weighs() {
             panes.push(Pane::Ruler);
@@ -64,7 +64,7 @@ impl Kind for Build<'_> {
         let nodes = self.structure.node_count() > 0;
         let ruler = nodes && !self.weighs_in_the_plane();
         Some(match pane {
-            Pane::Picture if self.weighs_in_the_plane() => weighing(self, moment, ask),
+            Pane::Picture if self.weighs_in_the_plane() => weighing(self, moment, &legible(ask)),
             // Between two weighings there is nothing but the tree so far.
             Pane::RulerLine if ruler && moment.weighed.is_empty() => {
                 tree_of_build(moment, &TreeView::default(), size, look)
@@ -78,7 +78,8 @@ impl Kind for Build<'_> {
             }
             Pane::Cells => cells_of_build(self, moment, size, look),
             Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),
-            Pane::Stack | Pane::StackHere if nodes => stack_of_build(moment, pane == Pane::StackHere, size, look),
+            Pane::Stack if nodes => stack_of_build(moment, size, look),
+            Pane::Bin if nodes => bin_of_build(moment, size, look),
             Pane::Work => work_of_build(self, moment, size, look),
             Pane::Timeline => timeline_of_build(self, at.step(), hide, size, look),
             _ => return None,
@@ -193,15 +194,21 @@ impl Kind for Build<'_> {
     }
 
     fn cut_line(&self, at: &Instant, ask: &Ask<'_>) -> Option<CutLine> {
-        cut_line(self, at.state(), ask).filter(|_| self.weighs_in_the_plane())
+        cut_line(self, at.state(), &legible(ask)).filter(|_| self.weighs_in_the_plane())
     }
 
     fn cut_to(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<HandCut> {
-        cut_to(self, at.state(), ask, point).filter(|_| self.weighs_in_the_plane())
+        cut_to(self, at.state(), &legible(ask), point).filter(|_| self.weighs_in_the_plane())
     }
 
     fn guess(&self, at: &mut Instant, guesses: &[Guess]) {
         let plane = |guess: &Guess| guess.plane.map(|(across, at)| (across, at, guess.text.clone()));
         at.state_mut::<GrowMoment>().guesses = guesses.iter().filter_map(plane).collect();
     }
+}
+
+/// Letters that leave the picture of a weighing its room.
+fn legible<'a>(ask: &Ask<'a>) -> Ask<'a> {
+    let Ask { size, look, .. } = *ask;
+    Ask { look: Look { text: look.text.min(size.x / 42.0).min(size.y / 28.0), ..look }, ..*ask }
 }

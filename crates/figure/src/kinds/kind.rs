@@ -171,9 +171,14 @@ pub trait Kind {
         None
     }
 
+    /// How wide the picture in the middle is at least, in letters; 0 where it is as wide as there is room.
+    fn across(&self) -> f32 {
+        0.0
+    }
+
     /// Where the numbers lie that can be moved by hand.
-    fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
-        let _ = ask;
+    fn knobs(&self, at: &Instant, ask: &Ask<'_>) -> Vec<KnobLine> {
+        let _ = (at, ask);
         Vec::new()
     }
 

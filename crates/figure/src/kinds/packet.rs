@@ -6,8 +6,8 @@ use super::{Guess, Instant, Kind};
 use crate::moments::{PacketMoment, PacketWalk};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, TreeView, legend, listing_of_packet, matrix, matrix_height, rulers, rulers_height, space_of_packet,
-    stack_of_packet, tree_height, tree_of_packet,
+    Ask, Pane, TreeView, bin_of_packet, legend, listing_of_packet, matrix, matrix_height, rulers, rulers_height,
+    space_of_packet, stack_of_packet, tree_height, tree_of_packet,
 };
 use crate::theme::Role;
 use crate::words::{Fact, VolumeName, counted, mask};
@@ -27,7 +27,7 @@ impl Kind for PacketWalk<'_> {
     }
 
     fn panes(&self) -> Vec<Pane> {
-        vec![Pane::Ruler, Pane::RulerLine, Pane::Tree, Pane::Listing, Pane::Stack, Pane::StackHere, Pane::Work]
+        vec![Pane::Ruler, Pane::RulerLine, Pane::Tree, Pane::Listing, Pane::Stack, Pane::Bin, Pane::Work]
     }
 
     fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
@@ -42,7 +42,8 @@ impl Kind for PacketWalk<'_> {
                 let lanes = moment.event.map(|event| event.lanes);
                 listing_of_packet(ask.lines, self.fact(at.step()), lanes, there, self.flat, size, look)
             }
-            Pane::Stack | Pane::StackHere => stack_of_packet(self, moment, hide, size, look),
+            Pane::Stack => stack_of_packet(self, moment, hide, size, look),
+            Pane::Bin => bin_of_packet(moment, size, look),
             Pane::Work => matrix(self, moment, hide, size, look),
             _ => return None,
         })

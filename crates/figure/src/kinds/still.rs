@@ -148,7 +148,7 @@ impl<'a> Still<'a> {
 
     /// Where the numbers lie that can be moved by hand, in the picture that is asked for.
     pub fn knobs(&self, ask: &Ask<'_>) -> Vec<KnobLine> {
-        self.kind.knobs(ask)
+        self.kind.knobs(self.at, ask)
     }
 
     /// The pixel of a heat map at a point of the picture in the middle of the page.

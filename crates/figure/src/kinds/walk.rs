@@ -8,7 +8,7 @@ use super::{Guess, Instant, Kind};
 use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, Pane, RulerScale, TreeView, bytes, bytes_height, cells, changed, ghost, legend, listing, ruler_height,
+    Ask, Pane, RulerScale, TreeView, bin, bytes, bytes_height, cells, changed, ghost, legend, listing, ruler_height,
     ruler_line_height, ruler_line_of, ruler_of, ruler_scale, slabs, space_to, stack, symbol_at, tested, timeline, tree,
     tree_height, work,
 };
@@ -46,7 +46,7 @@ impl Kind for Walk<'_> {
         }
         // Without nodes nothing ever waits.
         if self.structure.node_count() > 0 {
-            panes.extend([Pane::Stack, Pane::StackHere]);
+            panes.extend([Pane::Stack, Pane::Bin]);
         }
         panes
     }
@@ -62,9 +62,8 @@ impl Kind for Walk<'_> {
             Pane::Slabs => slabs(self, moment, hide, size, look),
             Pane::Bytes if self.panes().contains(&Pane::Bytes) => bytes(self, moment, hide, size, look),
             Pane::Listing => listing("Walk", ask.lines, self.fact(at.step()), self.flat, size, look),
-            Pane::Stack | Pane::StackHere if self.structure.node_count() > 0 => {
-                stack(self, moment, pane == Pane::StackHere, size, look)
-            }
+            Pane::Stack if self.structure.node_count() > 0 => stack(self, moment, size, look),
+            Pane::Bin if self.structure.node_count() > 0 => bin(moment, size, look),
             Pane::Work => work(self, moment, ask.beside, size, look),
             Pane::Timeline => timeline(self, at.step(), hide, size, look),
             _ => return None,

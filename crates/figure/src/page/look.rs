@@ -13,11 +13,13 @@ pub struct Look {
     pub text: f32,
     /// Whether a pane carries its own heading.
     pub titles: bool,
+    /// The smallest letters that can be read: what cannot be set so large is shown in part. 0 where one may come nearer.
+    pub least: f32,
 }
 
 impl Look {
     /// A pane of the window.
-    pub const WINDOW: Look = Look { text: 13.0, titles: true };
+    pub const WINDOW: Look = Look { text: 13.0, titles: true, least: 0.0 };
 
     /// Height of a line of text.
     pub(crate) fn line(&self) -> f32 {
@@ -42,8 +44,10 @@ impl Look {
         let y = self.margin() + self.text * 0.6;
         let left = self.margin();
         write(figure, Role::Quiet, None, Vec2::new(left, y), title, self.text * 0.95, Face::Bold, Anchor::Start);
-        if !remark.is_empty() {
-            let x = left + text_width(title, Face::Bold, self.text * 0.95) + self.text;
+        let x = left + text_width(title, Face::Bold, self.text * 0.95) + self.text;
+        // A remark that has no room is left out: what stands beside is not covered.
+        let fits = x + text_width(remark, Face::Regular, self.small()) <= figure.size.x || figure.size.x == 0.0;
+        if !remark.is_empty() && fits {
             write(figure, Role::Quiet, None, Vec2::new(x, y), remark, self.small(), Face::Regular, Anchor::Start);
         }
         y + self.text * 1.0

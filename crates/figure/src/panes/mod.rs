@@ -1,5 +1,6 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
+mod bin;
 mod board;
 mod bytes;
 mod cells;
@@ -21,11 +22,13 @@ mod walks;
 mod weighing;
 mod work;
 
+pub(crate) use bin::bin_of_packet;
+pub use bin::{bin, bin_of_build};
 pub use board::{
     Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Pixel, Row,
     Scale, Table,
 };
-pub(crate) use board::{board, knobs, pixel_at, probe};
+pub(crate) use board::{across, board, knobs, pixel_at, probe};
 pub use bytes::bytes;
 pub(crate) use bytes::bytes_height;
 pub use cells::{cells, cells_of_build};

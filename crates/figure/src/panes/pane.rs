@@ -32,8 +32,8 @@ pub enum Pane {
     Changed,
     /// What waits.
     Stack,
-    /// What waits, with the current place on top.
-    StackHere,
+    /// What waits, as an open bin, for the far end of a lecture hall.
+    Bin,
     /// The work so far.
     Work,
     /// What the marks of space mean.
@@ -66,7 +66,7 @@ impl Pane {
         Pane::Listing,
         Pane::Changed,
         Pane::Stack,
-        Pane::StackHere,
+        Pane::Bin,
         Pane::Work,
         Pane::Legend,
         Pane::Timeline,
@@ -99,7 +99,7 @@ impl Pane {
             Pane::Bytes => "Bytes",
             Pane::Listing => "Walk",
             Pane::Changed => "Changed",
-            Pane::Stack | Pane::StackHere => "Stack",
+            Pane::Stack | Pane::Bin => "Stack",
             Pane::Work => "Work",
             Pane::Legend => "Signs",
             Pane::Timeline => "Timeline",

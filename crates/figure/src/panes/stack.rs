@@ -19,33 +19,27 @@ struct Row {
 }
 
 /// What waits, the next one on top; when something waits behind it, with the words "next" and "later".
-/// `here` puts the current place above them, as "now".
-pub fn stack(walk: &Walk<'_>, moment: &Moment, here: bool, size: Vec2, look: &Look) -> Figure {
+pub fn stack(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figure {
     let interval = |near: f32, far: f32| format!("[{}, {}]", number(near), number(far));
-    let now = moment.here.filter(|place| here && matches!(place, Place::Node(_)));
-    let entered = moment.entered;
-    let now =
-        now.map(|place| Row { place, role: Role::Here, interval: interval(entered.near, entered.far), word: "now" });
     let waiting = moment.stack.iter().rev().enumerate().map(|(index, waiting)| Row {
         place: Place::Node(waiting.node),
         role: Role::Waiting,
         interval: interval(waiting.near, waiting.far),
-        word: word(index, moment.stack.len(), here),
+        word: word(index, moment.stack.len()),
     });
-    let rows: Vec<Row> = now.into_iter().chain(waiting).collect();
+    let rows: Vec<Row> = waiting.collect();
     let nothing = if walk.structure.node_count() > 0 { "Nothing waits." } else { "This walk needs no stack." };
     let remark = if moment.stack.len() > 1 { "opened from the top" } else { "" };
     draw("Stack", remark, &rows, nothing, size, look)
 }
 
 /// The nodes that a builder has yet to build, the next one on top.
-pub fn stack_of_build(moment: &GrowMoment, here: bool, size: Vec2, look: &Look) -> Figure {
+pub fn stack_of_build(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
     let row = |place, role, word| Row { place, role, interval: String::new(), word };
-    let now = moment.node.filter(|_| here).map(|node| row(Place::Node(node), Role::Here, "now"));
     let many = moment.waiting.len();
     let waiting = moment.waiting.iter().rev().enumerate();
-    let waiting = waiting.map(|(index, node)| row(Place::Node(*node), Role::Waiting, word(index, many, here)));
-    let rows: Vec<Row> = now.into_iter().chain(waiting).collect();
+    let waiting = waiting.map(|(index, node)| row(Place::Node(*node), Role::Waiting, word(index, many)));
+    let rows: Vec<Row> = waiting.collect();
     let remark = if many > 1 { "built from the top" } else { "" };
     draw("Still to be built", remark, &rows, "Nothing waits.", size, look)
 }
@@ -62,9 +56,9 @@ pub fn stack_height(rows: usize, look: &Look) -> f32 {
 }
 
 /// When the row with this place from the top is opened.
-fn word(index: usize, many: usize, here: bool) -> &'static str {
+fn word(index: usize, many: usize) -> &'static str {
     match index {
-        _ if many < 2 && !here => "",
+        _ if many < 2 => "",
         0 => "next",
         _ => "later",
     }

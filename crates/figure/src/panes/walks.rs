@@ -137,7 +137,7 @@ fn column(walker: &Walker<'_>, waits: bool, size: Vec2, look: &Look) -> Figure {
     let part = part.into_iter().flat_map(|part| part.marks);
     figure.marks.extend(part.map(|mark| mark.moved(Vec2::new(0.0, tree_top))));
     if walk.structure.node_count() > 0 {
-        let part = stack(walk, moment, false, Vec2::new(size.x, below), look);
+        let part = stack(walk, moment, Vec2::new(size.x, below), look);
         figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(Vec2::new(0.0, size.y - below))));
     }
     figure

@@ -85,6 +85,8 @@ pub struct Theme {
     hover: Color,
     /// Opacity of tinted boxes.
     tint: u8,
+    /// How much of a primitive's colour its inside has once it was hit.
+    solid: u8,
     /// Factor on all line widths.
     weight: f32,
 }
@@ -154,6 +156,7 @@ impl Theme {
         wrong: Color::hex(0xA3005C),
         hover: Color::hex(0xF0C800),
         tint: 20,
+        solid: 96,
         weight: 1.0,
     };
 
@@ -176,6 +179,7 @@ impl Theme {
         wrong: Color::hex(0xFF79B8),
         hover: Color::hex(0xF5D94A),
         tint: 40,
+        solid: 96,
         weight: 1.0,
     };
 
@@ -189,7 +193,7 @@ impl Theme {
         text: Color::hex(0x0B0E14),
         quiet: Color::hex(0x343B47),
         edge: Color::hex(0x656D7B),
-        scene: Color::hex(0xE6E9E2),
+        scene: Color::hex(0xC9CFC3),
         here: Color::hex(0x05467C),
         ray: Color::hex(0x8C2900),
         waiting: Color::hex(0x5B1F72),
@@ -198,6 +202,7 @@ impl Theme {
         wrong: Color::hex(0x85004A),
         hover: Color::hex(0xF0C800),
         tint: 28,
+        solid: 136,
         weight: 1.5,
     };
 
@@ -247,7 +252,7 @@ impl Theme {
             Role::Waiting => look(stroke(self.waiting, 2.2, Dashed), tint(self.waiting), self.waiting),
             Role::Dropped => look(stroke(self.edge, 1.8, Dotted), Some(self.page.alpha(96)), self.quiet),
             Role::Missed => hatched(stroke(self.test, 1.5, Solid), tint(self.test), self.test),
-            Role::Hit => look(stroke(self.hit, 1.8, Solid), Some(self.hit.alpha(96)), self.hit),
+            Role::Hit => look(stroke(self.hit, 1.8, Solid), Some(self.hit.alpha(self.solid)), self.hit),
             Role::Best => look(stroke(self.hit, 3.0, Solid), Some(self.hit.alpha(200)), self.hit),
             Role::Plane => look(stroke(self.here, 2.4, Solid), tint(self.here), self.here),
             Role::Candidate => look(stroke(self.test, 2.4, Solid), None, self.test),

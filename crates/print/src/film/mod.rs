@@ -60,7 +60,7 @@ type Changed = [u32; 4];
 /// pixel.
 fn changed(before: &[u8], after: &[u8], width: u32, each: usize) -> Changed {
     let row = width as usize * each;
-    let rows = || before.chunks_exact(row).zip(after.chunks_exact(row)).map(|(a, b)| (a, b));
+    let rows = || before.chunks_exact(row).zip(after.chunks_exact(row));
     let Some(top) = rows().position(|(a, b)| a != b) else { return [0, 0, 1, 1] };
     let bottom = rows().rposition(|(a, b)| a != b).unwrap_or(top);
     let differ = |(a, b): (&[u8], &[u8])| a != b;

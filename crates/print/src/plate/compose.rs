@@ -58,7 +58,7 @@ fn shift(ink: &mut Ink, by: Vec2) {
 }
 
 /// Makes everything larger by a factor.
-pub(crate) fn enlarge(figure: &mut Figure, by: f32) {
+pub fn enlarge(figure: &mut Figure, by: f32) {
     figure.size *= by;
     for mark in &mut figure.marks {
         match &mut mark.ink {

@@ -8,7 +8,7 @@ use glam::Vec2;
 use raystep_figure::{Figure, ListingLine, Look, Pane, Role, Still};
 
 use compose::Area;
-pub use compose::set_in;
+pub use compose::{enlarge, set_in};
 
 /// A step and what is said about it.
 #[derive(Clone, Copy)]
@@ -60,7 +60,7 @@ impl Part {
 
 /// The page at this size; `picture` draws space at the size that it gets.
 pub fn plate(plate: &Plate<'_>, size: Vec2, picture: &dyn Fn(Vec2) -> Figure) -> Figure {
-    let mut page = Page { figure: Figure::new(size), look: Look { text: TEXT, titles: true }, plate };
+    let mut page = Page { figure: Figure::new(size), look: Look { text: TEXT, titles: true, least: 0.0 }, plate };
     if size.x >= size.y * 1.2 {
         page.wide(picture);
     } else {

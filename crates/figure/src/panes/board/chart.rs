@@ -69,6 +69,13 @@ pub enum Curve {
 /// Two numbers.
 pub type Dot = [f64; 2];
 
+impl Chart {
+    /// When what is drawn in it comes to be seen.
+    pub(super) fn entries(&self) -> Vec<usize> {
+        self.drawn.iter().map(|drawn| drawn.entry).collect()
+    }
+}
+
 impl Scale {
     /// How far along the axis a number lies: 0 at its lower end, 1 at its upper one.
     fn part(&self, value: f64) -> f32 {

@@ -3,6 +3,7 @@
 
 mod chart;
 mod heat_scale;
+mod map;
 mod maps;
 mod meter;
 mod pictures;
@@ -13,7 +14,8 @@ use glam::Vec2;
 use raystep_accel::{CellId, Place};
 
 pub use chart::{Chart, Curve, Dot, Drawn, Scale};
-pub use maps::{Map, Maps, Pixel};
+pub use map::Map;
+pub use maps::{Maps, Pixel};
 pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};
@@ -47,6 +49,17 @@ impl Panel {
             Panel::Pictures(_) => Pane::Traced,
         }
     }
+
+    /// The entries that come to be seen in it; a meter is there from the beginning.
+    fn entries(&self) -> Vec<usize> {
+        match self {
+            Panel::Table(table) => table.rows.iter().map(|row| row.entry).collect(),
+            Panel::Chart(chart) => chart.entries(),
+            Panel::Meter(_) => Vec::new(),
+            Panel::Maps(maps) => maps.maps.iter().map(|map| map.entry).collect(),
+            Panel::Pictures(pictures) => pictures.pictures.iter().map(|picture| picture.entry).collect(),
+        }
+    }
 }
 
 /// How far a board is filled.
@@ -77,31 +90,80 @@ fn place(entry: usize) -> Option<Place> {
     Some(Place::Cell(CellId(entry as u32)))
 }
 
-/// Letters that are small enough for all panels: what stands in the presenter's hall is large, but a table may not be cut.
-fn fitted(panels: &[&Panel], ask: &Ask<'_>, wide: bool) -> Look {
-    // What follows a chart stands beside it; a chart that follows stands below.
-    let beside = wide && panels.len() > 1 && matches!(panels, [Panel::Chart(_), ..]);
-    let (mut across, mut up) = (0.0_f32, 0.0_f32);
-    for panel in panels {
-        let [width, height] = match panel {
-            Panel::Table(table) => table.letters(),
-            Panel::Chart(_) => [34.0, 18.0],
-            Panel::Meter(meter) => meter.letters(),
-            Panel::Maps(maps) => [26.0 * maps.maps.len() as f32, 22.0],
-            Panel::Pictures(pictures) => [20.0 * pictures.pictures.len() as f32, 18.0],
-        };
-        let share = if beside { if matches!(panel, Panel::Chart(_)) { 0.58 } else { 0.42 } } else { 1.0 };
-        across = across.max(width / share);
-        up = if beside { up.max(height) } else { up + height };
+/// A chart's usual part of the width, where something stands beside it.
+const CHART: f32 = 0.58;
+
+/// How wide and how high a panel is at least, in letters.
+fn letters(panel: &Panel) -> [f32; 2] {
+    match panel {
+        Panel::Table(table) => table.letters(),
+        Panel::Chart(_) => [34.0, 18.0],
+        Panel::Meter(meter) => meter.letters(),
+        Panel::Maps(maps) => [26.0 * maps.maps.len() as f32, 22.0],
+        Panel::Pictures(pictures) => [20.0 * pictures.pictures.len() as f32, 18.0],
     }
-    let most = (ask.size.x / across.max(1.0)).min(ask.size.y / up.max(1.0));
-    Look { text: ask.look.text.min(most), ..ask.look }
 }
 
-/// How large everything is set, and the corner and the room of each panel.
-fn layout(panels: &[&Panel], ask: &Ask<'_>) -> (Look, Vec<[Vec2; 2]>) {
+/// How wide a board is at least, in letters.
+pub(crate) fn across(panels: &[Panel]) -> f32 {
+    panels.iter().map(|panel| letters(panel)[0]).fold(0.0, f32::max)
+}
+
+/// How some panels are set: letters that are small enough for all of them, and a chart's part of the width where the
+/// others stand beside it. What stands in the presenter's hall is large, but a table may not be cut.
+fn fitted(panels: &[&Panel], ask: &Ask<'_>, wide: bool) -> (Look, f32) {
+    // What follows a chart stands beside it; a chart that follows stands below.
+    let beside = wide && panels.len() > 1 && matches!(panels.first(), Some(Panel::Chart(_)));
+    let set = |chart: f32| {
+        let (mut across, mut up) = (0.0_f32, 0.0_f32);
+        for panel in panels {
+            let [width, height] = letters(panel);
+            let is_chart = matches!(panel, Panel::Chart(_));
+            let share = if beside { if is_chart { chart } else { 1.0 - chart } } else { 1.0 };
+            // A narrow chart is still one.
+            let width = if is_chart && chart < CHART { width * 0.7 } else { width };
+            across = across.max(width / share);
+            up = if beside { up.max(height) } else { up + height };
+        }
+        let most = (ask.size.x / across.max(1.0)).min(ask.size.y / up.max(1.0));
+        ask.look.text.min(most)
+    };
+    let usual = set(CHART);
+    // Letters that would be small beside the usual chart take of its width.
+    let narrow = [0.5, 0.45, 0.4].into_iter().map(|chart| (set(chart), chart));
+    let best = narrow.filter(|_| beside && usual < ask.look.text && ask.look.least > 0.0);
+    let (text, chart) = best.fold((usual, CHART), |best, next| if next.0 > best.0 { next } else { best });
+    (Look { text, ..ask.look }, chart)
+}
+
+/// Which panels stand there: all of them, where their letters can be read; else the one that is spoken of, with those
+/// beside it that have room.
+fn shown(panels: &[Panel], filled: Filled, ask: &Ask<'_>, wide: bool) -> Vec<bool> {
+    let reads = |chosen: &[bool]| {
+        let these: Vec<&Panel> =
+            panels.iter().zip(chosen).filter(|(_, chosen)| **chosen).map(|(panel, _)| panel).collect();
+        fitted(&these, ask, wide).0.text >= ask.look.least.min(ask.look.text)
+    };
+    let mut chosen = vec![true; panels.len()];
+    if reads(&chosen) {
+        return chosen;
+    }
+    let now = if filled.asks { filled.step } else { filled.step.saturating_sub(1) };
+    let spoken_of = panels.iter().position(|panel| panel.entries().contains(&now)).unwrap_or(0);
+    chosen = (0..panels.len()).map(|index| index == spoken_of).collect();
+    for next in (spoken_of + 1..panels.len()).chain((0..spoken_of).rev()) {
+        chosen[next] = true;
+        chosen[next] = reads(&chosen);
+    }
+    chosen
+}
+
+/// How large everything is set, and the corner and the room of each panel that stands there.
+fn layout<'a>(panels: &'a [Panel], filled: Filled, ask: &Ask<'_>) -> (Look, Vec<(&'a Panel, [Vec2; 2])>) {
     let wide = ask.size.x > ask.size.y * 1.15;
-    let look = fitted(panels, ask, wide);
+    let chosen = shown(panels, filled, ask, wide);
+    let panels: Vec<&Panel> = panels.iter().zip(chosen).filter(|(_, chosen)| *chosen).map(|(panel, _)| panel).collect();
+    let (look, chart) = fitted(&panels, ask, wide);
     let mut corner = Vec2::ZERO;
     let mut rooms = Vec::new();
     for (index, panel) in panels.iter().enumerate() {
@@ -110,13 +172,13 @@ fn layout(panels: &[&Panel], ask: &Ask<'_>) -> (Look, Vec<[Vec2; 2]>) {
         if left > 1 {
             // The first of two has the larger part: a chart's, or what the rows of a table need.
             match panel {
-                Panel::Chart(_) if wide => room.x *= 0.58,
+                Panel::Chart(_) if wide => room.x *= chart,
                 Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => room.y *= 0.55,
                 Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
                 Panel::Meter(meter) => room.y = meter.height(&look).min(room.y * 0.7),
             }
         }
-        rooms.push([corner, room]);
+        rooms.push((*panel, [corner, room]));
         match panel {
             Panel::Chart(_) if wide => corner.x += room.x,
             _ => corner.y += room.y,
@@ -126,11 +188,11 @@ fn layout(panels: &[&Panel], ask: &Ask<'_>) -> (Look, Vec<[Vec2; 2]>) {
 }
 
 /// The panels, filled up to a step.
-pub(crate) fn board(panels: &[&Panel], step: usize, ask: &Ask<'_>) -> Figure {
+pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
     let filled = Filled { step, asks: ask.hide };
-    let (look, rooms) = layout(panels, ask);
-    for (panel, [corner, room]) in panels.iter().zip(rooms) {
+    let (look, rooms) = layout(panels, filled, ask);
+    for (panel, [corner, room]) in rooms {
         let part = match panel {
             Panel::Table(table) => table::draw(table, filled, room, &look),
             Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
@@ -144,9 +206,9 @@ pub(crate) fn board(panels: &[&Panel], step: usize, ask: &Ask<'_>) -> Figure {
 }
 
 /// Where the numbers lie that can be moved by hand.
-pub(crate) fn knobs(panels: &[&Panel], ask: &Ask<'_>) -> Vec<KnobLine> {
-    let (look, rooms) = layout(panels, ask);
-    let lines = panels.iter().zip(rooms).filter_map(|(panel, [corner, room])| match panel {
+pub(crate) fn knobs(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Vec<KnobLine> {
+    let (look, rooms) = layout(panels, Filled { step, asks: ask.hide }, ask);
+    let lines = rooms.into_iter().filter_map(|(panel, [corner, room])| match panel {
         Panel::Meter(meter) => Some(meter.lines_in(room, &look).into_iter().map(move |line| line.moved(corner))),
         _ => None,
     });
@@ -154,21 +216,21 @@ pub(crate) fn knobs(panels: &[&Panel], ask: &Ask<'_>) -> Vec<KnobLine> {
 }
 
 /// The pixel of a heat map at a point of the board.
-pub(crate) fn pixel_at(panels: &[&Panel], step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
+pub(crate) fn pixel_at(panels: &[Panel], step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
     let filled = Filled { step, asks: ask.hide };
-    let (look, rooms) = layout(panels, ask);
-    panels.iter().zip(rooms).find_map(|(panel, [corner, room])| match panel {
+    let (look, rooms) = layout(panels, filled, ask);
+    rooms.into_iter().find_map(|(panel, [corner, room])| match panel {
         Panel::Maps(maps) => maps.pixel_at(room, &look, point - corner, &|entry| filled.shows(entry)),
         _ => None,
     })
 }
 
 /// What lies over the board where a pixel of a heat map is pointed at.
-pub(crate) fn probe(panels: &[&Panel], step: usize, ask: &Ask<'_>, pixel: &Pixel) -> Figure {
+pub(crate) fn probe(panels: &[Panel], step: usize, ask: &Ask<'_>, pixel: &Pixel) -> Figure {
     let mut figure = Figure::new(ask.size);
     let filled = Filled { step, asks: ask.hide };
-    let (look, rooms) = layout(panels, ask);
-    for (panel, [corner, room]) in panels.iter().zip(rooms) {
+    let (look, rooms) = layout(panels, filled, ask);
+    for (panel, [corner, room]) in rooms {
         if let Panel::Maps(maps) = panel
             && maps.maps.iter().any(|map| map.entry == pixel.entry)
         {

@@ -1,0 +1,135 @@
+//! The presenter's page: title, space, what is said or asked, and below space the panes that the slide is about. Nothing
+//! is cut off, nothing tells of keys.
+
+mod answer;
+mod fitted;
+mod heading;
+mod marks;
+mod notes;
+mod pages;
+mod speech;
+mod strip;
+
+use egui::{Align2, Color32, Rect, Ui, pos2, vec2};
+use raystep_accel::Place;
+use raystep_figure::{Face, Look, Role, changed_height};
+
+use super::figure::figure;
+use super::page::{Asked, Kept, Page};
+use super::stage;
+use crate::shown::lecture::Cover;
+use crate::shown::pictures::Pane;
+use crate::window::look::painter::caption;
+use crate::window::look::visuals::fill;
+use fitted::Column;
+pub(crate) use fitted::Fitted;
+pub(crate) use marks::Marks;
+pub(crate) use pages::Pages;
+use speech::Speech;
+use strip::Strip;
+
+/// The size of the page's letters: a twenty-seventh of its height, where it is not very narrow.
+fn letters(rect: Rect) -> f32 {
+    (rect.height() / 27.0).min(rect.width() / 36.0)
+}
+
+/// The smallest letters of a picture, in parts of the page's; the part of the width that a picture has beside words, and
+/// of the height above them.
+const READABLE: f32 = 0.5;
+const BESIDE: f32 = 0.62;
+const ABOVE: f32 = 0.56;
+
+/// Shows the page in all the room there is; says which place the pointer is on.
+pub(crate) fn page(
+    ui: &mut Ui,
+    page: Page<'_>,
+    kept: &mut Kept,
+    marks: &mut Marks,
+    asked: &mut Vec<Asked>,
+) -> Option<Place> {
+    let rect = ui.available_rect_before_wrap();
+    if let Some(cover) = page.state.lecture.cover {
+        let color = if cover == Cover::Black { Color32::BLACK } else { Color32::WHITE };
+        ui.painter().rect_filled(rect, 0.0, color);
+        return None;
+    }
+    ui.painter().rect_filled(rect, 0.0, fill(page.theme, Role::Page));
+    let body = letters(rect);
+    let inner = rect.shrink2(vec2(body * 1.4, body));
+    let (top, foot) = (inner.top() + body * 2.0, inner.bottom() - body * 1.3);
+    heading::show(ui, page, Rect::from_min_max(inner.min, pos2(inner.right(), top)), body);
+
+    let strip = Strip::of(page.state, kept.pictures.as_ref(), inner.size(), body);
+    let bottom = foot - strip.height();
+    // A wide table stands above what is said of it.
+    let across = kept.pictures.as_ref().map_or(0.0, |pictures| pictures.across());
+    let under_it = across * body * READABLE > inner.width() * BESIDE;
+    let share = top + (bottom - top) * ABOVE;
+    let wide = |column: Column| inner.width() * column.part;
+    let floor = |column: Column| if column.tall { foot } else { bottom };
+    let room = |column: Column| {
+        let from = if column.below { share } else { top };
+        vec2(wide(column), floor(column) - from - body * 0.8)
+    };
+    let fitted = Fitted::of(kept.column.take(), ui, page.state, &mut kept.formulas, page.theme, room, body, under_it);
+    let column = fitted.as_ref().map_or(Column::USUAL, |fitted| fitted.column);
+    kept.column = fitted;
+    let side = wide(column);
+    let left = if column.below { inner.right() } else { inner.right() - side - body };
+    let space = Rect::from_min_max(pos2(inner.left(), top), pos2(left, if column.below { share } else { bottom }));
+    let corner = if column.below { pos2(inner.left(), share) } else { pos2(left + body, top) };
+    let words = Rect::from_min_max(corner + vec2(0.0, body * 0.4), pos2(inner.right(), floor(column)));
+    let below =
+        Rect::from_min_max(pos2(inner.left(), bottom), pos2(if column.tall { left } else { inner.right() }, foot));
+
+    let mut under = stage::stage(ui, page, kept, space.shrink2(vec2(0.0, body * 0.2)), false, body / 19.0, asked);
+    under = strip.show(ui, page, kept, below, body, asked).or(under);
+    under = side_page(ui, page, kept, words, body, column, asked).or(under);
+    says_so_far(ui, page, kept, Rect::from_min_max(pos2(inner.left(), foot), inner.max), body);
+    heading::way_back(ui, page, rect, body, asked);
+    if page.state.lecture.notes {
+        notes::over(ui, page, kept, rect, body);
+    }
+    marks.show(ui, page, rect, body);
+    under
+}
+
+/// What has been done so far.
+fn says_so_far(ui: &Ui, page: Page<'_>, kept: &Kept, rect: Rect, body: f32) {
+    let Some(pictures) = &kept.pictures else { return };
+    let (playback, step) = (&pictures.playback, page.state.view.step);
+    let says = format!("step {step} of {} · {}", playback.steps().last(), pictures.tally());
+    let at = rect.left_center() + vec2(0.0, body * 0.3);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, body * 0.68, Role::Quiet, page.theme);
+}
+
+/// What is said or asked, and in the room that is left below it what changed.
+fn side_page(
+    ui: &mut Ui,
+    page: Page<'_>,
+    kept: &mut Kept,
+    rect: Rect,
+    body: f32,
+    column: Column,
+    asked: &mut Vec<Asked>,
+) -> Option<Place> {
+    let prose = column.set(page.theme, body);
+    let pages = Speech::of(page.state).pages(ui, &mut kept.formulas, &prose, rect.size());
+    let at = kept.pages.at(page.state, pages.len());
+    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+    let Some(speech) = pages.get(at) else { return None };
+    asked.extend(speech.show(&mut child, &mut kept.formulas, &prose).map(Asked::Command));
+    let end = child.min_rect().bottom();
+    if pages.len() > 1 {
+        let says = format!("{} of {}", at + 1, pages.len());
+        let at = rect.right_bottom();
+        caption(ui.painter(), at, Align2::RIGHT_BOTTOM, &says, Face::Medium, body * 0.68, Role::Quiet, page.theme);
+        return None;
+    }
+    let look = Look { text: body * 0.62, titles: true, least: 0.0 };
+    let pictures = kept.pictures.as_ref()?;
+    let rest = (rect.bottom() - end - body * 0.6).min(changed_height(6, &look));
+    let shows = pictures.has(Pane::Changed) && rest >= changed_height(2, &look) && !page.state.is_settled();
+    let below = Rect::from_min_max(pos2(rect.left(), rect.bottom() - rest), rect.max);
+    shows.then(|| figure(ui, page, kept, Pane::Changed, below, &look, asked)).flatten()
+}

@@ -1,0 +1,171 @@
+//! The panes below space: those that the slide is about, in its order, as many as can be read from the last row. A
+//! question's own come first: what it speaks of is there.
+
+use egui::{Rect, Ui, pos2};
+use raystep_accel::Place;
+use raystep_figure::{Look, Role};
+use raystep_lesson::Show;
+
+use crate::shown::pictures::{Pane, Pictures};
+use crate::shown::state::State;
+use crate::shown::words::question_text;
+use crate::window::look::visuals::line;
+use crate::window::panes::figure::figure;
+use crate::window::panes::page::{Asked, Kept, Page};
+
+/// How large letters of panes are, in parts of the page's: a thirty-eighth of its height.
+const LETTERS: f32 = 0.7;
+
+/// Most of the page's height that panes take.
+const MOST: f32 = 0.34;
+
+/// The same where a slide is about bytes most of all.
+const MOST_BYTES: f32 = 0.5;
+
+/// The panes that are shown, with the widths that they need, and how high they are.
+pub(super) struct Strip {
+    panes: Vec<(Pane, f32)>,
+    height: f32,
+}
+
+/// The widths and heights in which a pane can be read, in letters of the page; none of what does not stand there.
+fn legible(pane: Pane) -> Option<[f32; 2]> {
+    Some(match pane {
+        Pane::RulerLine => [16.0, 0.0],
+        Pane::Tree => [13.0, 6.5],
+        Pane::Cells => [13.0, 7.5],
+        Pane::Matrix => [15.0, 8.0],
+        Pane::Slabs => [16.0, 7.0],
+        Pane::Bytes => [30.0, 12.5],
+        Pane::Listing => [20.0, 8.5],
+        Pane::Bin => [9.0, 6.5],
+        Pane::Work => [14.0, 6.5],
+        _ => return None,
+    })
+}
+
+/// The pane that a slide asks for, on this page.
+fn pane(show: &Show) -> Option<Pane> {
+    Some(match show {
+        Show::Ruler => Pane::RulerLine,
+        Show::Tree => Pane::Tree,
+        Show::Cells => Pane::Cells,
+        Show::Matrix => Pane::Matrix,
+        Show::Slabs => Pane::Slabs,
+        Show::Bytes => Pane::Bytes,
+        Show::Listing => Pane::Listing,
+        Show::Stack => Pane::Bin,
+        Show::Work => Pane::Work,
+        Show::Space => return None,
+    })
+}
+
+/// The panes that a text speaks of.
+fn spoken_of(text: &str) -> Vec<Pane> {
+    let words = [
+        ("tree", Pane::Tree),
+        ("stack", Pane::Bin),
+        ("listing", Pane::Listing),
+        ("ruler", Pane::RulerLine),
+        ("slabs", Pane::Slabs),
+        ("table", Pane::Cells),
+        ("bytes", Pane::Bytes),
+    ];
+    let text = text.to_lowercase();
+    let before = ["look at the ", "in the ", "on the ", "see the "];
+    let looks = |word: &str| {
+        before.iter().any(|before| text.contains(&format!("{before}{word}")))
+            || text.contains(&format!("the {word} shows"))
+    };
+    words.into_iter().filter(|(word, _)| looks(word)).map(|(_, pane)| pane).collect()
+}
+
+impl Strip {
+    /// The panes of a state, on a page of this size without its margins.
+    pub(super) fn of(state: &State, pictures: Option<&Pictures>, size: egui::Vec2, body: f32) -> Strip {
+        let nothing = Strip { panes: Vec::new(), height: 0.0 };
+        let (Some(pictures), Some(slide)) = (pictures, state.slide()) else { return nothing };
+        let mut panes: Vec<Pane> = slide.show.iter().filter_map(pane).filter(|pane| pictures.has(*pane)).collect();
+        // A key calls for those that had no room. What needs all of it stands alone until then.
+        let turn = state.lecture.turn;
+        if pictures.has(Pane::Picture) {
+            let called = (turn % (panes.len() + 1)).checked_sub(1).and_then(|index| panes.get(index)).copied();
+            panes = called.into_iter().collect();
+        } else if !panes.is_empty() {
+            let many = panes.len();
+            panes.rotate_left(turn % many);
+        }
+        let question = state.question().or(state.settled().map(|(posed, _)| posed));
+        let question = question.map(|posed| question_text(state, posed));
+        let first = question.as_deref().map(spoken_of).unwrap_or_default();
+        let first: Vec<Pane> = first.into_iter().filter(|pane| pictures.has(*pane)).collect();
+        panes.retain(|pane| !first.contains(pane));
+        panes.splice(0..0, first);
+        // The page does not move from step to step: its foot is as high as its highest pane.
+        let heights = panes.iter().filter_map(|pane| high(*pane, pictures, body));
+        let bytes = slide.show.first() == Some(&Show::Bytes);
+        let height = heights.fold(0.0, f32::max).min(size.y * if bytes { MOST_BYTES } else { MOST });
+        let mut left = size.x;
+        let mut shown = Vec::new();
+        for pane in panes {
+            let Some([wide, _]) = legible(pane) else { continue };
+            // The first one is always there.
+            if shown.is_empty() || wide * body <= left {
+                left -= wide * body;
+                shown.push((pane, wide));
+            }
+        }
+        Strip { height: if shown.is_empty() { 0.0 } else { height }, panes: shown }
+    }
+
+    /// How high it is.
+    pub(super) fn height(&self) -> f32 {
+        self.height
+    }
+
+    /// Shows the panes beside each other, with rules between them.
+    pub(super) fn show(
+        &self,
+        ui: &mut Ui,
+        page: Page<'_>,
+        kept: &mut Kept,
+        rect: Rect,
+        body: f32,
+        asked: &mut Vec<Asked>,
+    ) -> Option<Place> {
+        // Beside a high column of words there is less room: the last ones make way.
+        let mut panes = self.panes.clone();
+        while panes.len() > 1 && panes.iter().map(|(_, wide)| wide * body).sum::<f32>() > rect.width() {
+            panes.pop();
+        }
+        let sum: f32 = panes.iter().map(|(_, wide)| wide).sum();
+        let look = Look { text: body * LETTERS, titles: true, least: 0.0 };
+        let mut left = rect.left();
+        let mut under = None;
+        for (index, (pane, wide)) in panes.into_iter().enumerate() {
+            let right = left + rect.width() * wide / sum;
+            if index > 0 {
+                let y = rect.y_range().shrink(body * 0.5);
+                ui.painter().vline(left, y, line(page.theme, Role::Panel));
+            }
+            let room = Rect::from_min_max(
+                pos2(left + if index > 0 { body * 0.5 } else { 0.0 }, rect.top()),
+                pos2(right, rect.bottom()),
+            );
+            under = figure(ui, page, kept, pane, room, &look, asked).or(under);
+            left = right;
+        }
+        under
+    }
+}
+
+/// How high a pane is to be.
+fn high(pane: Pane, pictures: &Pictures, body: f32) -> Option<f32> {
+    let look = Look { text: body * LETTERS, titles: true, least: 0.0 };
+    let [_, least] = legible(pane)?;
+    Some(match pane {
+        Pane::RulerLine => pictures.ruler_line_height(&look) + body,
+        Pane::Tree => pictures.height(pane, &look).unwrap_or(0.0).clamp(least * body, 8.5 * body),
+        _ => least * body,
+    })
+}

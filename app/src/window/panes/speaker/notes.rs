@@ -1,0 +1,44 @@
+//! What the speaker is to say.
+
+use egui::{Align2, Button, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use raystep_figure::{Face, Role};
+
+use super::{Desk, DeskKept, heading};
+use crate::shown::talk::minutes;
+use crate::window::look::fonts::font;
+use crate::window::look::painter::caption;
+use crate::window::look::prose::{LEADING, Prose};
+
+/// The smallest and the largest letters, and from one size to the next.
+const SIZES: [f32; 3] = [12.0, 34.0, 2.0];
+
+pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, rect: Rect) {
+    let theme = desk.wall.theme;
+    let rect = Rect::from_min_max(rect.min + vec2(0.0, 8.0), rect.max);
+    heading(ui, desk, rect.min, "Notes");
+    let Some(slide) = desk.wall.state.slide() else { return };
+    let says = format!("{:.0} min", minutes(slide));
+    let at = pos2(rect.right() - 92.0, rect.top() + 10.0);
+    caption(ui.painter(), at, Align2::RIGHT_CENTER, &says, Face::Regular, 13.0, Role::Quiet, theme);
+    let buttons = Rect::from_min_size(pos2(rect.right() - 80.0, rect.top()), vec2(80.0, 22.0));
+    ui.new_child(UiBuilder::new().max_rect(buttons)).horizontal(|ui| {
+        let [least, most, step] = SIZES;
+        for (text, name, by) in [("A−", "Smaller notes", -step), ("A+", "Larger notes", step)] {
+            let button = Button::new(RichText::new(text).font(font(Face::Medium, 13.0))).min_size(vec2(34.0, 20.0));
+            let response = ui.add(button);
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
+            if response.clicked() {
+                kept.letters = (kept.letters + by).clamp(least, most);
+            }
+        }
+    });
+    let words = Rect::from_min_max(rect.min + vec2(0.0, 32.0), rect.max);
+    let mut child = ui.new_child(UiBuilder::new().max_rect(words));
+    child.set_clip_rect(words);
+    let notes = if slide.notes.is_empty() { "This slide has no notes." } else { &slide.notes };
+    let prose = Prose { theme, size: kept.letters, role: Role::Text, face: Face::Regular, leading: LEADING };
+    ScrollArea::vertical().id_salt(("notes", desk.wall.state.view.slide)).auto_shrink(false).show(&mut child, |ui| {
+        ui.set_width(ui.available_width() - 8.0);
+        prose.show(ui, &mut kept.wall.formulas, notes);
+    });
+}

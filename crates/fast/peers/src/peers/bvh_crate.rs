@@ -1,0 +1,4 @@
+use super::Maker;
+pub fn makers() -> Vec<Maker> {
+    Vec::new()
+}

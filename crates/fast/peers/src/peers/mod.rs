@@ -1,0 +1,45 @@
+//! Who takes part.
+
+pub mod bvh_crate;
+pub mod embree;
+pub mod obvhs_crate;
+pub mod ours;
+pub mod parry_crate;
+
+use raystep_accel::{Hit, Mesh, PrimId, Ray, Want};
+use raystep_fast::Work;
+
+/// A hit as Raystep tells it.
+pub fn hit(t: f32, prim: u32) -> Option<Hit> {
+    Some(Hit { t, prim: PrimId(prim), inner: None })
+}
+
+/// A structure over a mesh.
+pub trait Peer {
+    /// The nearest hits.
+    fn nearest(&self, rays: &[Ray], hits: &mut [Option<Hit>]);
+    /// Whether anything is hit.
+    fn any(&self, rays: &[Ray], hits: &mut [bool]);
+    /// What the rays meet on their ways, where it is counted.
+    fn work(&self, _rays: &[Ray], _want: Want) -> Option<Work> {
+        None
+    }
+    /// Its size in bytes, where it can be told.
+    fn bytes(&self) -> Option<usize>;
+}
+
+/// A way to build one.
+pub struct Maker {
+    pub name: &'static str,
+    pub build: fn(&Mesh) -> Box<dyn Peer>,
+}
+
+/// All of them; the first is what the others are compared with.
+pub fn makers() -> Vec<Maker> {
+    let mut makers = obvhs_crate::makers();
+    makers.extend(ours::makers());
+    makers.extend(bvh_crate::makers());
+    makers.extend(parry_crate::makers());
+    makers.extend(embree::makers());
+    makers
+}

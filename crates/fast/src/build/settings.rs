@@ -1,0 +1,23 @@
+//! How a tree is built.
+
+/// How a tree is built. More pains give a better tree and take longer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// The most triangles in a leaf, 1 to 4.
+    pub leaf: u32,
+    /// How often nodes are taken out of the tree and put back where they cost least.
+    pub reinsertions: u32,
+}
+
+impl Settings {
+    /// Built as fast as can be.
+    pub const QUICK: Settings = Settings { leaf: 4, reinsertions: 0 };
+    /// Built with all pains.
+    pub const DEAR: Settings = Settings { leaf: 1, reinsertions: 4 };
+}
+
+impl Default for Settings {
+    fn default() -> Settings {
+        Settings::QUICK
+    }
+}

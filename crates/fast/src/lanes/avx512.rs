@@ -1,0 +1,71 @@
+//! Lanes with AVX-512, on registers of up to 256 bits.
+
+use std::arch::x86_64::*;
+
+use bytemuck::cast;
+
+/// Four numbers of single precision.
+pub(crate) type F4 = __m128;
+/// Eight numbers of single precision.
+pub(crate) type F8 = __m256;
+/// Four numbers of double precision.
+pub(crate) type D4 = __m256d;
+
+macro_rules! ops {
+    ($($(#[$doc:meta])* fn $name:ident($($argument:ident: $kind:ty),*) -> $result:ty $body:block)*) => {
+        $($(#[$doc])*
+        #[target_feature(enable = "avx512f,avx512vl,avx512dq,avx512bw,avx2,fma,bmi1,bmi2,lzcnt,popcnt")]
+        #[inline]
+        pub(crate) fn $name($($argument: $kind),*) -> $result $body)*
+    };
+}
+
+ops! {
+    fn splat4(x: f32) -> F4 { _mm_set1_ps(x) }
+    fn load4(x: &[f32; 4]) -> F4 { cast(*x) }
+    fn array4(x: F4) -> [f32; 4] { cast(x) }
+    fn sub4(a: F4, b: F4) -> F4 { _mm_sub_ps(a, b) }
+    fn mul4(a: F4, b: F4) -> F4 { _mm_mul_ps(a, b) }
+    fn min4(a: F4, b: F4) -> F4 { _mm_min_ps(a, b) }
+    fn max4(a: F4, b: F4) -> F4 { _mm_max_ps(a, b) }
+    /// a·b + c, fused or not.
+    fn add_product4(a: F4, b: F4, c: F4) -> F4 { _mm_fmadd_ps(a, b, c) }
+    /// c − a·b, fused or not.
+    fn sub_product4(a: F4, b: F4, c: F4) -> F4 { _mm_fnmadd_ps(a, b, c) }
+    fn abs4(a: F4) -> F4 { _mm_andnot_ps(_mm_set1_ps(-0.0), a) }
+    fn negated4(a: F4) -> F4 { _mm_xor_ps(_mm_set1_ps(-0.0), a) }
+    /// In which lanes a ≤ b.
+    fn at_most4(a: F4, b: F4) -> u32 { _mm_movemask_ps(_mm_cmple_ps(a, b)) as u32 }
+    /// Lanes 2, 3, 0, 1, or as they are: as `turn` says, which [`turn4`] made.
+    fn turned4(a: F4, turn: __m128i) -> F4 { _mm_permutevar_ps(a, turn) }
+    fn turn4(turned: bool) -> __m128i { if turned { _mm_setr_epi32(2, 3, 0, 1) } else { _mm_setr_epi32(0, 1, 2, 3) } }
+    /// Lanes 2, 3, 2, 3.
+    fn upper4(a: F4) -> F4 { _mm_movehl_ps(a, a) }
+
+    fn splat8(x: f32) -> F8 { _mm256_set1_ps(x) }
+    fn load8(x: &[f32; 8]) -> F8 { cast(*x) }
+    fn array8(x: F8) -> [f32; 8] { cast(x) }
+    fn min8(a: F8, b: F8) -> F8 { _mm256_min_ps(a, b) }
+    fn max8(a: F8, b: F8) -> F8 { _mm256_max_ps(a, b) }
+    /// a·b + c, fused or not.
+    fn add_product8(a: F8, b: F8, c: F8) -> F8 { _mm256_fmadd_ps(a, b, c) }
+
+    fn double4(x: F4) -> D4 { _mm256_cvtps_pd(x) }
+    /// Rounded to single precision.
+    fn single4(x: D4) -> [f32; 4] { cast(_mm256_cvtpd_ps(x)) }
+    fn splat_d4(x: f64) -> D4 { _mm256_set1_pd(x) }
+    fn add_d4(a: D4, b: D4) -> D4 { _mm256_add_pd(a, b) }
+    fn sub_d4(a: D4, b: D4) -> D4 { _mm256_sub_pd(a, b) }
+    fn mul_d4(a: D4, b: D4) -> D4 { _mm256_mul_pd(a, b) }
+    fn div_d4(a: D4, b: D4) -> D4 { _mm256_div_pd(a, b) }
+    fn abs_d4(a: D4) -> D4 { _mm256_andnot_pd(_mm256_set1_pd(-0.0), a) }
+    fn max_d4(a: D4, b: D4) -> D4 { _mm256_max_pd(a, b) }
+    fn min_d4(a: D4, b: D4) -> D4 { _mm256_min_pd(a, b) }
+    /// In which lanes a < b.
+    fn below_d4(a: D4, b: D4) -> u32 { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(a, b)) as u32 }
+    /// In which lanes a ≤ b.
+    fn at_most_d4(a: D4, b: D4) -> u32 { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LE_OQ>(a, b)) as u32 }
+
+    /// In which lanes a ≤ b.
+    fn at_most8(a: F8, b: F8) -> u32 { u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a, b)) }
+}

@@ -1,0 +1,35 @@
+//! The lecture's last chapter: the same answers as the textbook's, at the full speed of the machine.
+//!
+//! Every structure here answers exactly as `accel`'s brute force does: the same t to the bit, the same triangle. Lanes of
+//! single precision only *rule out*: boxes and triangles that are surely missed. What is left is *judged* by `accel`'s own
+//! operations in double precision. Why that is certain stands in the room `judge`.
+//!
+//! Its rooms, from the ground up; each knows only those before it:
+//!
+//! | room | slides | what it holds |
+//! |---|---|---|
+//! | `lanes` | 59 | several numbers to one instruction: AVX-512, AVX2, and what every machine has |
+//! | `judge` | | what may be ruled out, and what decides about the rest |
+//! | `leaf` | 59 | four triangles in three cache lines, tested at once |
+//! | `build` | 53-54 | trees of two children by binned surface area, on all threads |
+//! | `bvh2` | 56, 59 | a node in one cache line, the nearer child first, a stack of our own |
+//! | `bvh8` | 59 | eight boxes at once |
+//! | `fast` | | what every structure here can do, with many rays on many threads |
+//! | `kinds` | 64 | the structures by name |
+
+mod build;
+mod bvh2;
+mod bvh8;
+mod fast;
+mod judge;
+mod kinds;
+mod lanes;
+mod leaf;
+
+pub use build::Settings;
+pub use bvh2::Bvh2;
+pub use bvh8::Bvh8;
+pub use fast::{Any, Fast, Nearest, Question};
+pub use judge::{Count, Work};
+pub use kinds::{AnyFast, FastKind};
+pub use lanes::Isa;
