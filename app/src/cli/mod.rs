@@ -3,10 +3,12 @@
 mod check;
 mod doctor;
 mod export;
+mod forest;
 mod heatmap;
 mod lessons;
 mod measure;
 pub mod page;
+mod race;
 mod rays;
 mod spelt;
 mod start;
@@ -23,8 +25,10 @@ pub use crate::fault::Fault;
 use crate::{files, report};
 pub use check::CheckArguments;
 pub use export::ExportArguments;
+pub use forest::ForestArguments;
 pub use heatmap::HeatmapArguments;
 pub use measure::MeasureArguments;
+pub use race::RaceArguments;
 pub use rays::read as read_rays;
 pub use spelt::rule as read_rule;
 pub use start::StartArguments;
@@ -54,6 +58,10 @@ enum Command {
     Heatmap(HeatmapArguments),
     /// Count what rays cost: the lecture's tables, as printed and as measured here.
     Measure(MeasureArguments),
+    /// Race brute force, the textbook and what the last chapter adds over the same rays.
+    Race(RaceArguments),
+    /// Draw fifty billion triangles and tell what that takes.
+    Forest(ForestArguments),
     /// Shoot rays at every structure and compare with brute force.
     Verify(VerifyArguments),
     /// Say what a window needs and what was found.
@@ -74,6 +82,8 @@ pub fn run(arguments: &Arguments) -> ExitCode {
         Some(Command::Trace(arguments)) => trace::run(arguments),
         Some(Command::Heatmap(arguments)) => heatmap::run(arguments),
         Some(Command::Measure(arguments)) => measure::run(arguments),
+        Some(Command::Race(arguments)) => race::run(arguments),
+        Some(Command::Forest(arguments)) => forest::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments),
         Some(Command::Doctor) => doctor::run(),
     };

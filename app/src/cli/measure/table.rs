@@ -52,7 +52,7 @@ pub(super) fn json(measured: &[Measured]) -> Result<String, Fault> {
 }
 
 /// JSON with a line's end.
-pub(super) fn to_json(records: &impl Serialize) -> Result<String, Fault> {
+pub(in crate::cli) fn to_json(records: &impl Serialize) -> Result<String, Fault> {
     let json = serde_json::to_string_pretty(records).map_err(|error| Fault::new(error.to_string()))?;
     Ok(json + "\n")
 }
@@ -62,7 +62,7 @@ pub(super) fn csv(measured: &[Measured]) -> Result<String, Fault> {
 }
 
 /// Comma-separated values under their names.
-pub(super) fn to_csv(records: impl Iterator<Item = impl Serialize>) -> Result<String, Fault> {
+pub(in crate::cli) fn to_csv(records: impl Iterator<Item = impl Serialize>) -> Result<String, Fault> {
     let broken = |error: &dyn std::fmt::Display| Fault::new(error.to_string());
     let mut writer = csv::Writer::from_writer(Vec::new());
     for record in records {

@@ -1,5 +1,6 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
+mod bars;
 mod bin;
 mod board;
 mod bytes;
@@ -23,6 +24,7 @@ mod weighing;
 mod work;
 
 pub(crate) use bin::bin_of_packet;
+pub use bars::{Bar, Bars};
 pub use bin::{bin, bin_of_build};
 pub use board::{
     Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Pixel, Row,
