@@ -1,9 +1,9 @@
-use std::io::Write;
 use glam::Vec3;
+use rayon::prelude::*;
+use raystep_accel::Hit;
 use raystep_fast::*;
 use raystep_scene::*;
-use raystep_accel::Hit;
-use rayon::prelude::*;
+use std::io::Write;
 #[path = "/tmp/surface_body.rs"]
 mod surface;
 use surface::Looks;
@@ -16,9 +16,20 @@ fn main() {
     let scene = TwoLevels::build(&woods.instances, &Settings::default());
     eprintln!("built {:?} {}", t.elapsed(), scene.bytes());
     let v = |i: usize| Vec3::new(a[i], a[i + 1], a[i + 2]);
-    let mut eye = v(4); eye.z += woods.land.height(eye.x, eye.y);
-    let mut target = v(7); target.z += woods.land.height(target.x, target.y);
-    let day = Daylight { eye, target, fov_degrees: a[13], size: [size, size], samples, sun: v(10).normalize(), haze: 2200.0, shade: 5.0 };
+    let mut eye = v(4);
+    eye.z += woods.land.height(eye.x, eye.y);
+    let mut target = v(7);
+    target.z += woods.land.height(target.x, target.y);
+    let day = Daylight {
+        eye,
+        target,
+        fov_degrees: a[13],
+        size: [size, size],
+        samples,
+        sun: v(10).normalize(),
+        haze: 2200.0,
+        shade: 5.0,
+    };
     let lines: Vec<Line> = (0..size).into_par_iter().map(|y| day.row(y, &scene, &Looks(&woods))).collect();
     eprintln!("drawn {:?}", t.elapsed());
     let mut f = std::fs::File::create("/tmp/woods.ppm").unwrap();

@@ -31,7 +31,6 @@ fn there_are_slides_on_every_topic_and_their_names_are_their_own() {
     }
 }
 
-
 #[test]
 fn every_slide_of_the_lecture_is_covered_and_asks() {
     let library = Library::embedded();

@@ -10,7 +10,7 @@ use std::time::Instant;
 use clap::Args;
 use glam::Vec3;
 use rayon::prelude::*;
-use raystep_accel::{Accel, Aabb, List, Mesh, Random, Ray};
+use raystep_accel::{Aabb, Accel, List, Mesh, Random, Ray};
 use raystep_fast::{Daylight, Fast, Line, Settings, TwoLevels, Work};
 use raystep_figure::{Figure, Image, Ink, Role, Theme};
 use raystep_print::{png, svg};
@@ -49,10 +49,7 @@ pub struct ForestArguments {
 pub(crate) fn run(arguments: &ForestArguments) -> Result<(), Fault> {
     let &ForestArguments { size, samples, trees, triangles, ref out } = arguments;
     if out.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("png")) {
-        return Err(Fault::new(format!(
-            "--out {}: the forest is written as FILE.png; end the name so",
-            out.display()
-        )));
+        return Err(Fault::new(format!("--out {}: the forest is written as FILE.png; end the name so", out.display())));
     }
     files::may_write(out, &[])?;
     let (woods, grown) = timed(|| {
@@ -134,8 +131,7 @@ fn brute_force(mesh: &Mesh) -> f64 {
         .flatten()
         .take((TRIED * rayon::current_num_threads() as u64) as usize)
         .collect();
-    let (hits, seconds) =
-        timed(|| rays.par_iter().filter(|ray| List.intersect(mesh, ray, &mut ()).is_some()).count());
+    let (hits, seconds) = timed(|| rays.par_iter().filter(|ray| List.intersect(mesh, ray, &mut ()).is_some()).count());
     std::hint::black_box(hits);
     (rays.len() * mesh.triangles.len()) as f64 / seconds.max(1e-9)
 }

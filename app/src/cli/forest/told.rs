@@ -2,6 +2,7 @@
 
 use raystep_figure::{number, whole};
 
+use crate::cli::told::{Align, Format, Grid, Page};
 use crate::export::Size;
 
 /// What was measured.
@@ -51,7 +52,10 @@ impl Told {
             None => "what is resident, this system does not say".to_owned(),
         };
         let lines = [
-            ("triangles", format!("{} for a ray to meet: {} trees, and hills", whole(self.triangles), whole(self.trees))),
+            (
+                "triangles",
+                format!("{} for a ray to meet: {} trees, and hills", whole(self.triangles), whole(self.trees)),
+            ),
             ("stored", format!("{} triangles, each model once", whole(self.stored))),
             ("memory", format!("{} bytes of structures; {resident}", whole(self.bytes))),
             ("to grow", seconds(self.grown)),
@@ -66,36 +70,30 @@ impl Told {
                     self.samples
                 ),
             ),
-            (
-                "rays",
-                format!(
-                    "{}: {} from the eye, {} to sun and sky",
-                    whole(rays),
-                    whole(self.seen),
-                    whole(self.lit)
-                ),
-            ),
+            ("rays", format!("{}: {} from the eye, {} to sun and sky", whole(rays), whole(self.seen), whole(self.lit))),
             ("tests per ray", format!("{} of triangles, {} nodes", each(self.tests), each(self.nodes))),
             (
                 "brute force",
-                format!(
-                    "{} years for one ray a pixel, {} for all these rays",
-                    years(pixels),
-                    years(rays as f64)
-                ),
+                format!("{} years for one ray a pixel, {} for all these rays", years(pixels), years(rays as f64)),
             ),
             ("", format!("at the {} tests a second that all threads make here", whole(self.rate as u64))),
             ("the lecture", "594 years by brute force, 11 minutes with a structure (slides 9 and 10)".to_owned()),
         ];
-        let mut page: String = lines.iter().map(|(name, says)| format!("{name:<14} {says}\n")).collect();
+        let mut grid = Grid::new([("what", Align::Left), ("found", Align::Left)]);
+        for (name, says) in lines {
+            grid.row([name.to_owned(), says]);
+        }
         let ratio = ELEVEN_MINUTES / (self.built + self.rendered).max(1e-9);
         let compared = if ratio >= 1.0 {
             format!("{} times as fast as that", number(ratio as f32))
         } else {
             format!("{} times as long as that", number((1.0 / ratio) as f32))
         };
-        page += &format!("{:<14} to build and to render took {compared}, on another machine\n", "");
-        page
+        let compared = format!("to build and to render took {compared}, on another machine");
+        grid.row([String::new(), compared]);
+        let mut page = Page::default();
+        page.table(grid);
+        page.written(Format::Text)
     }
 }
 

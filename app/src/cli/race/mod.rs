@@ -6,7 +6,7 @@ mod told;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use glam::Vec2;
 use raystep_accel::{Mesh, Prims, Ray, RayError};
 use raystep_fast::{Race, Row, Rung, tile_order};
@@ -15,6 +15,7 @@ use raystep_figure::whole;
 use super::measure::bar;
 use super::measure::look::{Look, Shot};
 use super::subject;
+use super::told::Format;
 use crate::fault::Fault;
 use crate::files;
 
@@ -30,23 +31,12 @@ pub struct RaceArguments {
     /// Seconds that each rung is timed.
     #[arg(long, value_name = "S", default_value_t = 0.5, value_parser = seconds)]
     seconds: f64,
-    /// How it is told.
-    #[arg(long, value_name = "FORMAT", default_value = "table")]
+    /// How what was found is written.
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
     format: Format,
     /// A plate with bars as well.
     #[arg(long, value_name = "FILE.svg|FILE.png")]
     out: Option<PathBuf>,
-}
-
-/// How rows are told.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Format {
-    /// To read.
-    Table,
-    /// Comma-separated values.
-    Csv,
-    /// JSON.
-    Json,
 }
 
 /// Two to this many rays go across the picture, and as many down.
@@ -94,9 +84,9 @@ pub(crate) fn run(arguments: &RaceArguments) -> Result<(), Fault> {
         files::write(out, &plate::plate(out, &about, &rows)?)?;
     }
     files::print(&match arguments.format {
-        Format::Table => told::text(&about, &rows, rays.len()),
         Format::Csv => told::csv(&rows)?,
         Format::Json => told::json(&rows)?,
+        format => told::page(&about, &rows, rays.len()).written(format),
     })
 }
 

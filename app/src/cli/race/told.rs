@@ -4,7 +4,7 @@ use raystep_fast::{Row, Rung};
 use raystep_figure::{number, whole};
 use serde::Serialize;
 
-use crate::cli::measure::table::{to_csv, to_json};
+use crate::cli::told::{Align, Grid, Page, to_csv, to_json};
 use crate::fault::Fault;
 
 /// A row as files hold it. What a rung that nobody stands on would have is empty, and the note says why.
@@ -54,55 +54,44 @@ pub(super) fn csv(rows: &[Row]) -> Result<String, Fault> {
     to_csv(commas)
 }
 
-pub(super) fn text(about: &str, rows: &[Row], rays: usize) -> String {
+/// The page: a table, and what has to be said of it.
+pub(super) fn page(about: &str, rows: &[Row], rays: usize) -> Page {
     let textbook = rows.iter().find(|row| row.rung == Rung::Bvh).and_then(|row| row.told.as_ref().ok());
-    let mut page = format!(
-        "{about}.\n\n{:<8} {:>9} {:>15} {:>7} {:>10} {:>9} {:>12}  {}\n",
-        "rung", "Mrays/s", "least to most", "to bvh", "tests/ray", "build ms", "bytes", "what it is"
-    );
+    let mut page = Page::default();
+    page.text(format!("{about}."));
+    let heads = ["Mrays/s", "least\u{2013}most", "to bvh", "tests per ray", "build ms", "bytes"];
+    let heads = heads.into_iter().map(|head| (head, Align::Right));
+    let mut grid = Grid::new([("rung", Align::Left)].into_iter().chain(heads).chain([("what it is", Align::Left)]));
     for row in rows {
-        let name = row.rung.name();
-        page += &match &row.told {
+        let mut cells = vec![row.rung.name().to_owned()];
+        match &row.told {
             Ok(told) => {
                 let [least, most] = told.spread.map(|speed| number(speed as f32));
                 let ratio = textbook.map_or(f64::NAN, |textbook| told.mrays_per_s / textbook.mrays_per_s);
-                let line = format!(
-                    "{name:<8} {:>9} {:>15} {:>7} {:>10} {:>9} {:>12}  {}",
-                    number(told.mrays_per_s as f32),
-                    format!("{least}\u{2013}{most}"),
-                    number(ratio as f32),
-                    number(told.tests_per_ray as f32),
-                    number(told.build_ms as f32),
-                    whole(told.bytes),
-                    short(row.rung)
-                );
-                line + "\n"
+                let [speed, ratio, tests, build_ms] =
+                    [told.mrays_per_s, ratio, told.tests_per_ray, told.build_ms].map(|value| number(value as f32));
+                cells.extend([speed, format!("{least}\u{2013}{most}"), ratio, tests, build_ms, whole(told.bytes)]);
+                cells.push(row.rung.about().to_owned());
             }
-            Err(why) => format!("{name:<8} {why}\n"),
-        };
-    }
-    page += "\nMrays/s: millions of rays a second, the median of several rounds, and the slowest and quickest of them; now, on \
-             this\nmachine. All answers were the textbook's before anything was timed.";
-    for row in rows {
-        if let Ok(told) = &row.told
-            && told.rays < rays
-        {
-            page += &format!("\n{} was asked by {} of the rays.", row.rung.name(), whole(told.rays as u64));
+            Err(why) => {
+                cells.extend([const { String::new() }; 6]);
+                cells.push(why.clone());
+            }
         }
+        grid.row(cells);
     }
-    page + "\nRungs from bvh2 to packets run on one thread and are built on all; each has all that stands above it.\n"
-}
-
-/// What a rung is, in as few words as the table has room for.
-fn short(rung: Rung) -> &'static str {
-    match rung {
-        Rung::List | Rung::Grid | Rung::Kd | Rung::Bvh => "textbook",
-        Rung::Bvh2 => "lines, stack",
-        Rung::Bvh8 => "8 boxes",
-        Rung::Packets => "16 rays",
-        Rung::Threads => "all threads",
-        Rung::Gpu => "graphics card",
-    }
+    page.table(grid);
+    page.text(
+        "Mrays/s are millions of rays a second, now, on this machine: the median of several rounds, then the slowest and \
+         the quickest of them. Before anything was timed, all answers were the textbook's. Rungs up to packets run on one \
+         thread; from bvh2 on they are built on all, and each has all that stands above it.",
+    );
+    let fewer = rows.iter().filter_map(|row| Some((row.rung, row.told.as_ref().ok()?.rays)));
+    let fewer = fewer.filter(|(_, own)| *own < rays);
+    page.lines(
+        fewer.map(|(rung, own)| format!("{} was asked by {} of the rays.", rung.name(), whole(own as u64))).collect(),
+    );
+    page
 }
 
 #[cfg(test)]
@@ -110,6 +99,7 @@ mod tests {
     use raystep_fast::Told;
 
     use super::*;
+    use crate::cli::told::Format;
 
     fn rows() -> Vec<Row> {
         let told = |speed: f64, tests: f64, rays| Told {
@@ -135,8 +125,8 @@ mod tests {
 
     #[test]
     fn a_table_is_at_most_a_hundred_letters_wide() {
-        let page = text("teapot-6321: 6,321 triangles", &rows(), 262_144);
-        let widest = page.lines().take_while(|line| !line.starts_with("Mrays/s:")).map(|line| line.chars().count()).max();
+        let page = page("teapot-6321: 6,321 triangles", &rows(), 262_144).written(Format::Text);
+        let widest = page.lines().map(|line| line.chars().count()).max();
         assert!(widest.is_some_and(|widest| widest <= 100), "{widest:?}\n{page}");
         insta::assert_snapshot!(page);
     }

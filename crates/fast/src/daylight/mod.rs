@@ -180,7 +180,8 @@ mod tests {
             shade: 1.0,
         };
         let line = day.row(4, &scene, &Grey);
-        let bright = |line: &Line, x: usize| line.rgba[4 * x..4 * x + 3].iter().map(|byte| u32::from(*byte)).sum::<u32>();
+        let bright =
+            |line: &Line, x: usize| line.rgba[4 * x..4 * x + 3].iter().map(|byte| u32::from(*byte)).sum::<u32>();
         assert_eq!((line.rgba.len(), line.seen), (64, 64));
         assert!(bright(&line, 4) + 60 < bright(&line, 12), "{:?}", line.rgba);
         let hazy = Daylight { haze: 1.0, ..day }.row(4, &scene, &Grey);

@@ -25,17 +25,8 @@ pub enum Rung {
 
 impl Rung {
     /// From the ground up.
-    pub const ALL: [Rung; 9] = [
-        Rung::List,
-        Rung::Grid,
-        Rung::Kd,
-        Rung::Bvh,
-        Rung::Bvh2,
-        Rung::Bvh8,
-        Rung::Packets,
-        Rung::Threads,
-        Rung::Gpu,
-    ];
+    pub const ALL: [Rung; 9] =
+        [Rung::List, Rung::Grid, Rung::Kd, Rung::Bvh, Rung::Bvh2, Rung::Bvh8, Rung::Packets, Rung::Threads, Rung::Gpu];
 
     /// Its name.
     pub fn name(self) -> &'static str {

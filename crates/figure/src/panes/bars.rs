@@ -47,15 +47,14 @@ impl Bars {
             top += small * 1.4;
         }
         top += text * 0.4;
-        let wide = |bar: &Bar| {
-            text_width(&bar.name, Face::Bold, text).max(text_width(&bar.note, Face::Regular, small))
-        };
+        let wide = |bar: &Bar| text_width(&bar.name, Face::Bold, text).max(text_width(&bar.note, Face::Regular, small));
         let names = self.bars.iter().map(wide).fold(0.0, f32::max);
         let drawn = || self.bars.iter().filter(|bar| bar.value > 0.0);
         let says = drawn().map(|bar| text_width(&bar.says, Face::Regular, text)).fold(0.0, f32::max);
         let from = margin + names + text;
         let room = (size.x - margin - says - text * 0.5 - from).max(1.0);
-        let (low, high) = drawn().fold((f64::INFINITY, 0.0_f64), |(low, high), bar| (low.min(bar.value), high.max(bar.value)));
+        let (low, high) =
+            drawn().fold((f64::INFINITY, 0.0_f64), |(low, high), bar| (low.min(bar.value), high.max(bar.value)));
         // A whole number of factors of ten, and the shortest bar not shorter than a tenth of one.
         let first = libm::floor(libm::log10(low * 0.8));
         let last = libm::log10(high).max(first + 1e-6);
@@ -84,7 +83,11 @@ impl Bars {
             if bar.value > 0.0 {
                 end = along(bar.value);
                 let high = row * 0.56;
-                figure.add(Role::Filled, None, block(Vec2::new(from, middle - high / 2.0), Vec2::new(end - from, high), 2.0));
+                figure.add(
+                    Role::Filled,
+                    None,
+                    block(Vec2::new(from, middle - high / 2.0), Vec2::new(end - from, high), 2.0),
+                );
             }
             let role = if bar.value > 0.0 { Role::Value } else { Role::Quiet };
             let at = Vec2::new(end + text * 0.5, middle);

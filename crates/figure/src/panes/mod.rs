@@ -23,8 +23,8 @@ mod walks;
 mod weighing;
 mod work;
 
-pub(crate) use bin::bin_of_packet;
 pub use bars::{Bar, Bars};
+pub(crate) use bin::bin_of_packet;
 pub use bin::{bin, bin_of_build};
 pub use board::{
     Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Map, Maps, Meter, Panel, Picture, Pictures, Pixel, Row,

@@ -158,7 +158,8 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Tab
     let measures = table.columns.iter().any(|(column, _)| column.is_measured());
     if table.columns.is_empty() || table.rows.is_empty() {
         reading.problem(at, "a table has columns and rows, one or more of each");
-    } else if measures && table.rows.iter().all(|row| row.plan.is_none() && row.volume.is_none() && row.fast.is_none()) {
+    } else if measures && table.rows.iter().all(|row| row.plan.is_none() && row.volume.is_none() && row.fast.is_none())
+    {
         reading.problem(at, "nothing is measured: give a row `structure = { kind = \"...\" }` or `volume = \"...\"`");
     }
     Some(table)

@@ -63,7 +63,7 @@ impl BoardTape {
                         (None, Some(kind)) => Measured::of_fast(kind, scene, care, watch),
                         (None, None) => Ok(None),
                     };
-                    match row.scene.as_deref().map(Scene::named) {
+                    match row.scene.as_deref().map(|name| board.scenes.named(name)) {
                         Some(Ok(own)) => of(&own)?,
                         Some(Err(_)) => None,
                         None => of(scene)?,
@@ -77,7 +77,7 @@ impl BoardTape {
                         return Err(Cancelled);
                     }
                     let of = |scene: &Scene| Appraisal::of(&scene.prims, *volume, RAYS, SEED);
-                    match own.as_deref().map(Scene::named) {
+                    match own.as_deref().map(|name| board.scenes.named(name)) {
                         Some(Ok(own)) => Some(of(&own)),
                         Some(Err(_)) => None,
                         None => Some(of(scene)),
@@ -91,12 +91,12 @@ impl BoardTape {
             };
             let grown = match entry {
                 Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, of, scenes }, .. }) => {
-                    Measured::growth(plan, *of, scenes, care, watch)?
+                    Measured::growth(plan, *of, scenes, &board.scenes, care, watch)?
                 }
                 _ => Vec::new(),
             };
             let rendered = match entry {
-                Entry::Picture(picture) => Rendered::of(picture, scene, care, watch)?,
+                Entry::Picture(picture) => Rendered::of(picture, scene, &board.scenes, care, watch)?,
                 Entry::Row(_) | Entry::Drawn(_) | Entry::Map(..) => None,
             };
             tape.places.push(place);

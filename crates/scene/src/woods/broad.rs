@@ -67,8 +67,7 @@ fn branch(
     }
     for fork in 0..FORKS {
         // The first goes on nearly straight, the others lean out, and lower ones more.
-        let (lean, place) =
-            if fork == 0 { (0.22, 1.0) } else { (habit.lean, growing.random.range(0.45, 0.98)) };
+        let (lean, place) = if fork == 0 { (0.22, 1.0) } else { (habit.lean, growing.random.range(0.45, 0.98)) };
         let aside = growing.aside();
         let aside = if level == 0 { Vec3::new(aside.x, aside.y, aside.z.abs() * 0.4) } else { aside };
         let hangs = if level >= 3 { habit.rise - 0.12 } else { habit.rise };
