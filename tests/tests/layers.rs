@@ -10,7 +10,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("raystep-accel", &[]),
     ("raystep-scene", &["raystep-accel"]),
     ("raystep-fast", &["raystep-accel"]),
-    ("raystep-lesson", &["raystep-scene", "raystep-accel"]),
+    ("raystep-lesson", &["raystep-scene", "raystep-fast", "raystep-accel"]),
     ("raystep-figure", &["raystep-accel"]),
     ("raystep-paint", &["raystep-figure", "raystep-accel"]),
     ("raystep-print", &["raystep-figure", "raystep-accel"]),

@@ -32,7 +32,10 @@ const HOUSES: &[(&str, &[&str])] = &[
             "event",
         ],
     ),
-    ("crates/fast/src", &["lanes", "judge", "leaf", "build", "fast", "bvh2", "bvh8", "kinds"]),
+    (
+        "crates/fast/src",
+        &["lanes", "judge", "leaf", "build", "fast", "bvh2", "bvh8", "kinds", "instances", "daylight", "race"],
+    ),
     ("crates/figure/src", &["theme", "page", "words", "world", "stage", "moments", "panes", "kinds"]),
     (
         "app/src",

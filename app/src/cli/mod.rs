@@ -3,11 +3,13 @@
 mod check;
 mod doctor;
 mod export;
+mod forest;
 mod handout;
 mod heatmap;
 mod lessons;
 mod measure;
 pub mod page;
+mod race;
 mod rays;
 mod spelt;
 mod start;
@@ -26,9 +28,11 @@ pub use crate::fault::Fault;
 use crate::{files, report};
 pub use check::CheckArguments;
 pub use export::ExportArguments;
+pub use forest::ForestArguments;
 pub use handout::HandoutArguments;
 pub use heatmap::HeatmapArguments;
 pub use measure::MeasureArguments;
+pub use race::RaceArguments;
 pub use rays::read as read_rays;
 pub use spelt::rule as read_rule;
 pub use start::StartArguments;
@@ -60,6 +64,10 @@ enum Command {
     Heatmap(HeatmapArguments),
     /// Count what rays cost: the lecture's tables, as printed and as measured here.
     Measure(MeasureArguments),
+    /// Race brute force, the textbook and what the last chapter adds over the same rays.
+    Race(RaceArguments),
+    /// Draw fifty billion triangles and tell what that takes.
+    Forest(ForestArguments),
     /// Shoot rays at every structure and compare with brute force.
     Verify(VerifyArguments),
     /// Say what a window needs and what was found.
@@ -81,6 +89,8 @@ pub fn run(arguments: &Arguments) -> ExitCode {
         Some(Command::Trace(arguments)) => trace::run(arguments),
         Some(Command::Heatmap(arguments)) => heatmap::run(arguments),
         Some(Command::Measure(arguments)) => measure::run(arguments),
+        Some(Command::Race(arguments)) => race::run(arguments),
+        Some(Command::Forest(arguments)) => forest::run(arguments),
         Some(Command::Verify(arguments)) => verify::run(arguments),
         Some(Command::Doctor) => doctor::run(),
     };

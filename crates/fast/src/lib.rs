@@ -16,20 +16,29 @@
 //! | `bvh8` | 59 | eight boxes at once |
 //! | `fast` | | what every structure here can do, with many rays on many threads |
 //! | `kinds` | 64 | the structures by name |
+//! | `instances` | 10, 27 | a tree over trees: what is stored once and placed many times |
+//! | `daylight` | 10 | pictures by a sun and a sky |
+//! | `race` | 64 | the rungs from brute force to all threads, timed over the same rays |
 
 mod build;
 mod bvh2;
 mod bvh8;
+mod daylight;
 mod fast;
+mod instances;
 mod judge;
 mod kinds;
 mod lanes;
 mod leaf;
+mod race;
 
 pub use build::Settings;
 pub use bvh2::Bvh2;
 pub use bvh8::Bvh8;
+pub use daylight::{Daylight, Line, Matter, Surface};
 pub use fast::{Any, Fast, Nearest, Question};
+pub use instances::TwoLevels;
 pub use judge::{Count, Work};
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;
+pub use race::{Race, Row, Rung, Told, tile_order};

@@ -17,6 +17,7 @@ mod teapot;
 mod tree;
 pub mod trial;
 mod view;
+mod woods;
 
 pub use decimal::decimal;
 pub use error::SceneError;
@@ -29,3 +30,4 @@ pub use shipped::{UnknownScene, scene_names};
 pub use teapot::{MOST_STEPS, teapot};
 pub use tree::tree;
 pub use view::View;
+pub use woods::{Kind, Land, Stuff, TRIANGLES_OF_A_TREE, Woods};

@@ -6,7 +6,7 @@ mod growth;
 pub(super) mod look;
 mod rows;
 mod survey;
-mod table;
+pub(super) mod table;
 
 use std::collections::{HashMap, HashSet};
 use std::io::IsTerminal;

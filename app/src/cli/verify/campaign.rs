@@ -4,19 +4,20 @@ use std::path::Path;
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use raystep_accel::{Accel, List, Primitives, Prims, Random, Ray, Rule, Structure};
+use raystep_accel::{Accel, List, Primitives, Prims, Random, Ray, Structure};
 use raystep_scene::trial::rays::{AIMS, Targets};
 use raystep_scene::trial::{crowd, scenes::cases_of, sphere};
 use raystep_scene::{Scene, scene_names};
 
+use super::contender::{Built, Contender};
 use super::kept::{self, Difference};
 use super::tally::{Sample, Tally};
-use super::{UntilStopped, referee, stopped};
+use super::{referee, stopped};
 
 /// What is shot at what.
 pub(super) struct Campaign<'a> {
     /// The structures, with the line that spells each.
-    pub(super) rules: Vec<(&'static str, Rule)>,
+    pub(super) rules: Vec<(&'static str, Contender)>,
     /// Decides scenes and rays.
     pub(super) seed: u64,
     /// How many rays in all.
@@ -44,14 +45,14 @@ const LEAST: u64 = 19;
 /// A scene and its structures.
 struct Stage<'a> {
     scene: &'a Scene,
-    structures: Vec<(&'static str, Structure)>,
+    structures: Vec<(&'static str, Built)>,
     targets: Targets,
     seed: u64,
 }
 
 impl Stage<'_> {
     /// All structures, or only the one of each kind whose turn it is.
-    fn asked(&self, turn: Option<usize>) -> impl Iterator<Item = &(&'static str, Structure)> {
+    fn asked(&self, turn: Option<usize>) -> impl Iterator<Item = &(&'static str, Built)> {
         let kinds = self.structures.chunk_by(|(a, _), (b, _)| kind_of(a) == kind_of(b));
         kinds.flat_map(move |kind| match turn {
             Some(turn) => std::slice::from_ref(&kind[turn % kind.len()]),
@@ -69,14 +70,14 @@ impl Campaign<'_> {
     /// Shoots all rays, or as many as there is time for before Ctrl+C.
     pub(super) fn run(&self, bar: &ProgressBar) -> Tally {
         let mut tally = Tally::default();
-        let standing = standing();
+        let standing = self.fitting(standing());
         let mut owed = vec![0; standing.len()];
         for round in 0..self.rays.div_ceil(ROUND) {
             if stopped() {
                 break;
             }
             let rays = ROUND.min(self.rays - round * ROUND);
-            let drawn = drawn(self.seed.wrapping_add(round));
+            let drawn = self.fitting(drawn(self.seed.wrapping_add(round)));
             let all: Vec<&Scene> = drawn.iter().chain(&standing).collect();
             let mut shares = shares(&all, rays);
             for (owed, share) in owed.iter_mut().zip(shares.split_off(drawn.len())) {
@@ -88,6 +89,12 @@ impl Campaign<'_> {
         tally += self.shoot_all(&standing, &owed, u64::MAX, bar);
         tally += self.shoot_into_the_crowd(bar);
         tally
+    }
+
+    /// The scenes over which some of the structures can stand.
+    fn fitting(&self, scenes: Vec<Scene>) -> Vec<Scene> {
+        let fits = |scene: &Scene| self.rules.iter().any(|(_, contender)| contender.fits(scene));
+        scenes.into_iter().filter(fits).collect()
     }
 
     /// A few rays more at a crowd, by one structure of each kind: that it is built at all is the test.
@@ -117,15 +124,12 @@ impl Campaign<'_> {
     }
 
     fn shoot(&self, scene: &Scene, seed: u64, rays: u64, bar: &ProgressBar) -> Tally {
-        let build = |&(line, rule): &(&'static str, Rule)| {
-            let rule = if scene.flat { rule.flat() } else { rule };
-            Structure::build(&scene.prims, &rule, &mut UntilStopped).ok().map(|structure| (line, structure))
-        };
+        let build = |(line, contender): &(&'static str, Contender)| Some((*line, contender.build(scene)?));
         let structures: Vec<_> = self.rules.par_iter().filter_map(build).collect();
         if stopped() {
             return Tally::default();
         }
-        let all: Vec<&Structure> = structures.iter().map(|(_, structure)| structure).collect();
+        let all: Vec<&Structure> = structures.iter().filter_map(|(_, built)| built.textbook()).collect();
         let targets = Targets::of(&scene.prims, scene.flat, &all);
         let stage = Stage { scene, structures, targets, seed };
         // In the order of the blocks, whichever thread shot them.
@@ -245,7 +249,7 @@ mod tests {
 
     #[test]
     fn a_seed_decides_everything() {
-        let rules: Vec<_> = raystep_scene::trial::rules::rules().step_by(4).collect();
+        let rules: Vec<_> = Contender::all().step_by(4).collect();
         let tally = |seed, threads, in_turn| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             let campaign = Campaign { rules: rules.clone(), seed, rays: 4000, in_turn, keep: Path::new("unused") };

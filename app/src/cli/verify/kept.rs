@@ -5,11 +5,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use raystep_accel::{Accel, Hit, List, Primitives, Ray, Rule, Structure};
+use raystep_accel::{Accel, Hit, List, Prims, Ray};
 use raystep_scene::Scene;
-use raystep_scene::trial::rules::rules;
 
-use crate::cli::{rays, spelt};
+use super::contender::{Built, Contender};
+use crate::cli::rays;
 use crate::fault::Fault;
 use crate::files;
 
@@ -24,14 +24,9 @@ pub(super) enum Found {
 }
 
 /// A structure's answers to a ray, against the answer of brute force.
-pub(super) fn compare(
-    structure: &Structure,
-    prims: &impl Primitives,
-    ray: &Ray,
-    right: Option<Hit>,
-) -> Result<(), Found> {
+pub(super) fn compare(structure: &Built, prims: &Prims, ray: &Ray, right: Option<Hit>) -> Result<(), Found> {
     let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim));
-    let answers = || (structure.intersect(prims, ray, &mut ()), structure.occluded(prims, ray, &mut ()));
+    let answers = || structure.answers(prims, ray);
     let Ok((nearest, any)) = catch_unwind(AssertUnwindSafe(answers)) else { return Err(Found::Panic) };
     if bits(nearest) != bits(right) {
         return Err(Found::Nearest(nearest));
@@ -64,7 +59,11 @@ impl Difference<'_> {
         let [kind, parameters @ ..] = &*self.line.split_whitespace().collect::<Vec<_>>() else { return };
         let rules: String = parameters.iter().map(|pair| format!(" --rule {pair}")).collect();
         let at = path.display();
-        files::tell(&format!("{self}  raystep trace --scene {} --structure {kind}{rules} --rays {at}\n", self.scene));
+        let again = match Contender::spelt(self.line) {
+            Ok(Contender::Fast(_)) => format!("raystep verify --replay {at}"),
+            _ => format!("raystep trace --scene {} --structure {kind}{rules} --rays {at}", self.scene),
+        };
+        files::tell(&format!("{self}  {again}\n"));
         if let Err(fault) = written {
             files::say(&fault.to_string());
         }
@@ -133,16 +132,16 @@ fn replay_file(path: &Path) -> Result<u64, Fault> {
     };
     let scene = Scene::named(noted("scene")?).map_err(|error| Fault::new(format!("{file}: {error}")))?;
     let own = noted("structure")?;
-    let own_rule = spelt::rule(own).map_err(|fault| Fault::new(format!("{file}: {fault}")))?;
+    let own_rule = Contender::spelt(own).map_err(|fault| Fault::new(format!("{file}: {fault}")))?;
     let rays: Result<Vec<Ray>, String> = rays::read(&bytes, &file)?.into_iter().collect();
     let rays = rays.map_err(|why| Fault::new(format!("{file}: {why}")))?;
     // All rules of the structure that differed: another kind would have been kept by a ray of its own.
-    let mut all: Vec<(&str, Rule)> = rules().filter(|(_, rule)| rule.kind() == own_rule.kind()).collect();
+    let mut all: Vec<(&str, Contender)> = Contender::all().filter(|(_, rule)| rule.kind() == own_rule.kind()).collect();
     all.push((own, own_rule));
     for (line, rule) in all {
-        let rule = if scene.flat { rule.flat() } else { rule };
-        let structure =
-            Structure::build(&scene.prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))?;
+        let Some(structure) = rule.build(&scene) else {
+            return Err(Fault::new(format!("{file}: {line} cannot be built over {}", scene.name)));
+        };
         for &ray in &rays {
             let right = List.intersect(&scene.prims, &ray, &mut ());
             if let Err(found) = compare(&structure, &scene.prims, &ray, right) {

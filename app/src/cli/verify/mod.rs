@@ -2,6 +2,7 @@
 
 mod campaign;
 mod cause;
+mod contender;
 mod kept;
 mod referee;
 mod tally;
@@ -15,13 +16,14 @@ use std::time::Instant;
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use raystep_accel::{Grow, Observer, Rule};
+use raystep_fast::FastKind;
 use raystep_figure::whole;
-use raystep_scene::trial::rules::rules;
 
 use super::spelt;
 use crate::fault::Fault;
 use crate::files;
 use campaign::Campaign;
+use contender::Contender;
 pub use kept::replay;
 use tally::Tally;
 
@@ -31,7 +33,7 @@ pub struct VerifyArguments {
     /// How many rays to shoot.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
     rays: u64,
-    /// The kind of structure: grid, kd, bvh ... or all.
+    /// The kind of structure: grid, kd, bvh, fast-bvh8 ... or all.
     #[arg(long, value_name = "KIND", default_value = "all")]
     structure: String,
     /// Another seed: other scenes and other rays.
@@ -85,7 +87,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
     if arguments.watertight {
         return watertight::run(arguments.rays, arguments.seed, &kinds);
     }
-    let rules: Vec<_> = rules().filter(|(_, rule)| kinds.contains(&rule.kind())).collect();
+    let rules: Vec<_> = Contender::all().filter(|(_, contender)| kinds.contains(&contender.kind())).collect();
     let &VerifyArguments { seed, rays, in_turn, ref keep, .. } = arguments;
     let campaign = Campaign { rules, seed, rays, in_turn, keep };
     let threads = rayon::current_num_threads();
@@ -123,7 +125,8 @@ fn unfinished(shot: u64, asked: u64) -> Fault {
 
 /// The kinds that are meant; brute force is the judge of all of them.
 fn kinds(structure: &str) -> Result<Vec<&'static str>, Fault> {
-    let judged = || Rule::KINDS.into_iter().filter(|kind| *kind != "list");
+    let textbook = Rule::KINDS.into_iter().filter(|kind| *kind != "list");
+    let judged = || textbook.clone().chain(FastKind::ALL.map(FastKind::name));
     match structure {
         "all" => Ok(judged().collect()),
         "list" => Err(Fault::new(format!(
@@ -131,6 +134,9 @@ fn kinds(structure: &str) -> Result<Vec<&'static str>, Fault> {
             judged().collect::<Vec<_>>().join(", ")
         ))),
         kind => {
+            if let Some(fast) = FastKind::ALL.into_iter().find(|fast| fast.name() == kind) {
+                return Ok(vec![fast.name()]);
+            }
             let rule = spelt::answering(kind)?;
             Ok(judged().filter(|judged| *judged == rule.kind()).collect())
         }
@@ -151,7 +157,7 @@ fn report(tally: &Tally, kinds: &[&str], campaign: &Campaign<'_>, seconds: f64) 
     );
     page += &format!("{:<14}{:>6}{:>18}{:>14}\n", "structure", "rules", "answers", "differences");
     for kind in kinds {
-        let of_kind = |(_, rule): &&(&str, Rule)| rule.kind() == *kind;
+        let of_kind = |(_, rule): &&(&str, Contender)| rule.kind() == *kind;
         let (answers, differences) = tally.kinds.get(kind).copied().unwrap_or_default();
         let rules = campaign.rules.iter().filter(of_kind).count();
         page += &format!("{kind:<14}{rules:>6}{:>18}{:>14}\n", whole(answers), whole(differences));
@@ -194,7 +200,7 @@ mod tests {
     #[test]
     fn every_kind_has_rules_to_try() {
         for kind in kinds("all").unwrap() {
-            assert!(rules().any(|(_, rule)| rule.kind() == kind), "no rule of {kind} in the list of trials");
+            assert!(Contender::all().any(|(_, rule)| rule.kind() == kind), "no rule of {kind} in the list of trials");
         }
     }
 }

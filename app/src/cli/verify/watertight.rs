@@ -4,12 +4,13 @@ use std::time::Instant;
 
 use glam::Vec3;
 use rayon::prelude::*;
-use raystep_accel::{Aabb, Accel, List, Mesh, PrimId, Primitives, Prims, Random, Ray, Rule, Structure};
+use raystep_accel::{Aabb, Accel, List, Mesh, PrimId, Primitives, Prims, Random, Ray};
 use raystep_figure::whole;
 use raystep_scene::Scene;
 use raystep_scene::trial::sphere;
 
-use super::{UntilStopped, bar, counted, stopped, unfinished};
+use super::contender::{Built, Contender};
+use super::{bar, counted, stopped, unfinished};
 use crate::fault::Fault;
 use crate::files;
 
@@ -44,9 +45,8 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
         ))?;
         let mut structures = Vec::new();
         for kind in kinds {
-            let rule = Rule::default_for(kind).map_err(|error| wrong(&error))?;
             // A builder breaks off only when all of this is stopped.
-            structures.extend(Structure::build(mesh, &rule, &mut UntilStopped));
+            structures.extend(Contender::spelt(kind)?.build(&scene));
         }
         if stopped() {
             break;
@@ -57,7 +57,7 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
             .map(|block| {
                 let numbers = block * BLOCK..rays.min((block + 1) * BLOCK);
                 bar.inc(numbers.end - numbers.start);
-                if stopped() { Lost::default() } else { shoot(mesh, center, &structures, seed, numbers) }
+                if stopped() { Lost::default() } else { shoot(&scene.prims, center, &structures, seed, numbers) }
             })
             .collect();
         bar.finish_and_clear();
@@ -81,7 +81,8 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
     Ok(())
 }
 
-fn shoot(mesh: &Mesh, center: Vec3, structures: &[Structure], seed: u64, numbers: std::ops::Range<u64>) -> Lost {
+fn shoot(prims: &Prims, center: Vec3, structures: &[Built], seed: u64, numbers: std::ops::Range<u64>) -> Lost {
+    let Prims::Mesh(mesh) = prims else { return Lost::default() };
     let mut random = Random::new(Random::new(seed ^ numbers.start).bits());
     let (mut aimed, mut brute) = Lost::default();
     for number in numbers {
@@ -90,7 +91,7 @@ fn shoot(mesh: &Mesh, center: Vec3, structures: &[Structure], seed: u64, numbers
         }
         let aim = (number % AIMS.len() as u64) as usize;
         let Some(ray) = ray(mesh, center, aim, &mut random) else { continue };
-        let lost = structures.iter().filter(|structure| structure.intersect(mesh, &ray, &mut ()).is_none()).count();
+        let lost = structures.iter().filter(|structure| structure.answers(prims, &ray).0.is_none()).count();
         aimed[aim] = (aimed[aim].0 + 1, aimed[aim].1 + u64::from(lost > 0));
         if number % SAMPLE < AIMS.len() as u64 {
             let lost = List.intersect(mesh, &ray, &mut ()).is_none();

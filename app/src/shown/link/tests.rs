@@ -18,9 +18,8 @@ fn point() -> impl Strategy<Value = Vec3> {
 fn own() -> impl Strategy<Value = Ray> {
     let range = prop_oneof![Just([0.0, f32::INFINITY]), [0.0_f32..1.0, 1.0_f32..50.0]];
     let direction = (0.1_f32..3.0, number(), -2.0_f32..2.0).prop_map(Vec3::from);
-    (point(), direction, range).prop_filter_map("no ray", |(o, d, [near, far])| {
-        Ray::new(o, d).and_then(|ray| ray.within(near, far)).ok()
-    })
+    (point(), direction, range)
+        .prop_filter_map("no ray", |(o, d, [near, far])| Ray::new(o, d).and_then(|ray| ray.within(near, far)).ok())
 }
 
 fn flat() -> impl Strategy<Value = Camera> {

@@ -1,5 +1,6 @@
 //! The panes: each shows one side of a moment as a figure, or in space.
 
+mod bars;
 mod bin;
 mod board;
 mod bytes;
@@ -22,6 +23,7 @@ mod walks;
 mod weighing;
 mod work;
 
+pub use bars::{Bar, Bars};
 pub(crate) use bin::bin_of_packet;
 pub use bin::{bin, bin_of_build};
 pub use board::{

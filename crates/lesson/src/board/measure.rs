@@ -3,8 +3,9 @@
 use glam::Vec2;
 use raystep_accel::{
     Accel, Cancelled, Cost, Each, Fill, Grow, KdLayout, Machine, Observer, Packet, PacketStep, PacketVisit, Primitives,
-    Ray, RayError, Structure, Want, Width, pinhole,
+    Prims, Ray, RayError, Structure, Want, Width, pinhole,
 };
+use raystep_fast::{Fast, FastKind, Settings, Work};
 use raystep_scene::{Scene, Scenes, View};
 
 use crate::Plan;
@@ -107,6 +108,40 @@ impl Measured {
             boxes: each(Column::Boxes.count(&cost)),
             nodes: structure.node_count() as u64 + cells,
             bytes: bytes(&structure, how),
+            alive: f64::NAN,
+        }))
+    }
+
+    /// The same rays through a fast structure; nothing over a scene that is no mesh.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(crate) fn of_fast(
+        kind: FastKind,
+        scene: &Scene,
+        care: Care,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Option<Measured>, Cancelled> {
+        let Prims::Mesh(mesh) = &scene.prims else { return Ok(None) };
+        let fast = kind.build(mesh, &Settings::default());
+        let (view, [width, height]) = (scene.close_view(), care.of(PICTURE));
+        let work = |x: u32, y: u32| {
+            let mut work = Work::default();
+            if let Ok(ray) = through(&view, [width, height], [x, y]) {
+                fast.walk(&ray, Want::Nearest, &mut work);
+            }
+            work
+        };
+        let rows = rows::each(height, watch, |y| (0..width).map(|x| work(x, y)).collect::<Vec<_>>())?;
+        let rays = u64::from(width) * u64::from(height);
+        let each = |of: fn(&Work) -> u64| rows.iter().flatten().map(of).sum::<u64>() as f64 / rays.max(1) as f64;
+        Ok(Some(Measured {
+            rays,
+            tests: each(|work| work.triangles),
+            visits: each(|work| work.nodes),
+            boxes: each(|work| work.boxes),
+            nodes: 0,
+            bytes: fast.bytes() as u64,
             alive: f64::NAN,
         }))
     }

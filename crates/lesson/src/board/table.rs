@@ -1,6 +1,7 @@
 //! A table: rows of named things, columns of what was printed, what follows from it, and what is measured here.
 
 use raystep_accel::{BvhVolume, Cost, KdLayout, Width};
+use raystep_fast::FastKind;
 
 use crate::check::PACKET_KINDS;
 use crate::keys::Keys;
@@ -110,6 +111,8 @@ pub struct Row {
     pub plan: Option<Plan>,
     /// The volume around everything that is measured for it.
     pub volume: Option<BvhVolume>,
+    /// The fast structure that is measured for it instead of a textbook's.
+    pub fast: Option<FastKind>,
     /// How that is walked and stored.
     pub how: How,
     /// The name of the scene that it is measured over; the board's own if it has none.
@@ -155,7 +158,8 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Tab
     let measures = table.columns.iter().any(|(column, _)| column.is_measured());
     if table.columns.is_empty() || table.rows.is_empty() {
         reading.problem(at, "a table has columns and rows, one or more of each");
-    } else if measures && table.rows.iter().all(|row| row.plan.is_none() && row.volume.is_none()) {
+    } else if measures && table.rows.iter().all(|row| row.plan.is_none() && row.volume.is_none() && row.fast.is_none())
+    {
         reading.problem(at, "nothing is measured: give a row `structure = { kind = \"...\" }` or `volume = \"...\"`");
     }
     Some(table)
@@ -191,6 +195,7 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let spot = reading.spot(keys.at());
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
     let volume = volume(&mut keys, reading);
+    let fast = fast(&mut keys, plan.as_ref(), reading);
     let how = how(&mut keys, plan.as_ref(), reading);
     let mut cells = Vec::new();
     for column in [Column::Printed, Column::Total] {
@@ -221,11 +226,24 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
         cells,
         plan,
         volume,
+        fast,
         how,
         scene,
         spot,
         step: step.map(|(_, step)| step),
     })
+}
+
+/// `fast = "fast-bvh8"`: a structure of the last chapter at full speed.
+fn fast(keys: &mut Keys<'_>, plan: Option<&Plan>, reading: &mut Reading<'_>) -> Option<FastKind> {
+    let (at, name) = keys.get::<String>("fast", reading)?;
+    let known = FastKind::ALL.into_iter().find(|kind| kind.name() == name);
+    if known.is_none() {
+        reading.problem(at, misspelt("fast structure", &name, &FastKind::ALL.map(FastKind::name)));
+    } else if plan.is_some() {
+        reading.problem(at, "a row measures one structure: either `structure` or `fast`");
+    }
+    known
 }
 
 /// `lanes = 4`, `layout = "plain"`: how the row's structure is walked and stored.

@@ -57,14 +57,18 @@ impl BoardTape {
         for place in board.order() {
             let Some(entry) = board.entry(place) else { continue };
             let measured = match entry {
-                Entry::Row(row) => match &row.plan {
-                    Some(plan) => match row.scene.as_deref().map(|name| board.scenes.named(name)) {
-                        Some(Ok(own)) => Measured::of(plan, row.how, &own, care, watch)?,
+                Entry::Row(row) => {
+                    let mut of = |scene: &Scene| match (&row.plan, row.fast) {
+                        (Some(plan), _) => Measured::of(plan, row.how, scene, care, watch),
+                        (None, Some(kind)) => Measured::of_fast(kind, scene, care, watch),
+                        (None, None) => Ok(None),
+                    };
+                    match row.scene.as_deref().map(|name| board.scenes.named(name)) {
+                        Some(Ok(own)) => of(&own)?,
                         Some(Err(_)) => None,
-                        None => Measured::of(plan, row.how, scene, care, watch)?,
-                    },
-                    None => None,
-                },
+                        None => of(scene)?,
+                    }
+                }
                 Entry::Drawn(_) | Entry::Map(..) | Entry::Picture(_) => None,
             };
             let appraised = match entry {
