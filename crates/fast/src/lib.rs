@@ -27,9 +27,9 @@ mod lanes;
 mod leaf;
 
 pub use build::Settings;
-pub use bvh2::Bvh2;
+pub use bvh2::{Below, Bvh2};
 pub use bvh8::Bvh8;
 pub use fast::{Any, Fast, Nearest, Question};
-pub use judge::{Count, Work};
+pub use judge::{Count, NotOrdinary, Shot, Work};
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;

@@ -1,0 +1,283 @@
+// Walks rays through a tree of two children. Why its margins are certain stands in `margins.rs`; nothing here relies on
+// infinities or on what is no number.
+
+// The layout of `Record`.
+struct Shot {
+    // One over each component of the direction.
+    r: vec3f,
+    t_min: f32,
+    // What is added to b·r where the ray enters a slab, and where it leaves it.
+    enter: vec3f,
+    t_max: f32,
+    leave: vec3f,
+    // Whether the ray runs down each axis (DOWN), its largest axis (ALONG), or that it is not walked here (ASIDE).
+    flags: u32,
+    // The origin, the largest axis last.
+    o: vec3f,
+    // One over the direction's largest component.
+    r_z: f32,
+    shear: vec2f,
+    rest: vec2f,
+}
+
+const ALONG = 8u;
+const ASIDE = 32u;
+
+// The layout of `Node`: both children.
+struct Node {
+    low_0: vec3f,
+    child_0: u32,
+    high_0: vec3f,
+    child_1: u32,
+    low_1: vec3f,
+    rest_0: u32,
+    high_1: vec3f,
+    rest_1: u32,
+}
+
+// A child is the number of a node; or, with this bit, the first of a leaf's triangles and below that how many there are.
+const LEAF = 0x80000000u;
+const COUNT_BITS = 3u;
+
+// The layout of `Corners`.
+struct Triangle {
+    a: vec3f,
+    prim: u32,
+    b: vec3f,
+    // The longest side of its box.
+    size: f32,
+    c: vec3f,
+    rest: u32,
+}
+
+// The layout of `Found`.
+struct Found {
+    prims: array<u32, 4>,
+    state: u32,
+    // Nodes opened, leaves among them.
+    nodes: u32,
+    leaves: u32,
+    tests: u32,
+}
+
+// The triangles that are left hold the answer; a hit is sure; more are left than there is room for; not walked to the end.
+const LEFT = 0u;
+const SURE = 1u;
+const MANY = 2u;
+const AGAIN = 3u;
+
+struct Ask {
+    rays: u32,
+    // Whether any hit will do.
+    any: u32,
+}
+
+@group(0) @binding(0) var<uniform> ask: Ask;
+@group(0) @binding(1) var<storage, read> shots: array<Shot>;
+@group(0) @binding(2) var<storage, read> tree: array<Node>;
+@group(0) @binding(3) var<storage, read> triangles: array<Triangle>;
+@group(0) @binding(4) var<storage, read_write> found: array<Found>;
+
+const HIGH = 64u;
+const ROOM = 4u;
+const NONE = 0xffffffffu;
+
+// What the slabs of a box leave of the ray.
+fn slabs(low: vec3f, high: vec3f, shot: Shot, down: vec3<bool>) -> vec2f {
+    let near = select(low, high, down) * shot.r + shot.enter;
+    let far = select(high, low, down) * shot.r + shot.leave;
+    return vec2f(max(max(near.x, near.y), near.z), min(min(far.x, far.y), far.z));
+}
+
+// The margins, see `margins.rs`.
+override AREA: f32;
+override FAR_AREA: f32;
+override LEAST_AREA: f32;
+override DEPTH: f32;
+
+struct Met {
+    // Whether it may be hit, and whether it surely is.
+    left: bool,
+    sure: bool,
+    // Between these the hit lies, if `bounded`.
+    bounded: bool,
+    low: f32,
+    high: f32,
+}
+
+// The components along the axes, the largest of the direction last.
+fn turned(p: vec3f, along: u32) -> vec3f {
+    return select(select(p, p.zxy, along == 1u), p.yzx, along == 0u);
+}
+
+fn sheared(p: vec3f, shot: Shot) -> vec3f {
+    let q = p - shot.o;
+    return vec3f(q.xy - shot.shear * q.z, q.z);
+}
+
+fn meet(triangle: Triangle, shot: Shot, along: u32) -> Met {
+    let a = sheared(turned(triangle.a, along), shot);
+    let b = sheared(turned(triangle.b, along), shot);
+    let c = sheared(turned(triangle.c, along), shot);
+    // Twice the areas that the ray makes with each edge, and how large one has to be to have a sign.
+    let u = c.x * b.y - c.y * b.x;
+    let v = a.x * c.y - a.y * c.x;
+    let w = b.x * a.y - b.y * a.x;
+    let size = triangle.size;
+    let away = abs(a.z) + 2.0 * size;
+    let margin = away * (AREA * size + FAR_AREA * away) + LEAST_AREA;
+    let least = min(min(u, v), w);
+    let most = max(max(u, v), w);
+    var met = Met(!(least < -margin && margin < most), false, false, 0.0, 0.0);
+    let area = u + v + w;
+    if !met.left || abs(area) < 32.0 * margin {
+        return met;
+    }
+    // Between which t it is met.
+    let over = 1.0 / area;
+    let depth = a.z + ((v * over) * (b.z - a.z) + (w * over) * (c.z - a.z));
+    let slack = (12.0 * size * (margin * abs(over)) + DEPTH * away) * abs(shot.r_z);
+    let t = depth * shot.r_z;
+    met.bounded = true;
+    met.low = t - slack;
+    met.high = t + slack;
+    // Surely hit where all areas surely have one sign, and t surely counts.
+    let wide = max(max(max(abs(a.x), abs(b.x)), abs(c.x)), max(max(abs(a.y), abs(b.y)), abs(c.y)));
+    let inside = least > 2.0 * margin || most < -2.0 * margin;
+    met.sure = inside && wide <= 2.0 * size + DEPTH * away && abs(t) >= 2.0 * slack && met.low >= shot.t_min && met.high <= shot.t_max;
+    return met;
+}
+
+@compute @workgroup_size(64)
+fn walk(@builtin(global_invocation_id) id: vec3u) {
+    if id.x >= ask.rays {
+        return;
+    }
+    let shot = shots[id.x];
+    let down = (vec3u(shot.flags) & vec3u(1u, 2u, 4u)) != vec3u(0u);
+    let along = (shot.flags / ALONG) & 3u;
+    var state = LEFT;
+    var nodes = 0u;
+    var leaves = 0u;
+    var tests = 0u;
+    // Nothing that lies further counts any more.
+    var end = shot.t_max;
+    // The triangles that may be the answer, and from which t on each is met.
+    var prims: array<u32, 4>;
+    var nears: array<f32, 4>;
+    var left = 0u;
+    // From which t on triangles are met that found no room.
+    var lost = 0.0;
+    var has_lost = false;
+    // What waits: a child, and where the ray enters its box.
+    var children: array<u32, 64>;
+    var enters: array<f32, 64>;
+    var high = 0u;
+    var here = 0u;
+    var near = shot.t_min;
+    if shot.flags >= ASIDE {
+        state = AGAIN;
+    }
+    while state == LEFT {
+        nodes += 1u;
+        if (here & LEAF) == 0u {
+            let node = tree[here];
+            let first = slabs(node.low_0, node.high_0, shot, down);
+            let second = slabs(node.low_1, node.high_1, shot, down);
+            let near_0 = max(first.x, shot.t_min);
+            let near_1 = max(second.x, shot.t_min);
+            let meets_0 = near_0 <= min(first.y, end);
+            let meets_1 = near_1 <= min(second.y, end);
+            if meets_0 && meets_1 {
+                if high == HIGH {
+                    state = AGAIN;
+                    break;
+                }
+                // The nearer child first.
+                let turn = near_1 < near_0;
+                children[high] = select(node.child_1, node.child_0, turn);
+                enters[high] = max(near_0, near_1);
+                high += 1u;
+                here = select(node.child_0, node.child_1, turn);
+                near = min(near_0, near_1);
+                continue;
+            }
+            if meets_0 || meets_1 {
+                here = select(node.child_1, node.child_0, meets_0);
+                near = select(near_1, near_0, meets_0);
+                continue;
+            }
+        } else {
+            let bits = here & ~LEAF;
+            let count = bits & ((1u << COUNT_BITS) - 1u);
+            leaves += 1u;
+            tests += count;
+            for (var i = 0u; i < count; i += 1u) {
+                let triangle = triangles[(bits >> COUNT_BITS) + i];
+                let met = meet(triangle, shot, along);
+                if !met.left {
+                    continue;
+                }
+                var from_t = near;
+                if met.bounded {
+                    from_t = max(near, met.low);
+                    if met.high < shot.t_min {
+                        continue;
+                    }
+                }
+                if from_t > end {
+                    continue;
+                }
+                if met.sure {
+                    end = min(end, met.high);
+                    if ask.any != 0u {
+                        state = SURE;
+                        break;
+                    }
+                }
+                if left == ROOM {
+                    // Make room: drop what lies behind the end by now.
+                    var kept = 0u;
+                    for (var k = 0u; k < ROOM; k += 1u) {
+                        if nears[k] <= end {
+                            prims[kept] = prims[k];
+                            nears[kept] = nears[k];
+                            kept += 1u;
+                        }
+                    }
+                    left = kept;
+                }
+                if left < ROOM {
+                    prims[left] = triangle.prim;
+                    nears[left] = from_t;
+                    left += 1u;
+                } else {
+                    lost = select(from_t, min(lost, from_t), has_lost);
+                    has_lost = true;
+                }
+            }
+        }
+        // The next that may hold something nearer.
+        var waits = false;
+        while high > 0u && !waits {
+            high -= 1u;
+            waits = enters[high] <= end;
+        }
+        if !waits {
+            break;
+        }
+        here = children[high];
+        near = enters[high];
+    }
+    if state == LEFT && has_lost && lost <= end {
+        state = MANY;
+    }
+    for (var k = 0u; k < ROOM; k += 1u) {
+        let counts = state == LEFT && k < left && nears[k] <= end;
+        found[id.x].prims[k] = select(NONE, prims[k], counts);
+    }
+    found[id.x].state = state;
+    found[id.x].nodes = nodes;
+    found[id.x].leaves = leaves;
+    found[id.x].tests = tests;
+}
