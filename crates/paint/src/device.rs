@@ -30,11 +30,8 @@ pub(crate) fn open(
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
         let options = wgpu::RequestAdapterOptions { power_preference, ..Default::default() };
         let adapter = instance.request_adapter(&options).await.map_err(|wrong| NoAdapter(wrong.to_string()))?;
-        let descriptor = wgpu::DeviceDescriptor {
-            label: Some("raystep"),
-            required_limits: limits(&adapter)?,
-            ..Default::default()
-        };
+        let descriptor =
+            wgpu::DeviceDescriptor { label: Some("raystep"), required_limits: limits(&adapter)?, ..Default::default() };
         let (device, queue) =
             adapter.request_device(&descriptor).await.map_err(|wrong| NoAdapter(wrong.to_string()))?;
         Ok(Opened { device, queue, info: adapter.get_info() })

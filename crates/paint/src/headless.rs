@@ -22,9 +22,8 @@ impl Headless {
     /// # Errors
     /// When there is none, or it gives no device.
     pub fn new() -> Result<Headless, NoAdapter> {
-        let limits = |adapter: &wgpu::Adapter| {
-            Ok(wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()))
-        };
+        let limits =
+            |adapter: &wgpu::Adapter| Ok(wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()));
         let Opened { device, queue, info } = open(wgpu::PowerPreference::default(), limits)?;
         let renderer = Renderer::new(&device, &queue);
         Ok(Headless { device, queue, renderer, adapter: words(&info) })

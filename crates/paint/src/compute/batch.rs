@@ -1,7 +1,7 @@
 //! Buffers for some rays at a time, there and back.
 
-use raystep_accel::{Ray, Want};
 use rayon::prelude::*;
+use raystep_accel::{Ray, Want};
 
 use super::layout::{Ask, Found, Record};
 use super::{Fault, Gpu};
@@ -73,15 +73,15 @@ impl<'a> Batch<'a> {
     }
 
     fn fetch(&self, size: u64) -> Result<Vec<Found>, Fault> {
-        let lost = |why: &dyn std::fmt::Display| Fault::Lost(why.to_string());
+        let refused = |why: &dyn std::fmt::Display| Fault::Refused(why.to_string());
         let (send, receive) = std::sync::mpsc::channel();
         self.read.map_async(wgpu::MapMode::Read, ..size, move |done| {
             // Whoever waits is still there, or has gone because of another fault.
             let _ = send.send(done);
         });
-        self.gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|why| lost(&why))?;
-        receive.recv().map_err(|why| lost(&why))?.map_err(|why| lost(&why))?;
-        let bytes = self.read.get_mapped_range(..size).map_err(|why| lost(&why))?;
+        self.gpu.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|why| refused(&why))?;
+        receive.recv().map_err(|why| refused(&why))?.map_err(|why| refused(&why))?;
+        let bytes = self.read.get_mapped_range(..size).map_err(|why| refused(&why))?;
         let found = bytemuck::pod_collect_to_vec(&bytes);
         drop(bytes);
         self.read.unmap();

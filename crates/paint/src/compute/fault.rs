@@ -14,8 +14,10 @@ pub enum Fault {
     },
     /// It has more triangles than the GPU's tree tells apart.
     Many,
-    /// The device is lost, or out of memory: what the driver says.
+    /// The device is lost: why, as the driver says.
     Lost(String),
+    /// It is out of memory, or refuses something else: what the driver says.
+    Refused(String),
 }
 
 impl fmt::Display for Fault {
@@ -25,7 +27,8 @@ impl fmt::Display for Fault {
                 write!(f, "the tree takes {bytes} bytes in one piece, and this GPU holds at most {most}")
             }
             Fault::Many => f.write_str("the mesh has more than 268435456 triangles, and the GPU tells no more apart"),
-            Fault::Lost(why) => write!(f, "the graphics device gives no answer: {why}"),
+            Fault::Lost(why) => write!(f, "the graphics device is lost: {why}"),
+            Fault::Refused(why) => write!(f, "the graphics device refuses: {why}"),
         }
     }
 }

@@ -1,8 +1,11 @@
 //! A device that computes.
 
+use std::sync::{Arc, OnceLock};
+
 use crate::NoAdapter;
 use crate::device::{Opened, open, words};
 
+use super::Fault;
 use super::margins::CONSTANTS;
 
 /// A device with the walk compiled for it.
@@ -10,6 +13,8 @@ pub struct Gpu {
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     pub(crate) pipeline: wgpu::ComputePipeline,
+    /// Why it is lost, once it is.
+    lost: Arc<OnceLock<String>>,
     /// The adapter, in words.
     pub adapter: String,
     /// Whether it is no GPU but software on the CPU.
@@ -36,14 +41,38 @@ impl Gpu {
                 ..wgpu::Limits::downlevel_defaults()
             })
         })?;
+        let lost = Arc::new(OnceLock::new());
+        let told = lost.clone();
+        // The first reason is the one.
+        device.set_device_lost_callback(move |_, why| drop(told.set(why)));
         let pipeline = pipeline(&device);
         let (adapter, is_software) = (words(&info), info.device_type == wgpu::DeviceType::Cpu);
-        Ok(Gpu { device, queue, pipeline, adapter, is_software })
+        Ok(Gpu { device, queue, pipeline, lost, adapter, is_software })
     }
 
     /// Gives the device up, as a driver does that is updated: whatever is asked of it from now on is an error.
     pub fn lose(&self) {
         self.device.destroy();
+    }
+
+    /// Does something with the device, and says what is wrong with it.
+    pub(crate) fn watched<T>(&self, act: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
+        let scope = |filter| self.device.push_error_scope(filter);
+        let invalid = scope(wgpu::ErrorFilter::Validation);
+        let full = scope(wgpu::ErrorFilter::OutOfMemory);
+        let done = act();
+        // The last that was opened is closed first.
+        let faults = [full, invalid].map(|scope| pollster::block_on(scope.pop()));
+        // Whether it is lost is told while it is polled. An error of this has been told by then as well.
+        let _ = self.device.poll(wgpu::PollType::Poll);
+        match (self.lost.get(), faults.iter().flatten().next()) {
+            (Some(why), _) => Err(Fault::Lost(why.clone())),
+            // Drivers speak in many lines.
+            (None, Some(fault)) => {
+                Err(Fault::Refused(fault.to_string().split_whitespace().collect::<Vec<_>>().join(" ")))
+            }
+            (None, None) => done,
+        }
     }
 }
 

@@ -29,23 +29,24 @@
 //! m' = 2x + 64·u·g (those of a real hit never are). Then |A_x| ≤ m' + g·(1 + 10u) ≤ 2.1·g, a corner errs by 4.2·u·g for A_x, 6·u·g for
 //! s·A_z and 2.1·u·g for its rounding, δ ≤ 12.3·u·g, and an area by (49.2 + 8.2)·u·g·m' ≤ 115·u·g·x + 3700·u²·g² +
 //! 2⁻¹⁰⁰ < 2·M. So the true areas have that sign, `accel`'s in double precision too: the line meets the triangle inside.
-//! With |area| ≥ 32·M computed, the true one is at least 26·M > 2⁻¹³·g·x, far above `accel`'s limit for a triangle seen
+//! With |area| ≥ 8·M computed, the true one is at least (8 − 3·1.85)·M > 2⁻¹⁶·g·x, far above `accel`'s limit for a triangle seen
 //! edge-on, 10⁻¹⁰·g·2.1·x. The point that is met lies in the triangle's box, whose slab interval `accel` moves outward by
 //! more than it rounds: it holds the true t. `accel`'s own t is off by u·|t| and, from double precision, by less than 2⁻²⁵
 //! of the slack below: with |t| ≥ 2·slack less than 2·u·|t|, and the move into the interval is accepted up to 16·u·|t|.
 //! (t is then at least 2·slack > 2⁻¹¹⁰, far from what underflows.) The rest is the ray's range, which must hold all
 //! of [t − slack, t + slack].
 //!
-//! # Where: t within (12·x·M/|area| + 2⁻¹⁸·g)·|r_z| of what is computed, if |area| ≥ 32·M
+//! # Where: t within (12·x·M/|area| + 2⁻¹⁸·g)·|r_z| of what is computed, if |area| ≥ 8·M
 //!
 //! With areas u, v, w of one sign, N = v·(B_z − A_z) + w·(C_z − A_z) and the area a, the depth is A_z + N/a, and |N/a| ≤ x
 //! as the weights v/a and w/a add up to one at most. Let E be the error of an area: M, or 2·M of a certain hit. From E the computed N/a errs by
-//! at most (2·E·x + 3·E·|N/a|)/|area| ≤ 5·x·E/|area| ≤ 10·x·M/|area|. From roundings, as parts of u·g (x ≤ g/2): B_z − A_z and C_z − A_z, 5.1; the
-//! sum of the areas, 2.2; the reciprocal, 2.6; both products and their sum, 3.2; A_z and the last sum, 4.1: 17.2 at most.
+//! at most (2·E·x + 3·E·|N/a|)/|area| ≤ 5·x·E/|area| ≤ 10·x·M/|area|. From roundings, as parts of u·g (x ≤ g/2), where the computed weights' sizes may add up to 1.25
+//! as each may have the wrong sign by M: B_z − A_z and C_z − A_z, 6.4; the sum of the areas, 2.8; the reciprocal, 3.3;
+//! both products and their sum, 4; A_z and the last sum, 4.1: 20.6 at most.
 //! Times r_z: u of its own and 2·u of the product, 3.1. `accel` rounds once and moves t into its box's interval, 16·u·|t|:
-//! 17.1. t ± slack are rounded, 2.1. That is 39.5·u·g·|r_z|, of 64. M/|area| is rounded too: 10.1 of 12. So every t that
+//! 17.1. t ± slack are rounded, 2.1. That is 42.9·u·g·|r_z|, of 64. M/|area| is rounded too: 10.1 of 12. So every t that
 //! `accel` gives lies between t − slack and t + slack, and what is nearer than a certain hit's t + slack can be told from
-//! what lies behind it. As x ≥ 2⁻⁴⁸ there (the area is at least 2⁻⁹⁵), the difference also covers what is taken for zero.
+//! what lies behind it. As x ≥ 2⁻⁵⁰ there (the area is at least 2⁻⁹⁷), the difference also covers what is taken for zero.
 
 /// The largest relative rounding of the CPU.
 const UNIT: f32 = f32::EPSILON / 2.0;

@@ -130,7 +130,7 @@ fn meet(triangle: Triangle, shot: Shot, along: u32) -> Met {
     let most = max(max(u, v), w);
     var met = Met(!(least < -margin && margin < most), false, false, 0.0, 0.0);
     let area = u + v + w;
-    if !met.left || abs(area) < 32.0 * margin {
+    if !met.left || abs(area) < 8.0 * margin {
         return met;
     }
     // Between which t it is met.
@@ -146,6 +146,19 @@ fn meet(triangle: Triangle, shot: Shot, along: u32) -> Met {
     let inside = least > 2.0 * margin || most < -2.0 * margin;
     met.sure = inside && wide <= 2.0 * size + DEPTH * away && abs(t) >= 2.0 * slack && met.low >= shot.t_min && met.high <= shot.t_max;
     return met;
+}
+
+// Drops the triangles that lie behind the end; how many are kept, in front.
+fn keep(prims: ptr<function, array<u32, 4>>, nears: ptr<function, array<f32, 4>>, left: u32, end: f32) -> u32 {
+    var kept = 0u;
+    for (var k = 0u; k < left; k += 1u) {
+        if (*nears)[k] <= end {
+            (*prims)[kept] = (*prims)[k];
+            (*nears)[kept] = (*nears)[k];
+            kept += 1u;
+        }
+    }
+    return kept;
 }
 
 @compute @workgroup_size(64)
@@ -236,16 +249,7 @@ fn walk(@builtin(global_invocation_id) id: vec3u) {
                     }
                 }
                 if left == ROOM {
-                    // Make room: drop what lies behind the end by now.
-                    var kept = 0u;
-                    for (var k = 0u; k < ROOM; k += 1u) {
-                        if nears[k] <= end {
-                            prims[kept] = prims[k];
-                            nears[kept] = nears[k];
-                            kept += 1u;
-                        }
-                    }
-                    left = kept;
+                    left = keep(&prims, &nears, left, end);
                 }
                 if left < ROOM {
                     prims[left] = triangle.prim;
@@ -272,9 +276,9 @@ fn walk(@builtin(global_invocation_id) id: vec3u) {
     if state == LEFT && has_lost && lost <= end {
         state = MANY;
     }
+    left = select(0u, keep(&prims, &nears, left, end), state == LEFT);
     for (var k = 0u; k < ROOM; k += 1u) {
-        let counts = state == LEFT && k < left && nears[k] <= end;
-        found[id.x].prims[k] = select(NONE, prims[k], counts);
+        found[id.x].prims[k] = select(NONE, prims[k], k < left);
     }
     found[id.x].state = state;
     found[id.x].nodes = nodes;

@@ -1,8 +1,8 @@
 //! Asks the GPU, and judges.
 
+use rayon::prelude::*;
 use raystep_accel::{Best, Hit, Mesh, PrimId, Ray, Want, test};
 use raystep_fast::{Bvh2, Fast, Work};
-use rayon::prelude::*;
 
 use super::batch::{Batch, MOST};
 use super::layout::{self, Found, Outcome};
@@ -52,7 +52,7 @@ impl<'a> Walker<'a> {
             gpu.queue.write_buffer(&buffer, 0, contents);
             buffer
         };
-        watched(gpu, || {
+        gpu.watched(|| {
             let [nodes, triangles] = [buffer("raystep nodes", nodes), buffer("raystep triangles", triangles)];
             Ok(Walker { gpu, mesh, tree, nodes, triangles })
         })
@@ -114,7 +114,7 @@ impl<'a> Walker<'a> {
         if rays.is_empty() {
             return Ok(found);
         }
-        watched(self.gpu, || {
+        self.gpu.watched(|| {
             let batch = Batch::new(self.gpu, &self.nodes, &self.triangles, rays.len().min(MOST));
             for rays in rays.chunks(MOST) {
                 found.extend(batch.walk(rays, self.tree.reach(), want)?);
@@ -144,19 +144,5 @@ impl Judged {
             }
         }
         judged
-    }
-}
-
-/// Does something with a device, and says what the driver finds wrong with it.
-fn watched<T>(gpu: &Gpu, act: impl FnOnce() -> Result<T, Fault>) -> Result<T, Fault> {
-    let scope = |filter| gpu.device.push_error_scope(filter);
-    let invalid = scope(wgpu::ErrorFilter::Validation);
-    let full = scope(wgpu::ErrorFilter::OutOfMemory);
-    let done = act();
-    // The last that was opened is closed first.
-    let faults = [full, invalid].map(|scope| pollster::block_on(scope.pop()));
-    match faults.iter().flatten().next() {
-        Some(fault) => Err(Fault::Lost(fault.to_string())),
-        None => done,
     }
 }
