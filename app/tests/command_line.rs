@@ -76,7 +76,7 @@ fn every_structure_answers_a_table_of_rays() {
 fn one_walk_is_written_as_json() {
     let folder = folder("json");
     let walk = |arguments: &[&str]| {
-        let output = raystep(&folder, &[&["trace", "--json", "--structure", "kd"], arguments].concat());
+        let output = raystep(&folder, &[&["trace", "--format", "json", "--structure", "kd"], arguments].concat());
         assert!(output.status.success(), "{}", text(&output.stderr));
         serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
     };
@@ -152,7 +152,8 @@ fn odd_files_are_read_and_what_was_left_out_is_said() {
         std::fs::write(folder.join("odd.obj"), mesh).unwrap();
         std::fs::write(folder.join("odd.csv"), rays).unwrap();
         for kind in ["list", "grid", "kd", "bvh"] {
-            let output = raystep(&folder, &["trace", "--mesh", "odd.obj", "--rays", "odd.csv", "--structure", kind]);
+            let call = ["trace", "--mesh", "odd.obj", "--rays", "odd.csv", "--format", "csv", "--structure", kind];
+            let output = raystep(&folder, &call);
             let (table, said) = (text(&output.stdout), text(&output.stderr));
             assert!(output.status.success() && said.contains(says), "{name}: {said}");
             let rows =
@@ -190,7 +191,7 @@ fn what_cannot_be_done_is_said_in_a_sentence() {
     refused(&folder, &trace("square.obj", "kt", "rays.csv"), "did you mean \"kd\"?");
     refused(&folder, &trace("square.obj", "kd", "header.csv"), "header.csv:1:1");
     refused(&folder, &[&trace("square.obj", "kd", "rays.csv")[..], &["--rule", "max_dept=3"]].concat(), "max_depth");
-    refused(&folder, &[&trace("square.obj", "kd", "rays.csv")[..], &["--json"]].concat(), "one ray");
+    refused(&folder, &[&trace("square.obj", "kd", "rays.csv")[..], &["--format", "xls"]].concat(), "text, md, latex");
     let flat = ["trace", "--scene", "flat-twelve", "--structure", "kd"];
     refused(&folder, &[&flat[..], &["--pixel", "800,500"]].concat(), "--ray 0,1,0,1,0.5,0");
     refused(&folder, &[&flat[..], &["--ray", "0,1,0,1,0.5"]].concat(), "--ray 0,1,0,1,0.5: 6 numbers are needed");
@@ -277,7 +278,8 @@ fn the_lectures_tables_are_measured() {
     assert!(output.status.success(), "{}", text(&output.stderr));
     insta::assert_snapshot!(shape_of(&text(&output.stdout)));
 
-    let output = raystep(&folder, &["measure", "--size", "16x16", "--shadows", "--json", "--also", "kd split=median"]);
+    let output =
+        raystep(&folder, &["measure", "--size", "16x16", "--shadows", "--format", "json", "--also", "kd split=median"]);
     let rows: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let row = |name: &str| rows.as_array().unwrap().iter().find(|row| row["row"] == name).unwrap().clone();
     assert_eq!(row("list")["printed"], 6321.0);
@@ -292,7 +294,7 @@ fn the_lectures_tables_are_measured() {
     refused(&folder, &["measure", "--scene", "teapot"], "there is no scene");
     refused(&folder, &["measure", "--camera", "far"], "write close, scene, or six numbers");
     refused(&folder, &["measure", "--also", "kd depth=3"], "max_depth");
-    refused(&folder, &["measure", "--csv", "--json"], "cannot be used with");
+    refused(&folder, &["measure", "--format", "xls"], "[possible values: text, md, latex, csv, json]");
 }
 
 #[test]
@@ -320,8 +322,8 @@ fn texts_and_formulas_are_checked_as_they_are_set() {
         let sentence = "A grid walks through all its cells on this way, one by one.";
         assert!(slide.contains(sentence));
         std::fs::write(section.join("40-wrong.md"), slide.replace(sentence, text)).unwrap();
-        let output = raystep(&folder, &["check", "05-kd-tree/40-wrong.md"]);
-        let all = raystep(&folder, &["check", "."]);
+        let output = raystep(&folder, &["check", "--only", "05-kd-tree/40-wrong.md"]);
+        let all = raystep(&folder, &["check", "--only", "."]);
         assert_eq!(output.status.code(), all.status.code());
         text_of(&output)
     };
@@ -345,11 +347,11 @@ fn texts_and_formulas_are_checked_as_they_are_set() {
     std::fs::copy(section.join("40-wrong.md"), section.join("41-again.md")).unwrap();
     std::fs::write(section.join("42-bytes.md"), [0xFF; 9]).unwrap();
     std::fs::write(section.join(".#40-wrong.md"), [0xFF; 9]).unwrap();
-    let output = raystep(&folder, &["check", "."]);
+    let output = raystep(&folder, &["check", "--only", "."]);
     insta::assert_snapshot!(text_of(&output));
-    let output = raystep(&folder, &["check", "listings/kd-walk.txt", "05-kd-tree/42-bytes.md", "/dev/zero"]);
+    let output = raystep(&folder, &["check", "--only", "listings/kd-walk.txt", "05-kd-tree/42-bytes.md", "/dev/zero"]);
     insta::assert_snapshot!(text_of(&output));
-    let output = raystep(&section, &["check", "41-again.md"]);
+    let output = raystep(&section, &["check", "--only", "41-again.md"]);
     assert!(text_of(&output).contains("slide 5/40 is"), "{}", text_of(&output));
 }
 
@@ -368,7 +370,7 @@ fn lessons_are_drawn_past_what_cannot_be_read() {
     std::fs::write(section.join("42-wrong.md"), "+++\n+++\n").unwrap();
     let export = |slide: &str, lessons: &str, out: &str| {
         let small = ["--stage", "flat", "--size", "320x200", "--format", "svg", "--out", out];
-        raystep(&folder, &[&["export", "--slide", slide, "--lessons", lessons][..], &small].concat())
+        raystep(&folder, &[&["export", "--slide", slide, "--only", "--lessons", lessons][..], &small].concat())
     };
     let fine = export("5/40", "lessons", "pictures");
     let said = text(&fine.stderr);
@@ -434,8 +436,10 @@ fn a_heat_map_holds_what_each_ray_costs() {
     assert_eq!((rows.len(), rows[0].len()), (30, 48));
     for [x, y] in [[0_usize, 0], [24, 15], [20, 18], [47, 29]] {
         let pixel = format!("{x},{y}");
-        let hits = done(&[&["trace"], &scene[..], &["--size", "48x30", "--pixel", &pixel]].concat());
-        let tests = hits.lines().nth(1).unwrap().split(',').nth(4).unwrap();
+        let more = ["--size", "48x30", "--format", "csv", "--pixel", &pixel];
+        let walk = done(&[&["trace"], &scene[..], &more].concat());
+        // Counted by the walk's last step, behind what it says.
+        let tests = walk.lines().last().unwrap().rsplit(',').nth(3).unwrap();
         assert_eq!(rows[y][x].to_string(), tests, "at {pixel}");
     }
     map(&["--out", "bare.png", "--bare"]);
@@ -496,19 +500,22 @@ fn all_structures_are_measured_on_a_mesh() {
         assert!(output.status.success(), "{}", text(&output.stderr));
         text(&output.stdout)
     };
-    let records: Vec<serde_json::Value> = serde_json::from_str(&said(&["--json"])).unwrap();
+    let records: Vec<serde_json::Value> = serde_json::from_str(&said(&["--format", "json"])).unwrap();
     let kinds: Vec<&str> = records.iter().map(|record| record["structure"].as_str().unwrap()).collect();
     assert_eq!(kinds, raystep_accel::Rule::KINDS);
     assert!(records.iter().all(|record| record["rays"] == 256 && record["build_ms"].is_null()), "{records:?}");
     assert_eq!(records[0]["tests_per_ray"], 2.0, "brute force tests both triangles");
-    assert!(said(&["--times", "--csv"]).starts_with("structure,rule,rays,tests_per_ray,"));
+    assert!(said(&["--times", "--format", "csv"]).starts_with("structure,rule,rays,tests_per_ray,"));
     let page = said(&[]);
     assert_eq!(page, said(&[]), "counts are the same every time");
     assert!(
         page.contains("square.obj: 2 primitives; 256 rays") && page.contains("Brute force: nothing is built"),
         "{page}"
     );
-    assert!(!page.contains("ms") && said(&["--times"]).contains("build ms"), "times stand where they are asked for");
+    assert!(
+        !page.contains("ms") && said(&["--times", "--format", "md"]).contains("build ms"),
+        "times stand where they are asked for"
+    );
     refused(&folder, &["measure", "--mesh", "square.obj"], "--best");
     refused(&folder, &["measure", "--best", "--scene", "flat-twelve"], "flat-twelve is flat");
     refused(&folder, &["measure", "--best", "--mesh", "none.obj"], "none.obj: there is no such file or folder");

@@ -248,7 +248,19 @@ fn two_pictures_never_share_a_file() {
     for (format, count) in [("svg", 9), ("json", 3)] {
         let output = raystep(
             &folder,
-            &["export", "--all", "--lessons", "lessons", "--format", format, "--size", "320x200", "--out", format],
+            &[
+                "export",
+                "--all",
+                "--lessons",
+                "lessons",
+                "--only",
+                "--format",
+                format,
+                "--size",
+                "320x200",
+                "--out",
+                format,
+            ],
         );
         let output = { output }.output().unwrap();
         assert!(output.status.success(), "{}", said(&output));
@@ -266,17 +278,26 @@ fn two_pictures_never_share_a_file() {
     assert!(pictures.keys().any(|name| name.contains("01-a-10-same-flat-x-gt-0")), "{:?}", pictures.keys());
 
     // The page shows each of them under its own slide.
-    let output = raystep(&folder, &["--lessons", "lessons"]).output().unwrap();
+    let output = raystep(&folder, &["--lessons", "lessons", "--only"]).output().unwrap();
     assert!(output.status.success(), "{}", said(&output));
     let page = std::fs::read_to_string(folder.join("raystep-lecture/index.html")).unwrap();
-    let entries: Vec<&str> = page.lines().filter(|line| line.starts_with("  [\"slide")).collect();
-    let mut files: Vec<&str> = entries.iter().map(|entry| entry.split('"').nth(1).unwrap()).collect();
-    assert_eq!((files.len(), entries.iter().filter(|entry| entry.ends_with(",1],")).count()), (9, 3), "{entries:?}");
+    let parts: Vec<&str> = page.split("<a href=\"slide").skip(1).collect();
+    let shown: Vec<String> = parts.iter().map(|part| format!("slide{}", part.split('"').next().unwrap())).collect();
+    assert_eq!((shown.len(), page.matches("<option value=").count()), (9, 3), "{shown:?}");
+    let mut files: Vec<&str> = shown.iter().map(|shown| shown.split('#').next().unwrap()).collect();
     files.sort_unstable();
     files.dedup();
+    assert_eq!(files.len(), 3);
     files.push("index.html");
     files.sort_unstable();
     assert_eq!(names(&folder.join("raystep-lecture")), files);
+    // What a page refers to is there, and each picture says what it shows.
+    for shown in &shown {
+        let (file, layer) = shown.split_once('#').unwrap();
+        let text = std::fs::read_to_string(folder.join("raystep-lecture").join(file)).unwrap();
+        assert!(text.contains(&format!("id=\"{layer}\"><title>")), "{shown}");
+    }
+    assert!(!page.contains("alt=\"\"") && page.matches("<summary>Answer").count() == 3);
 }
 
 #[test]
@@ -300,7 +321,7 @@ fn the_page_replaces_a_page_and_nothing_else() {
     ] {
         std::fs::create_dir_all(folder.join(path).parent().unwrap()).unwrap();
         std::fs::write(folder.join(path), text).unwrap();
-        let output = call(&["--lessons", path.split('/').next().unwrap()]);
+        let output = call(&["--only", "--lessons", path.split('/').next().unwrap()]);
         assert_eq!(output.status.code(), Some(2), "{}", said(&output));
         assert!(said(&output).contains(says) && !page.exists(), "{}", said(&output));
     }
@@ -310,21 +331,21 @@ fn the_page_replaces_a_page_and_nothing_else() {
         std::fs::create_dir(&page).unwrap();
         std::fs::write(page.join(name), text).unwrap();
         std::fs::write(page.join("index.html"), "mine").unwrap();
-        let output = call(&["--lessons", "lessons"]);
+        let output = call(&["--lessons", "lessons", "--only"]);
         assert_eq!(output.status.code(), Some(2), "{}", said(&output));
         assert!(said(&output).contains(name), "{}", said(&output));
         assert_eq!(std::fs::read_to_string(page.join(name)).unwrap(), "mine");
         std::fs::remove_dir_all(&page).unwrap();
     }
     std::fs::write(&page, "a file").unwrap();
-    assert_eq!(call(&["--lessons", "lessons"]).status.code(), Some(2));
+    assert_eq!(call(&["--lessons", "lessons", "--only"]).status.code(), Some(2));
     std::fs::remove_file(&page).unwrap();
 
     // A page of ours is renewed whole.
-    assert!(call(&["--lessons", "lessons"]).status.success());
+    assert!(call(&["--lessons", "lessons", "--only"]).status.success());
     let whole = names(&page);
     std::fs::write(page.join("slide09-gone-flat-beat01.svg"), "old").unwrap();
-    assert!(call(&["--lessons", "lessons"]).status.success());
+    assert!(call(&["--lessons", "lessons", "--only"]).status.success());
     assert_eq!(names(&page), whole);
     assert!(!names(&folder).iter().any(|name| name.starts_with('.')), "{:?}", names(&folder));
 }
@@ -413,7 +434,7 @@ fn without_a_window_the_reason_is_a_sentence() {
             let mut command = raystep(&folder, arguments);
             command.env("DISPLAY", &display).envs(no_driver).env("XDG_CONFIG_HOME", &folder).output().unwrap()
         };
-        let output = call(&["--lessons", "lessons"]);
+        let output = call(&["--lessons", "lessons", "--only"]);
         let said_of_page = said(&output);
         assert!(output.status.success() && said_of_page.contains(says), "{display}: {said_of_page}");
         assert!(

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use raystep_lesson::{Library, Problem, Script, check, check_file};
+use raystep_lesson::{Library, Problem, Script, check, check_beside, check_file};
 use raystep_print::{proof, proof_code, proof_plain};
 
 use crate::fault::{Fault, about};
@@ -12,8 +12,11 @@ use crate::files;
 /// What to check.
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// Folders of lessons, or slides in one; without any, the lessons in the program.
+    /// Folders with lessons of your own beside the lecture, or slides in one; without any, the lecture.
     paths: Vec<PathBuf>,
+    /// Those alone, without the lecture beside them.
+    #[arg(long, requires = "paths")]
+    only: bool,
 }
 
 /// Says what is wrong, or nothing.
@@ -23,7 +26,7 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Fault> {
         problems = check(&Library::embedded(), &set);
     }
     for path in &arguments.paths {
-        problems.extend(if path.is_dir() { folder(path)? } else { file(path)? });
+        problems.extend(if path.is_dir() { folder(path, arguments.only)? } else { file(path, arguments.only)? });
     }
     if problems.is_empty() {
         return Ok(());
@@ -44,30 +47,28 @@ fn set(text: &str, script: Script) -> Vec<(usize, String)> {
     }
 }
 
-fn folder(path: &Path) -> Result<Vec<Problem>, Fault> {
-    let problems = check(&Library::from_dir(path).map_err(about(path))?, &set);
+fn folder(path: &Path, only: bool) -> Result<Vec<Problem>, Fault> {
+    let own = Library::from_dir(path).map_err(about(path))?;
+    let problems = if only { check(&own, &set) } else { check_beside(&Library::embedded(), &own, &set) };
     Ok(problems.into_iter().map(|problem| named(problem, path)).collect())
 }
 
-/// A slide or a listing is checked among the others of its lessons; a lonely slide beside the listings in the
-/// program.
-fn file(path: &Path) -> Result<Vec<Problem>, Fault> {
-    let text = match Library::text_of(path) {
-        Ok(text) => text,
-        Err(problem) => return Ok(vec![problem]),
-    };
+/// A file is checked among the others of its lessons.
+fn file(path: &Path, only: bool) -> Result<Vec<Problem>, Fault> {
     let whole = std::path::absolute(path).map_err(about(path))?;
     let part = |path: Option<&Path>| path.and_then(Path::file_name).map(|name| name.to_string_lossy().into_owned());
     let section = part(whole.parent()).unwrap_or_else(|| "00-section".to_owned());
     let name = format!("{section}/{}", part(Some(path)).unwrap_or_default());
-    let lessons = whole.parent().and_then(Path::parent).filter(|folder| folder.join("listings").is_dir());
-    let library = match lessons {
+    let holds = |folder: &&Path| ["listings", "scenes"].iter().any(|name| folder.join(name).is_dir());
+    let lessons = whole.parent().and_then(Path::parent).filter(holds);
+    let own = match lessons {
         Some(folder) => Library::from_dir(folder).map_err(about(folder))?,
-        None => {
-            let listings = Library::embedded().listings;
-            Library { listings, ..Library::from_files([(name.clone(), text)]) }
-        }
+        None => match Library::text_of(path) {
+            Ok(text) => Library::from_files([(name.clone(), text)]),
+            Err(problem) => return Ok(vec![problem]),
+        },
     };
+    let library = if only { own } else { Library::embedded().and(own) };
     let own = check_file(&library, &name, &set);
     Ok(own.into_iter().map(|problem| Problem { file: path.display().to_string(), ..problem }).collect())
 }

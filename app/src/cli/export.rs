@@ -9,7 +9,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use raystep_figure::Theme;
 use raystep_lesson::{Library, NamedRay, Slide, Stage, StageKind};
 
-use super::lessons;
+use super::lessons::Lessons;
 use crate::export::{Format, Ground, Order, Session, Size, View, Which, jobs, pictures, rays_of_beats, write};
 use crate::fault::Fault;
 use crate::files;
@@ -47,9 +47,8 @@ pub struct ExportArguments {
     /// The colours.
     #[arg(long, default_value = "light", value_parser = ["light", "dark", "projector", "print"])]
     theme: String,
-    /// Lessons to read instead of those in the program.
-    #[arg(long, value_name = "DIR")]
-    lessons: Option<PathBuf>,
+    #[command(flatten)]
+    lessons: Lessons,
     /// The folder to write to; it is made if need be.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -57,7 +56,7 @@ pub struct ExportArguments {
 
 /// Draws what was asked for.
 pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
-    let library = lessons::read(arguments.lessons.as_deref())?;
+    let library = arguments.lessons.read()?;
     let grounds = grounds(&library, arguments)?;
     // What is wrong elsewhere was said, and is drawn by nobody here.
     let drawn =

@@ -3,6 +3,7 @@
 mod check;
 mod doctor;
 mod export;
+mod handout;
 mod heatmap;
 mod lessons;
 mod measure;
@@ -11,8 +12,10 @@ mod rays;
 mod spelt;
 mod start;
 mod subject;
+mod told;
 mod trace;
 mod verify;
+mod walked;
 
 use std::process::ExitCode;
 
@@ -23,6 +26,7 @@ pub use crate::fault::Fault;
 use crate::{files, report};
 pub use check::CheckArguments;
 pub use export::ExportArguments;
+pub use handout::HandoutArguments;
 pub use heatmap::HeatmapArguments;
 pub use measure::MeasureArguments;
 pub use rays::read as read_rays;
@@ -48,6 +52,8 @@ enum Command {
     Check(CheckArguments),
     /// Draw steps as pictures.
     Export(ExportArguments),
+    /// The lecture on pages to be printed, with questions, and the answers at the end.
+    Handout(HandoutArguments),
     /// Walk rays and write hits and counters.
     Trace(TraceArguments),
     /// Count what each ray of a picture costs and write that as a picture or a table.
@@ -71,6 +77,7 @@ pub fn run(arguments: &Arguments) -> ExitCode {
         None => start::run(&arguments.start),
         Some(Command::Check(arguments)) => check::run(arguments),
         Some(Command::Export(arguments)) => export::run(arguments),
+        Some(Command::Handout(arguments)) => handout::run(arguments),
         Some(Command::Trace(arguments)) => trace::run(arguments),
         Some(Command::Heatmap(arguments)) => heatmap::run(arguments),
         Some(Command::Measure(arguments)) => measure::run(arguments),

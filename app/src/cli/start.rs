@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use raystep_lesson::Library;
+use raystep_lesson::{Library, Slide};
 
-use super::{doctor, lessons, page};
+use super::lessons::Lessons;
+use super::{doctor, page};
 use crate::fault::Fault;
 use crate::files;
+use crate::shown::link::{Link, no_ray};
 use crate::window::{Opening, Wishes};
 
 /// What the window shows first.
@@ -22,9 +24,11 @@ pub struct StartArguments {
     /// The step.
     #[arg(long, value_name = "N")]
     step: Option<usize>,
-    /// Lessons to read instead of those in the program; read again when they are saved.
-    #[arg(long, value_name = "DIR")]
-    lessons: Option<PathBuf>,
+    /// A place as Ctrl+L copies it, as in "5/33?step=13".
+    #[arg(long, value_name = "LINK", conflicts_with_all = ["slide", "ray", "step", "mesh"])]
+    at: Option<String>,
+    #[command(flatten)]
+    lessons: Lessons,
     /// A mesh to walk through.
     #[arg(value_name = "MESH.obj")]
     mesh: Option<PathBuf>,
@@ -32,7 +36,7 @@ pub struct StartArguments {
 
 /// Opens the window, or writes the page.
 pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
-    let library = lessons::read(arguments.lessons.as_deref())?;
+    let library = arguments.lessons.read()?;
     if let Some(path) = arguments.mesh.as_ref().filter(|path| !path.is_file()) {
         return Err(Fault::new(format!("{}: there is no such file, and no such command (--help)", path.display())));
     }
@@ -41,19 +45,12 @@ pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
     }
     if let Some(ray) = &arguments.ray {
         let slide = arguments.slide.as_ref().map_or(library.slides.first(), |slide| library.slide(slide));
-        let known: Vec<&str> = slide
-            .into_iter()
-            .flat_map(|slide| &slide.stages)
-            .flat_map(|stage| &stage.rays)
-            .map(|ray| ray.name.as_str())
-            .collect();
-        if let Some(slide) = slide.filter(|_| !known.contains(&ray.as_str())) {
-            return Err(Fault::new(match known.is_empty() {
-                true => format!("slide {} plays how its structure is built: it has no rays", slide.id()),
-                false => format!("slide {} has no ray \"{ray}\"; there are \"{}\"", slide.id(), known.join("\", \"")),
-            }));
+        let has = |slide: &&Slide| slide.stages.iter().any(|stage| stage.ray(ray).is_some());
+        if let Some(slide) = slide.filter(|slide| !has(slide)) {
+            return Err(Fault::new(no_ray(slide, ray)));
         }
     }
+    let at = arguments.at.as_deref().map(|text| place(text, &library)).transpose()?;
     if !doctor::has_display() {
         let why = "neither DISPLAY nor WAYLAND_DISPLAY is set, so there is no screen for a window";
         return read_instead(arguments, &library, why);
@@ -62,12 +59,27 @@ pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
         slide: arguments.slide.clone(),
         ray: arguments.ray.clone(),
         step: arguments.step,
-        lessons: arguments.lessons.clone(),
+        at,
+        lessons: arguments.lessons.lessons.clone(),
+        only: arguments.lessons.only,
         mesh: arguments.mesh.clone(),
     };
     match Opening::of_user(library.clone(), wishes).open() {
         Ok(()) => Ok(()),
         Err(no_window) => read_instead(arguments, &library, &no_window.to_string()),
+    }
+}
+
+/// The place that a link names, if all of it is there.
+fn place(text: &str, library: &Library) -> Result<Link, Fault> {
+    let wrong = |why: String| Fault::new(format!("--at {text}: {why}"));
+    let link: Link = text.parse().map_err(wrong)?;
+    if let Some(mesh) = link.mesh.as_ref().filter(|mesh| !Path::new(mesh).is_file()) {
+        return Err(wrong(format!("there is no file {mesh}")));
+    }
+    match link.view(library).1 {
+        none if none.is_empty() => Ok(link),
+        all => Err(wrong(all.join("; "))),
     }
 }
 
@@ -81,7 +93,7 @@ fn read_instead(arguments: &StartArguments, library: &Library, why: &str) -> Res
         )));
     }
     files::say(&format!("{why} (raystep doctor says more)."));
-    super::export::readable(library, arguments.lessons.as_deref())?;
+    super::export::readable(library, arguments.lessons.folder())?;
     files::say("writing the lecture to read in a browser ...");
     let folder = Path::new(page::FOLDER);
     page::write(library, folder)?;

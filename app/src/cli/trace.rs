@@ -1,4 +1,4 @@
-//! `raystep trace`: rays in, hits and counters out.
+//! `raystep trace`: of one ray the walk, of a table of rays the hits and counters.
 
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -8,12 +8,15 @@ use glam::Vec2;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
-use raystep_figure::whole;
+use raystep_figure::{number, whole};
 use raystep_print::{Record, Told};
 use raystep_scene::Scene;
+use serde::Serialize;
 
 use super::rays;
 use super::subject::Subject;
+use super::told::{Align, Format, Grid, Page, to_csv, to_json};
+use super::walked::Walked;
 use crate::export::Size;
 use crate::fault::Fault;
 use crate::files;
@@ -40,9 +43,9 @@ pub struct TraceArguments {
     /// Where to write; without it, to the standard output.
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Write the whole walk of the one ray.
-    #[arg(long)]
-    json: bool,
+    /// How to write it; without it, as the ending of --out says, else as a text.
+    #[arg(long, value_enum)]
+    format: Option<Format>,
 }
 
 /// How many events of one walk are kept.
@@ -61,14 +64,12 @@ pub(crate) fn run(arguments: &TraceArguments) -> Result<(), Fault> {
     let rule = arguments.subject.rule(scene.flat)?;
     let rays = table(arguments, &scene)?;
     let structure = Structure::build(&scene.prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))?;
-    let text = if arguments.json {
-        let [ray] = rays.as_slice() else {
-            let count = rays.len();
-            return Err(Fault::new(format!("--json writes the walk of one ray, and there are {count}: leave one in")));
-        };
-        walk(&scene, &rule, &structure, ray.as_ref().map_err(|why| Fault::new(why.clone()))?)
-    } else {
-        hits(&scene, &structure, &rays)?
+    let format = arguments.format.or(arguments.out.as_deref().and_then(Format::of_ending)).unwrap_or(Format::Text);
+    let text = match rays.as_slice() {
+        [ray] if arguments.rays.is_none() => {
+            walk(&scene, &rule, &structure, ray.as_ref().map_err(|why| Fault::new(why.clone()))?, format)?
+        }
+        _ => hits(&scene, &structure, &rays, format)?,
     };
     match &arguments.out {
         Some(path) => files::write(path, text.as_bytes()),
@@ -111,8 +112,35 @@ fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, St
     Ok(vec![camera.ray(at, size).map_err(|error| error.to_string())])
 }
 
+/// What a ray of a table met, as files hold it; of an unusable one `hit` says why.
+#[derive(Serialize)]
+struct Row {
+    ray: usize,
+    hit: String,
+    t: Option<String>,
+    prim: Option<u32>,
+    prim_tests: Option<u64>,
+    node_visits: Option<u64>,
+    cell_steps: Option<u64>,
+    box_tests: Option<u64>,
+}
+
+impl Row {
+    /// The same with a hit that is true or false, and why there is neither.
+    fn object(&self) -> serde_json::Value {
+        let mut object = serde_json::json!(self);
+        let hit = self.hit.parse::<bool>().ok();
+        object["hit"] = hit.into();
+        object["t"] = self.t.as_ref().and_then(|t| t.parse::<f32>().ok()).into();
+        if hit.is_none() {
+            object["wrong"] = self.hit.clone().into();
+        }
+        object
+    }
+}
+
 /// The table of hits.
-fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>]) -> Result<String, Fault> {
+fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>], format: Format) -> Result<String, Fault> {
     let bar = if rays.len() > 10_000 && std::io::stderr().is_terminal() {
         ProgressBar::new(rays.len() as u64)
     } else {
@@ -124,44 +152,83 @@ fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>]) -> R
         let mut cost = Cost::default();
         Ok((structure.intersect(&scene.prims, ray, &mut cost), cost))
     };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let broken = |error: csv::Error| Fault::new(error.to_string());
-    writer
-        .write_record(["ray", "hit", "t", "prim", "prim_tests", "node_visits", "cell_steps", "box_tests"])
-        .map_err(broken)?;
     // Some at a time, so that only their rows fill the memory.
     let answers = rays.chunks(SOME).flat_map(|some| some.par_iter().map(answer).collect::<Vec<_>>());
-    for (index, answer) in answers.enumerate() {
-        let none = String::new;
-        let row = match answer {
-            Err(why) => [index.to_string(), format!("unusable: {why}"), none(), none(), none(), none(), none(), none()],
-            Ok((hit, cost)) => [
-                index.to_string(),
-                hit.is_some().to_string(),
-                hit.map_or_else(none, |hit| hit.t.to_string()),
-                hit.map_or_else(none, |hit| hit.prim.to_string()),
-                cost.prim_tests.to_string(),
-                cost.node_visits.to_string(),
-                cost.cell_steps.to_string(),
-                cost.box_tests.to_string(),
-            ],
-        };
-        writer.write_record(row).map_err(broken)?;
-    }
+    let rows = answers.enumerate().map(|(ray, answer)| row(ray, answer));
+    let text = match format {
+        Format::Csv => to_csv(rows)?,
+        Format::Json => to_json(&rows.map(|row| row.object()).collect::<Vec<_>>())?,
+        format => page(rows).written(format),
+    };
     bar.finish_and_clear();
-    let bytes = writer.into_inner().map_err(|error| Fault::new(error.to_string()))?;
-    String::from_utf8(bytes).map_err(|error| Fault::new(error.to_string()))
+    Ok(text)
+}
+
+fn row(ray: usize, answer: Result<(Option<Hit>, Cost), String>) -> Row {
+    match answer {
+        Err(why) => Row {
+            ray,
+            hit: format!("unusable: {why}"),
+            t: None,
+            prim: None,
+            prim_tests: None,
+            node_visits: None,
+            cell_steps: None,
+            box_tests: None,
+        },
+        Ok((hit, cost)) => Row {
+            ray,
+            hit: hit.is_some().to_string(),
+            t: hit.map(|hit| hit.t.to_string()),
+            prim: hit.map(|hit| hit.prim.0),
+            prim_tests: Some(cost.prim_tests),
+            node_visits: Some(cost.node_visits),
+            cell_steps: Some(cost.cell_steps),
+            box_tests: Some(cost.box_tests),
+        },
+    }
+}
+
+/// The rows for people.
+fn page(rows: impl Iterator<Item = Row>) -> Page {
+    let counts = ["primitives tested", "nodes visited", "cells entered", "volumes tested"];
+    let heads = [("ray", Align::Right), ("hit", Align::Left), ("t", Align::Right), ("primitive", Align::Right)];
+    let mut grid = Grid::new(heads.into_iter().chain(counts.map(|head| (head, Align::Right))));
+    for row in rows {
+        let count = |count: Option<u64>| count.map_or_else(String::new, whole);
+        let hit = match &*row.hit {
+            "true" => "yes".to_owned(),
+            "false" => "no".to_owned(),
+            why => why.to_owned(),
+        };
+        grid.row([
+            whole(row.ray as u64),
+            hit,
+            row.t.and_then(|t| t.parse().ok()).map_or_else(String::new, number),
+            row.prim.map_or_else(String::new, |prim| prim.to_string()),
+            count(row.prim_tests),
+            count(row.node_visits),
+            count(row.cell_steps),
+            count(row.box_tests),
+        ]);
+    }
+    let mut page = Page::default();
+    page.table(grid);
+    page
 }
 
 /// One walk, event by event.
-fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray) -> String {
+fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray, format: Format) -> Result<String, Fault> {
     let mut tape = Trace::new(TAPE);
     let hit = structure.intersect(&scene.prims, ray, &mut tape);
     if tape.lost > 0 {
         let (kept, lost) = (whole(tape.events.len() as u64), whole(tape.lost));
         files::say(&format!("the first {kept} events of the walk are written; {lost} more are counted as `lost`"));
     }
-    raystep_print::json(&Record {
+    if format != Format::Json {
+        return Walked { scene, rule, structure, ray, tape: &tape, hit }.written(format);
+    }
+    Ok(raystep_print::json(&Record {
         scene: &scene.name,
         origin: scene.origin.to_array(),
         kind: rule.kind(),
@@ -170,7 +237,7 @@ fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray) -> String 
         bytes: structure.bytes(),
         told: Told::Walk { name: None, ray, events: &tape.events, hit },
         lost: tape.lost,
-    })
+    }))
 }
 
 fn pixel(text: &str) -> Result<[u32; 2], String> {

@@ -17,10 +17,10 @@ use crate::shown::reel::{beginning, lines, pane, reel, said};
 
 /// A walk or a build and what it is drawn on.
 pub(crate) struct Session<'a> {
-    ground: &'a Ground<'a>,
-    play: Play,
+    pub(super) ground: &'a Ground<'a>,
+    pub(super) play: Play,
     /// The name of the ray that walks; none where a build is played.
-    ray: Option<String>,
+    pub(super) ray: Option<String>,
     stem: String,
 }
 
@@ -124,6 +124,11 @@ impl<'a> Session<'a> {
         self.ground.goes_on().map(|()| (figure, scale))
     }
 
+    /// What is drawn at each step.
+    pub(super) fn reel(&self) -> Reel<'_> {
+        reel(&self.play, &self.ground.nodes, None)
+    }
+
     /// The walk or the build as JSON.
     pub(crate) fn json(&self) -> String {
         let told = match &self.play.tape {
@@ -217,7 +222,7 @@ impl<'a> Session<'a> {
     }
 
     /// The heading and the text of a step: a beat's if one stands here, else what the event says.
-    fn said(&self, event: Option<&Event>, step: usize, beat: Option<usize>) -> (String, String) {
+    pub(super) fn said(&self, event: Option<&Event>, step: usize, beat: Option<usize>) -> (String, String) {
         let Some(event) = event else {
             let plays = self.play.tape.plays();
             let what = if plays == Plays::Packet { "The rays" } else { "The ray" };

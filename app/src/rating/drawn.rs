@@ -19,12 +19,11 @@ impl Rating {
     /// What was measured over a scene; times are left out unless they are asked for.
     pub(crate) fn of(scene: &Scene, rated: &[Rated], times: bool) -> Rating {
         let rays = rated.iter().map(|rated| rated.rays).max().unwrap_or(0);
-        let about = format!(
-            "{}, {} primitives; {} rays, the same for all, a ray for each pixel of a picture",
-            scene.title,
-            whole(scene.prims.len() as u64),
-            whole(rays)
-        );
+        // Before the first is measured nobody knows how many rays there will be.
+        let rays = if rated.is_empty() { "the rays".to_owned() } else { format!("{} rays", whole(rays)) };
+        let prims = whole(scene.prims.len() as u64);
+        let about =
+            format!("{}, {prims} primitives; {rays}, the same for all, a ray for each pixel of a picture", scene.title);
         let mut panels = vec![Panel::Table(table(rated, about, times))];
         panels.extend(chart(rated).map(Panel::Chart));
         let event = |(entry, rated): (usize, &Rated)| Reveal::Row {

@@ -107,6 +107,8 @@ pub enum Command {
     Export,
     /// Copy the picture of space.
     Copy,
+    /// Copy a line of text that leads back to this place.
+    Link,
     /// Measure all structures over what is shown.
     Best,
     /// Open a mesh.
@@ -235,6 +237,7 @@ pub const ENTRIES: &[Entry] = &[
     entry(Command::Motion, "Motion between steps", &[]),
     entry(Command::Export, "Export", &["Ctrl+E"]),
     entry(Command::Copy, "Copy the picture", &["Ctrl+C"]),
+    entry(Command::Link, "Copy a link to this place", &["Ctrl+L"]),
     entry(Command::Best, "Which structure is best?", &[]),
     entry(Command::Open, "Open a mesh", &["Ctrl+O"]),
     entry(Command::Cancel, "Cancel what is under way", &["Escape"]),

@@ -5,47 +5,50 @@ use super::view::View;
 /// The most changes that are kept.
 const MOST: usize = 200;
 
+/// A view, and whether nobody has stood there yet: then it opens where its slide does.
+pub(crate) type Stood = (View, bool);
+
 /// Earlier and later views.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct History {
-    past: Vec<View>,
-    future: Vec<View>,
+    past: Vec<Stood>,
+    future: Vec<Stood>,
 }
 
 impl History {
     /// Remembers a view that is about to change; once is enough.
-    pub(crate) fn keep(&mut self, view: &View) {
+    pub(crate) fn keep(&mut self, (view, opens): (&View, bool)) {
         self.future.clear();
-        if self.past.last().is_some_and(|last| last.same_page(view)) {
+        if self.past.last().is_some_and(|(last, _)| last.same_page(view)) {
             return;
         }
         if self.past.len() == MOST {
             self.past.remove(0);
         }
-        self.past.push(view.clone());
+        self.past.push((view.clone(), opens));
     }
 
     /// Nothing has changed after all.
     pub(crate) fn forget(&mut self, view: &View) {
-        self.past.pop_if(|last| last.same_page(view));
+        self.past.pop_if(|(last, _)| last.same_page(view));
     }
 
     /// The view before the last change; `now` can be brought back by [`History::redo`].
-    pub(crate) fn undo(&mut self, now: &View) -> Option<View> {
+    pub(crate) fn undo(&mut self, now: Stood) -> Option<Stood> {
         let before = self.past.pop()?;
-        self.future.push(now.clone());
+        self.future.push(now);
         Some(before)
     }
 
     /// The view before a change that is under way, which is forgotten.
     pub(crate) fn take_back(&mut self) -> Option<View> {
-        self.past.pop()
+        self.past.pop().map(|(view, _)| view)
     }
 
     /// The view after the change last taken back.
-    pub(crate) fn redo(&mut self, now: &View) -> Option<View> {
+    pub(crate) fn redo(&mut self, now: Stood) -> Option<Stood> {
         let after = self.future.pop()?;
-        self.past.push(now.clone());
+        self.past.push(now);
         Some(after)
     }
 

@@ -11,6 +11,7 @@ pub(crate) mod heat;
 pub(crate) mod history;
 pub(crate) mod kind_name;
 pub(crate) mod lecture;
+pub(crate) mod link;
 pub(crate) mod own;
 pub(crate) mod pictures;
 pub(crate) mod playback;
@@ -23,6 +24,7 @@ pub(crate) mod words;
 
 pub use beside::{Beside, Pace, Rivals};
 pub use lecture::{Cover, InHand, Lecture};
+pub use link::Link;
 pub use own::{OwnScene, Tried};
 pub use playback::{Playback, Posed};
 pub use steps::Steps;

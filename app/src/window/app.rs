@@ -14,7 +14,7 @@ use super::bars::{bottom, go_on, top};
 use super::device::{self, Fate};
 use super::dialogs::{self, Overlay};
 use super::keys;
-use super::last::{Around, Keeper, Last};
+use super::last::{Keeper, Last, named};
 use super::look::fonts;
 use super::look::remembered::Remembered;
 use super::look::visuals::{self, fill};
@@ -29,6 +29,7 @@ use super::work::exporting::{self, Window, Wish};
 use crate::fault::Fault;
 use crate::files;
 use crate::rating::rays;
+use crate::shown::Link;
 use crate::shown::beside::Beside;
 use crate::shown::command::Command;
 use crate::shown::heat::sentence;
@@ -74,7 +75,7 @@ pub struct App {
     /// Where it stood the last time, while the bar asks whether to go on there, and the view at which that was asked.
     offers: Option<(Last, Option<View>)>,
     /// Where it is to open once its mesh is there.
-    reopens: Option<Last>,
+    reopens: Option<Link>,
 }
 
 /// Rays across and down by which all structures are measured.
@@ -140,10 +141,13 @@ impl App {
         app.tell_problems(&library);
         wishes.go(&mut app.state);
         if let Some(folder) = &wishes.lessons {
-            app.watch_lessons(folder);
+            app.watch_lessons(folder, wishes.only);
         }
         if let Some(mesh) = wishes.mesh {
             app.open_mesh(mesh);
+        }
+        if let Some(link) = wishes.at {
+            app.follow(link);
         }
         app
     }
@@ -187,10 +191,10 @@ impl App {
         }
     }
 
-    /// Lets lessons in a folder be read again when they are saved.
-    pub fn watch_lessons(&mut self, folder: &Path) {
+    /// Lets lessons in a folder be read again when they are saved, `only` those or beside the lecture.
+    pub fn watch_lessons(&mut self, folder: &Path, only: bool) {
         self.lessons = Some(folder.to_path_buf());
-        self.underway.errands.watch(folder);
+        self.underway.errands.watch(folder, only);
     }
 
     /// Opens a mesh beside the UI thread.
@@ -217,13 +221,29 @@ impl App {
         if let Some(keeper) = &mut self.keeper {
             keeper.goes_on(&last);
         }
-        last.reopen(&mut self.state, None);
-        self.kept.sight.aspect = last.aspect();
-        if let Some(mesh) = last.mesh().map(Path::to_path_buf) {
-            self.open_mesh(mesh);
-            self.reopens = Some(last);
-        }
+        // What is not there any more is not missed.
+        let _ = self.follow(last.link);
         true
+    }
+
+    /// Goes where a link leads, once its mesh is there; says what of it is not.
+    fn follow(&mut self, link: Link) -> Vec<String> {
+        let wrong = link.open(&mut self.state, None);
+        self.kept.sight.aspect = link.aspect;
+        if let Some(mesh) = link.mesh.as_ref().map(PathBuf::from) {
+            self.open_mesh(mesh);
+            self.reopens = Some(link);
+        }
+        wrong
+    }
+
+    /// The place where the window stands.
+    fn link(&self) -> Link {
+        let shown = |(scene, _): &&(Arc<Scene>, PathBuf)| {
+            self.state.view.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(mesh, scene))
+        };
+        let mesh = self.mesh.as_ref().filter(shown).and_then(|(_, path)| named(path));
+        Link::of(&self.state, mesh, self.kept.sight.aspect)
     }
 
     /// Asks whether to go on where the window stood, until somebody answers or does anything else.
@@ -254,9 +274,7 @@ impl App {
     /// Where the window stands; nothing while it goes somewhere else.
     fn stands(&self) -> Option<Last> {
         let stands = self.state.is_current() && self.reopens.is_none() && self.offers.is_none();
-        let aspect = self.kept.sight.aspect;
-        let around = Around { lessons: self.lessons.as_deref(), mesh: self.mesh.as_ref(), aspect };
-        stands.then(|| Last::of(&self.state, &around))
+        stands.then(|| Last::of(self.link(), self.lessons.as_deref()))
     }
 
     /// The window closes: where it stands is kept at once.
@@ -319,6 +337,11 @@ impl App {
             Command::Export => self.overlay.export(&self.state, self.theme()),
             Command::Open => self.overlay.open(),
             Command::Copy => self.copy(),
+            Command::Link => {
+                let link = self.link().to_string();
+                self.say(ui, format!("The link is on the clipboard: {link}"));
+                context.copy_text(link);
+            }
             Command::Cancel => self.underway.stop_all(&mut self.state),
             Command::Theme => {
                 let themes = [&Theme::LIGHT, &Theme::DARK, &Theme::PROJECTOR];
@@ -501,10 +524,10 @@ impl App {
                 if !scene.note.is_empty() {
                     self.say(ui, scene.note.clone());
                 }
-                let wanted = self.reopens.take().filter(|last| last.mesh() == Some(&path));
+                let wanted = self.reopens.take().filter(|link| link.mesh.as_ref().map(Path::new) == Some(&path));
                 self.mesh = Some((scene.clone(), path));
                 match wanted {
-                    Some(last) => last.reopen(&mut self.state, Some(scene)),
+                    Some(link) => _ = link.open(&mut self.state, Some(scene)),
                     None => self.state.show_mesh(scene, ray),
                 }
             }
@@ -749,6 +772,13 @@ impl App {
             match asked {
                 dialogs::Asked::Command(command) => self.run(ui, command),
                 dialogs::Asked::Slide(slide) => self.state.show_slide(slide),
+                dialogs::Asked::Link(link) => {
+                    self.state.keep();
+                    let wrong = self.follow(*link);
+                    if !wrong.is_empty() {
+                        self.say(ui, format!("Not all of the link is here: {}.", wrong.join("; ")));
+                    }
+                }
                 dialogs::Asked::ChooseFolder => self.underway.errands.ask_for_folder(),
                 dialogs::Asked::Write(wish) => {
                     let written = self.write(wish);

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use raystep_lesson::Library;
 
+use crate::shown::Link;
 use crate::shown::state::State;
 
 /// What the window shall show first.
@@ -15,8 +16,12 @@ pub struct Wishes {
     pub ray: Option<String>,
     /// The step.
     pub step: Option<usize>,
+    /// A place, instead of all these.
+    pub at: Option<Link>,
     /// The folder of lessons, to be read again when they are saved.
     pub lessons: Option<PathBuf>,
+    /// Whether the lecture is left out beside them.
+    pub only: bool,
     /// A mesh.
     pub mesh: Option<PathBuf>,
 }
@@ -24,7 +29,7 @@ pub struct Wishes {
 impl Wishes {
     /// Whether nothing is wished for that says where to open.
     pub(super) fn leaves_open(&self) -> bool {
-        self.slide.is_none() && self.ray.is_none() && self.step.is_none() && self.mesh.is_none()
+        self.slide.is_none() && self.ray.is_none() && self.step.is_none() && self.mesh.is_none() && self.at.is_none()
     }
 
     /// The place of the slide in the library.

@@ -171,6 +171,21 @@ fn changes_are_undone_and_backspace_restores_the_slide() {
 }
 
 /// Clicks what has this name and is no mere text.
+#[test]
+fn a_slide_that_was_left_before_it_was_there_is_undone_to_where_it_opens() {
+    let mut harness = window("5/33", [1280.0, 800.0]);
+    harness.key_press(Key::PageDown);
+    harness.key_press(Key::PageDown);
+    harness.run_steps(1);
+    settle(&mut harness);
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run_steps(1);
+    settle(&mut harness);
+    let state = &harness.state().state;
+    assert_eq!(state.slide().unwrap().id(), "5/34");
+    assert_eq!(state.view.step, state.playback().unwrap().opening(state.predict));
+}
+
 fn click(harness: &mut Window, label: &str) {
     let text = egui::accesskit::Role::Label;
     let mut found = harness.query_all_by_label(label).filter(|node| node.accesskit_node().role() != text);

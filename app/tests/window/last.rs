@@ -125,7 +125,7 @@ fn a_window_that_was_not_closed_opens_again_as_well() {
 #[test]
 fn it_is_asked_whether_to_go_on() {
     let file = folder("asked first").join("last.toml");
-    let text = "slide = \"5/34\"\nstage = \"flat\"\nstep = 13\n";
+    let text = "link = \"5/34?stage=flat&step=13\"\n";
     std::fs::write(&file, text).unwrap();
     let asks =
         |harness: &Window| harness.query_by_label("Go on at 5/34 Inner node, inner node, leaf, step 13?").is_some();
@@ -232,7 +232,7 @@ fn a_slide_that_is_asked_for_wins() {
 #[test]
 fn what_is_gone_or_makes_no_sense_is_left_out_and_said() {
     let file = folder("gone").join("last.toml");
-    let good = "slide = \"5/33\"\nstage = \"flat\"\nstep = 7\n";
+    let good = "link = \"5/33?stage=flat&step=7\"\n";
     let check = |text: String, says: &str, slide: &str, step: usize| {
         std::fs::write(&file, &text).unwrap();
         let harness = window(&file, Wishes::default());
@@ -255,12 +255,12 @@ fn what_is_gone_or_makes_no_sense_is_left_out_and_said() {
     let first = library().slides[0].id();
     check(good.to_owned(), "", "5/33", 7);
     check(format!("zoom = 3\n{good}"), "last.toml", "5/33", 7);
-    check(format!("ray = \"of another lecture\"\n{good}"), "", "5/33", 7);
-    check(good.replace("step = 7", "step = 100000"), "", "5/33", opening_last("5/33"));
+    check(good.replace("step=7", "step=7&ray=of another lecture"), "", "5/33", 7);
+    check(good.replace("step=7", "step=100000"), "", "5/33", opening_last("5/33"));
     check(good.replace("5/33", "5/99"), "", &first, opening(&first));
     check(format!("lessons = \"/nowhere\"\n{good}"), "", &first, opening(&first));
-    check(format!("mesh = \"/nowhere/gone.obj\"\n{good}"), "/nowhere/gone.obj", "5/33", 0);
-    check(format!("{good}[settings]\nmax_depth = \"9999999\"\nnx = \"3\"\n"), "last.toml", "5/33", 7);
+    check(good.replace("step=7", "step=7&mesh=/nowhere/gone.obj"), "/nowhere/gone.obj", "5/33", 0);
+    check(good.replace("step=7", "step=7&set=max_depth:9999999&set=nx:3"), "last.toml", "5/33", 7);
 }
 
 /// The last step of a slide.
@@ -286,4 +286,67 @@ fn a_mesh_is_opened_again() {
     drop(first);
     let second = window(&file, Wishes::default());
     assert_eq!(stands(&second.state().state), stood);
+}
+
+/// A window at the place of a link.
+fn linked(link: &str) -> Window {
+    let wishes = Wishes { at: Some(link.parse().unwrap()), ..Wishes::default() };
+    let mut harness = sized([1280.0, 800.0])
+        .build_eframe(move |context| App::wished(&context.egui_ctx, library(), wishes, Remembered::default()));
+    settle(&mut harness);
+    harness
+}
+
+/// The link that Ctrl+L copies.
+fn copied(harness: &mut Window) -> String {
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::L);
+    harness.step();
+    let copied = harness.output().platform_output.commands.iter().find_map(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    copied.expect("a link on the clipboard")
+}
+
+#[test]
+fn a_link_opens_the_same_place_in_another_window() {
+    for link in [
+        "5/33",
+        "5/33?stage=solid&step=9",
+        "2/15?own=0.1,-0.7,0,1,0.3,0&camera=1,2,3.5",
+        "5/33?ray=from%20the%20right&step=6&set=max_depth:3&beside=grid&grain=visit&speed=2",
+        "7/56b?stage=solid&step=5&camera=-6.1,-7.3,4.4,0.1,0.2,1,0,0,1,31.7&aspect=1.25&levels=2&hand=yes",
+        "3/20?set=prune:false&step=4&present=yes",
+    ] {
+        let mut first = linked(link);
+        let (stood, copy) = (stands(&first.state().state), copied(&mut first));
+        let mut second = linked(&copy);
+        assert_eq!(stands(&second.state().state), stood, "{link}: {copy}");
+        assert_eq!(copied(&mut second), copy, "{link}");
+    }
+}
+
+#[test]
+fn a_link_that_is_pasted_into_the_palette_is_followed() {
+    let mut harness = linked("5/33");
+    let mut paste = |text: &str| {
+        harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
+        harness.run_steps(2);
+        harness.event(egui::Event::Paste(text.to_owned()));
+        harness.run_steps(2);
+        let said = harness.query_by_label_contains("This link leads nowhere").is_some();
+        harness.key_press(egui::Key::Enter);
+        harness.run_steps(2);
+        if said {
+            harness.key_press(egui::Key::Escape);
+            harness.run_steps(2);
+        }
+        settle(&mut harness);
+        let state = &harness.state().state;
+        (state.slide().unwrap().id(), state.view.step, said)
+    };
+    assert_eq!(paste("5/40?stage=flat&step=3"), ("5/40".to_owned(), 3, false));
+    assert_eq!(paste("5/99?step=3"), ("5/40".to_owned(), 3, true));
+    assert_eq!(paste("5/33?stepp=3"), ("5/40".to_owned(), 3, true));
+    assert_eq!(paste("https://a.b/c.html#5/33?step=7&stage=flat"), ("5/33".to_owned(), 7, false));
 }

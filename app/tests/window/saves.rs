@@ -36,6 +36,7 @@ fn window(lessons: &Path) -> Window {
         ray: Some("from the right".to_owned()),
         step: Some(6),
         lessons: Some(lessons.to_path_buf()),
+        only: true,
         ..Wishes::default()
     };
     let mut harness = sized([1600.0, 1000.0])
@@ -126,4 +127,67 @@ fn saving_the_open_slide_keeps_the_reader_in_his_place() {
         std::fs::rename(&aside, &lessons).unwrap();
         std::fs::write(&path, text).unwrap();
     });
+}
+
+/// A folder with one slide on a scene of its own.
+fn own(name: &str) -> PathBuf {
+    let lessons = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window-own").join(name);
+    let _ = std::fs::remove_dir_all(&lessons);
+    std::fs::create_dir_all(lessons.join("10-mine")).unwrap();
+    std::fs::create_dir_all(lessons.join("scenes")).unwrap();
+    let slide = "+++\nformat = 1\nslide = 90\ntitle = \"My room\"\nlisting = \"kd-walk\"\nscene = \"flat-room\"\n\
+                 structure = { kind = \"kd\", max_depth = 3 }\nrays = [\n  { name = \"a\", from = [0, 2], towards = [9, 2] },\n  \
+                 { name = \"b\", from = [9, 2], direction = [-1, 0] },\n]\n+++\n## The end {at=end}\nIt ends.\n\n\
+                 > ask {field=hit}: Is anything hit?\n> - no: Look again.\n";
+    std::fs::write(lessons.join("10-mine/90-room.md"), slide).unwrap();
+    std::fs::write(lessons.join("scenes/flat-room.toml"), room(1.0)).unwrap();
+    lessons
+}
+
+/// A scene whose disc has this radius.
+fn room(radius: f32) -> String {
+    format!("title = \"A room\"\nshapes = [\n  {{ disc = [5, 2], radius = {radius} }},\n]\n")
+}
+
+#[test]
+fn a_scene_that_is_saved_is_shown() {
+    let lessons = own("shown");
+    let library = Library::embedded().and(Library::from_dir(&lessons).unwrap());
+    assert!(library.problems.is_empty() && library.slides.len() > 60, "{:?}", library.problems);
+    let wishes = Wishes { slide: Some("10/90".to_owned()), lessons: Some(lessons.clone()), ..Wishes::default() };
+    let mut harness = sized([1600.0, 1000.0])
+        .build_eframe(|context| App::wished(&context.egui_ctx, library, wishes, Remembered::default()));
+    let high = |app: &App| {
+        let shown = app.state.playback().filter(|_| app.state.is_current());
+        shown.map(|playback| playback.play.scene.bounds().max.y)
+    };
+    let until = |harness: &mut Window, what: &str, y: f32| {
+        let begun = Instant::now();
+        while high(harness.state()) != Some(y) {
+            harness.run_steps(1);
+            assert!(begun.elapsed() < Duration::from_secs(60), "{what}: it is not shown");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        begun.elapsed()
+    };
+    until(&mut harness, "the first", 3.0);
+    let file = lessons.join("scenes/flat-room.toml");
+    let mut longest = Duration::ZERO;
+    for radius in [0.5, 0.75, 1.25, 1.5] {
+        std::fs::write(&file, room(radius)).unwrap();
+        longest = longest.max(until(&mut harness, "saved", 2.0 + radius));
+    }
+    println!("from save to picture: at most {longest:?}");
+    // What is wrong is said, and the scene stays until it is right.
+    std::fs::write(&file, "title = \"A room\"\nshapes = [\n  { disk = [5, 2] },\n]\n").unwrap();
+    let begun = Instant::now();
+    while harness.state().state.library.problems.is_empty() {
+        harness.run_steps(1);
+        assert!(begun.elapsed() < Duration::from_secs(60), "nothing is said");
+    }
+    let said = harness.state().state.library.problems[0].to_string();
+    assert!(said.starts_with("scenes/flat-room.toml:3:") && said.contains("did you mean `disc`"), "{said}");
+    until(&mut harness, "what was good last", 3.5);
+    std::fs::write(&file, room(1.0)).unwrap();
+    until(&mut harness, "right again", 3.0);
 }

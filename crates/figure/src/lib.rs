@@ -40,7 +40,7 @@ pub use panes::{
     work_of_build,
 };
 pub use stage::{
-    Camera, Scenery, Shaded, axes, close_up, inset_size, is_label, labels, pointed_at, set_inset, shaded, stage,
+    Camera, Scenery, Shaded, axes, close_up, crop, inset_size, is_label, labels, pointed_at, set_inset, shaded, stage,
 };
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value, veiled, whole};

@@ -25,10 +25,15 @@ pub fn check_file(library: &Library, file: &str, setter: Setter<'_>) -> Vec<Prob
     problems
 }
 
+/// Everything that is wrong in lessons of somebody's own beside `lecture`, which is taken for right.
+pub fn check_beside(lecture: &Library, own: &Library, setter: Setter<'_>) -> Vec<Problem> {
+    let has = |library: &Library, slide: &Slide| library.slides.iter().any(|other| other.file == slide.file);
+    check_those(&lecture.clone().and(own.clone()), setter, |slide| has(own, slide) && !has(lecture, slide))
+}
+
 fn check_those(library: &Library, setter: Setter<'_>, wanted: impl Fn(&Slide) -> bool) -> Vec<Problem> {
     let mut checker =
         Checker { library, setter, problems: library.problems.clone(), built: HashMap::new(), told: HashMap::new() };
-    checker.numbers();
     checker.terms();
     for listing in &library.listings {
         checker.listing(listing);
@@ -57,20 +62,6 @@ struct Checker<'a> {
 impl Checker<'_> {
     fn say(&mut self, slide: &Slide, spot: Spot, message: impl Into<String>) {
         self.problems.push(Problem::new(&slide.file, spot, message));
-    }
-
-    /// No two slides are called the same.
-    fn numbers(&mut self) {
-        let mut first: HashMap<String, &Slide> = HashMap::new();
-        let library = self.library;
-        for slide in library.slides.iter().filter(|slide| !slide.numbers.is_empty()) {
-            if let Some(other) = first.get(&slide.id()) {
-                let message = format!("slide {} is {} already: another number is needed", slide.id(), other.file);
-                self.say(slide, slide.numbers_spot, message);
-            } else {
-                first.insert(slide.id(), slide);
-            }
-        }
     }
 
     /// Every word that is explained stands in bold on the slide that teaches it.
@@ -210,7 +201,7 @@ impl Checker<'_> {
 
     /// Builds a stage, or says why that cannot be done.
     fn build(&mut self, slide: &Slide, stage: &Stage) -> Option<Built> {
-        let scene = match Scene::named(&stage.scene) {
+        let scene = match stage.scenes.named(&stage.scene) {
             Ok(scene) => scene,
             Err(error) => {
                 self.say(slide, stage.scene_spot, error.to_string());
@@ -219,7 +210,8 @@ impl Checker<'_> {
         };
         if scene.flat != (stage.kind == StageKind::Flat) {
             let is = if scene.flat { "flat" } else { "solid" };
-            self.say(slide, stage.scene_spot, format!("the scene `{}` is {is}, the stage is not", stage.scene));
+            let message = format!("the scene `{}` is {is}, the stage is not: write a table [{is}] for it", stage.scene);
+            self.say(slide, stage.scene_spot, message);
             return None;
         }
         self.camera(slide, stage, &scene);
@@ -231,7 +223,7 @@ impl Checker<'_> {
             return None;
         }
         for (spot, name) in stage.board.iter().flat_map(|board| board.scenes()) {
-            if let Err(error) = Scene::named(name) {
+            if let Err(error) = stage.scenes.named(name) {
                 self.say(slide, spot, error.to_string());
             }
         }

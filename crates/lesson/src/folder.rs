@@ -4,6 +4,8 @@ use std::fs::{File, Metadata};
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use raystep_scene::{SCENE_ENDINGS, Scenes};
+
 use crate::library::wanted;
 use crate::{Library, Problem, Spot, limits};
 
@@ -14,9 +16,17 @@ impl Library {
     /// # Errors
     /// When the folder itself cannot be read.
     pub fn from_dir(folder: &Path) -> io::Result<Library> {
+        Library::from_dir_knowing(folder, &Scenes::default())
+    }
+
+    /// The same, but scenes that are `known` and have not changed are not read again.
+    ///
+    /// # Errors
+    /// When the folder itself cannot be read.
+    pub fn from_dir_knowing(folder: &Path, known: &Scenes) -> io::Result<Library> {
         let mut found = Found { root: folder.canonicalize()?, ..Found::default() };
         found.folder(folder, "")?;
-        let mut library = Library::from_files(found.files);
+        let mut library = Library::from_files(found.files).with_scenes(found.scenes, known);
         library.problems.extend(found.problems);
         Ok(library)
     }
@@ -36,6 +46,7 @@ struct Found {
     /// The folder, wherever links to it lead.
     root: PathBuf,
     files: Vec<(String, String)>,
+    scenes: Vec<(String, Vec<u8>)>,
     problems: Vec<Problem>,
     /// How many entries were looked at.
     seen: usize,
@@ -73,7 +84,7 @@ impl Found {
         let data = match self.target(path, is_link) {
             Ok(data) => data,
             // Of what is no lesson nobody asks.
-            Err(_) if !is_link && !wanted(path) => return,
+            Err(_) if !is_link && !wanted(path) && !is_scene(name) => return,
             Err(why) => return self.leave_out(name, &why),
         };
         if data.is_dir() {
@@ -86,7 +97,12 @@ impl Found {
             } else if let Err(error) = self.folder(path, name) {
                 self.leave_out(name, &format!("the folder cannot be read: {error}; it is left out"));
             }
-        } else if wanted(path) {
+        } else if is_scene(name) {
+            match read_bytes(path, name, limits::SCENE, too_large_a_scene) {
+                Ok(bytes) => self.scenes.push((name.to_owned(), bytes)),
+                Err(problem) => self.problems.push(problem),
+            }
+        } else if wanted(path) && !name.starts_with(SCENES) {
             match read(path, name) {
                 Ok(text) => self.files.push((name.to_owned(), text)),
                 Err(problem) => {
@@ -123,27 +139,48 @@ fn has_lessons(folder: &Path) -> bool {
     entries.take(limits::FILES).any(|entry| entry.is_ok_and(|entry| wanted(&entry.path())))
 }
 
-/// The text of a plain file, or why there is none.
-fn read(path: &Path, name: &str) -> Result<String, Problem> {
-    let wrong = |spot: Spot, why: String| Problem::new(name, spot, why);
-    let unread = |error: io::Error| wrong(Spot::START, format!("cannot be read: {error}"));
+/// The folder of scenes beside the sections.
+const SCENES: &str = "scenes/";
+
+/// Whether a name within the folder of lessons is a scene's.
+fn is_scene(name: &str) -> bool {
+    let ending = |name: &str| {
+        Path::new(name).extension().is_some_and(|own| SCENE_ENDINGS.iter().any(|e| own.eq_ignore_ascii_case(e)))
+    };
+    name.strip_prefix(SCENES).is_some_and(ending)
+}
+
+fn too_large_a_scene(bytes: u64) -> String {
+    format!("the file has {} MB: a scene beside lessons has at most {} MB", bytes >> 20, limits::SCENE >> 20)
+}
+
+/// The bytes of a plain file of at most so many, or why there are none.
+fn read_bytes(path: &Path, name: &str, most: usize, too_large: fn(u64) -> String) -> Result<Vec<u8>, Problem> {
+    let wrong = |why: String| Problem::new(name, Spot::START, why);
+    let unread = |error: io::Error| wrong(format!("cannot be read: {error}"));
     // A pipe would never end, a device neither.
     let data = path.metadata().map_err(unread)?;
     if !data.is_file() {
-        return Err(wrong(Spot::START, "is no plain file".to_owned()));
+        return Err(wrong("is no plain file".to_owned()));
     }
     let mut bytes = Vec::new();
-    let room = limits::BYTES as u64 + 1;
+    let room = most as u64 + 1;
     File::open(path).and_then(|file| file.take(room).read_to_end(&mut bytes)).map_err(unread)?;
-    if bytes.len() > limits::BYTES {
-        return Err(wrong(Spot::START, limits::too_large(data.len().max(room))));
+    if bytes.len() > most {
+        return Err(wrong(too_large(data.len().max(room))));
     }
+    Ok(bytes)
+}
+
+/// The text of a plain file, or why there is none.
+fn read(path: &Path, name: &str) -> Result<String, Problem> {
+    let bytes = read_bytes(path, name, limits::BYTES, limits::too_large)?;
     String::from_utf8(bytes).map_err(|error| {
         let good = error.utf8_error().valid_up_to();
         let (before, after) = error.as_bytes().split_at(good);
         let before = String::from_utf8_lossy(before);
         let line = before.rsplit('\n').next().unwrap_or_default();
         let spot = Spot { line: 1 + before.matches('\n').count() as u32, column: 1 + line.chars().count() as u32 };
-        wrong(spot, format!("the byte 0x{:02X} here is no text: save the file as UTF-8", after[0]))
+        Problem::new(name, spot, format!("the byte 0x{:02X} here is no text: save the file as UTF-8", after[0]))
     })
 }

@@ -3,15 +3,16 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
+use raystep_scene::Scenes;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use crate::counts::{self, check_count, check_length};
 use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
 use crate::{
-    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, change, limits, packets, pairs, wait,
-    walks,
+    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, change, limits, packets, pairs, walks,
 };
 
 /// No tree is deeper.
@@ -88,23 +89,6 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
 /// A message in one line.
 fn short_lines(message: &str) -> String {
     message.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// Says so if a name is too long to be shown anywhere.
-pub(crate) fn check_length(what: &str, at: usize, text: &str, reading: &mut Reading<'_>) {
-    let letters = text.chars().count();
-    if letters > limits::TITLE {
-        reading.problem(at, format!("{what} has {letters} letters: at most {} can be shown", limits::TITLE));
-    }
-}
-
-/// Says so if a list is longer than anything that is read or played.
-pub(crate) fn check_count(what: &str, at: usize, count: usize, most: usize, reading: &mut Reading<'_>) -> bool {
-    let good = count <= most;
-    if !good {
-        reading.problem(at, format!("here are {count} {what}: at most {most} are allowed"));
-    }
-    good
 }
 
 /// The slide's numbers, and where they stand: they name the slide, on the command line and in names of files.
@@ -236,6 +220,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     Some(Stage {
         kind,
         scene,
+        scenes: Scenes::default(),
         plan,
         beside,
         rays,
@@ -359,15 +344,9 @@ fn ray(value: &Spanned<DeValue<'_>>, reading: &mut Reading<'_>) -> Option<NamedR
     let valid = raystep_accel::Ray::new(from, direction).and_then(|ray| ray.within(range[0], range[1]));
     let ray =
         valid.map_err(|error| reading.problem(direction_at, format!("the ray cannot be walked: {error}"))).ok()?;
-    let promises = self::promises(promises.unwrap_or_default(), reading);
+    let promises = counts::promises(promises.unwrap_or_default(), reading);
     let (others, spot, name_spot) = (Vec::new(), reading.spot(at), reading.spot(name_at));
     Some(NamedRay { name, ray, others, promises, spot, name_spot })
-}
-
-/// Events that a walk must contain.
-pub(crate) fn promises((at, texts): At<Vec<String>>, reading: &mut Reading<'_>) -> Vec<wait::Wait> {
-    check_count("promises", at, texts.len(), limits::ENTRIES, reading);
-    texts.iter().take(limits::ENTRIES).filter_map(|text| wait::parse(text, at, reading)).collect()
 }
 
 /// A camera from which something can be seen.

@@ -22,6 +22,9 @@ impl Library {
         if self.terms.is_empty() {
             self.terms.clone_from(&before.terms);
         }
+        let wrong = |file: &str| self.problems.iter().any(|problem| problem.file == file);
+        let scenes = self.scenes.keeping(&before.scenes, wrong);
+        self.know(scenes);
         // A listing is as good as gone while its file is empty or not there.
         for listing in &before.listings {
             let now = self.listings.iter().position(|own| own.name == listing.name);

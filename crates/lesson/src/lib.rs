@@ -6,12 +6,14 @@
 mod ask;
 mod attributes;
 mod beat;
+mod beside;
 mod board;
 mod body;
 mod change;
 mod check;
 mod choices;
 mod condition;
+mod counts;
 mod facts;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
@@ -46,7 +48,7 @@ pub use board::{
     Meter, Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
 };
 pub use change::{Planned, Told};
-pub use check::{check, check_file};
+pub use check::{check, check_beside, check_file};
 pub use condition::Condition;
 pub use facts::Facts;
 pub use library::Library;
@@ -61,5 +63,6 @@ pub use slide::{Look, NamedRay, Plan, Setting, Show, Slide, Stage, StageKind};
 pub use tape::{BuildTape, Tape, WalkTape};
 pub use term::Term;
 pub use texts::{Script, Setter};
-pub use wait::{Wait, names};
+pub use vocabulary::names;
+pub use wait::Wait;
 pub use walks::WalksTape;

@@ -1,10 +1,13 @@
 //! All slides, listings and words.
 
+use std::sync::LazyLock;
+
 use include_dir::{Dir, include_dir};
+use raystep_scene::Scenes;
 
 use crate::problem::misspelt;
 use crate::reading::Reading;
-use crate::{Listing, Problem, Slide, Term, limits, term};
+use crate::{Listing, Problem, Slide, Spot, Term, limits, term};
 
 /// The lessons as they were when the program was built.
 static LESSONS: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/../../lessons");
@@ -18,6 +21,8 @@ pub struct Library {
     pub listings: Vec<Listing>,
     /// The words that are explained.
     pub terms: Vec<Term>,
+    /// The scenes beside the slides.
+    pub scenes: Scenes,
     /// What could not be read.
     pub problems: Vec<Problem>,
 }
@@ -25,9 +30,12 @@ pub struct Library {
 impl Library {
     /// The lessons in the program itself.
     pub fn embedded() -> Library {
-        let mut files = Vec::new();
-        collect(&LESSONS, &mut files);
-        Library::from_files(files)
+        static READ: LazyLock<Library> = LazyLock::new(|| {
+            let mut files = Vec::new();
+            collect(&LESSONS, &mut files);
+            Library::from_files(files)
+        });
+        READ.clone()
     }
 
     /// The lessons in these files: paths from the folder of lessons on, and texts.
@@ -44,7 +52,43 @@ impl Library {
         for (path, text) in files.iter().filter(|(path, _)| path == "sections.txt") {
             library.name_sections(path, text, &sections);
         }
+        library.tell_twins();
         library
+    }
+
+    /// The same lessons with the scenes in these files: names from the folder of lessons on, and bytes. A scene that is
+    /// among `known` is not read again.
+    #[must_use]
+    pub fn with_scenes(mut self, files: impl IntoIterator<Item = (String, Vec<u8>)>, known: &Scenes) -> Library {
+        let (scenes, wrong) = Scenes::read(files, known);
+        let spot = |wrong: usize| u32::try_from(wrong).unwrap_or(u32::MAX);
+        let problems = wrong.iter().map(|wrong| {
+            let spot = Spot { line: spot(wrong.line), column: spot(wrong.column) };
+            Problem::new(&wrong.file, spot, wrong.sentence())
+        });
+        self.problems.extend(problems);
+        self.know(scenes);
+        self
+    }
+
+    /// Looks up scenes among these first.
+    pub(crate) fn know(&mut self, scenes: Scenes) {
+        self.slides.iter_mut().flat_map(|slide| &mut slide.stages).for_each(|stage| stage.know(&scenes));
+        self.scenes = scenes;
+    }
+
+    /// Says so where two slides of a section have the same number.
+    fn tell_twins(&mut self) {
+        let mut wrong = Vec::new();
+        for (place, slide) in self.slides.iter().enumerate() {
+            if let Some((number, other)) =
+                self.slides[..place].iter().find_map(|other| Some((slide.shares(other)?, other)))
+            {
+                let message = format!("slide {number} is {} already: another number is needed", other.file);
+                wrong.push(Problem::new(&slide.file, slide.numbers_spot, message));
+            }
+        }
+        self.problems.extend(wrong);
     }
 
     /// Adds what one file holds: `section/slide.md`, `listings/name.txt` or `terms.txt`.

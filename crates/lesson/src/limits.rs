@@ -22,6 +22,10 @@ pub(crate) const PROBLEMS: usize = 50;
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) const FILES: usize = 2000;
 
+/// Bytes of a scene in a folder of lessons.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) const SCENE: usize = 256 << 20;
+
 /// What is said of a file with so many bytes.
 pub(crate) fn too_large(bytes: u64) -> String {
     format!("the file has {} KB: a slide or a listing has at most {} KB", bytes.div_ceil(1024), BYTES / 1024)

@@ -1,8 +1,8 @@
 //! A listing: pseudocode of our own, its lines labelled with the events they show.
 
 use crate::reading::Reading;
-use crate::vocabulary::check_event;
-use crate::{Condition, Facts, Plays, Problem, template, wait};
+use crate::vocabulary::{check_event, names};
+use crate::{Condition, Facts, Plays, Problem, template};
 
 /// An algorithm in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,7 +36,7 @@ impl Listing {
     pub fn line_of(&self, facts: &Facts<'_>) -> Option<usize> {
         let event = facts.event().name();
         let label = |line: &Line| {
-            let length = line.events.iter().filter(|e| wait::names(e, event)).map(String::len).max()?;
+            let length = line.events.iter().filter(|e| names(e, event)).map(String::len).max()?;
             let holds = line.only_if.as_ref().is_none_or(|condition| condition.holds(facts));
             holds.then_some((length, line.only_if.is_some()))
         };
@@ -46,7 +46,7 @@ impl Listing {
 
     /// The first line that shows events of this name, whatever else it asks for.
     pub fn line_named(&self, event: &str) -> Option<usize> {
-        let label = |line: &Line| line.events.iter().filter(|e| wait::names(e, event)).map(String::len).max();
+        let label = |line: &Line| line.events.iter().filter(|e| names(e, event)).map(String::len).max();
         let fits = self.lines.iter().enumerate().filter_map(|(index, line)| Some((index, label(line)?)));
         fits.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(index, _)| index)
     }

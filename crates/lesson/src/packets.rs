@@ -5,7 +5,7 @@ use raystep_accel::Ray;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use crate::head::{check_count, check_length, promises};
+use crate::counts::{check_count, check_length, promises};
 use crate::keys::{FromToml, Keys, wrong};
 use crate::reading::Reading;
 use crate::{NamedRay, limits};

@@ -68,7 +68,7 @@ impl Stage {
     /// # Errors
     /// An unknown scene, or a rule that cannot be followed.
     pub fn build(&self, plays: Plays) -> Result<Built, PlayError> {
-        self.plan.build(self, &Arc::new(Scene::named(&self.scene)?), plays, Care::Full)
+        self.plan.build(self, &self.scenes.named(&self.scene)?, plays, Care::Full)
     }
 
     /// The same, but a board is filled coarsely: enough to see whether it is right, and not yet to be quoted.
@@ -76,7 +76,7 @@ impl Stage {
     /// # Errors
     /// An unknown scene, or a rule that cannot be followed.
     pub fn draft(&self, plays: Plays) -> Result<Built, PlayError> {
-        self.plan.build(self, &Arc::new(Scene::named(&self.scene)?), plays, Care::Draft)
+        self.plan.build(self, &self.scenes.named(&self.scene)?, plays, Care::Draft)
     }
 
     /// The structure beside, over the same scene, if the stage has one.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{Ray, Rule};
+use raystep_scene::{Scene, Scenes};
 
 use crate::minutes::minutes;
 use crate::reading::Reading;
@@ -52,9 +53,20 @@ const NOTES: &str = "# Notes";
 impl Slide {
     /// `"5/33"`: how the command line calls it.
     pub fn id(&self) -> String {
-        let section = self.section.split('-').next().unwrap_or_default().trim_start_matches('0');
         let number = self.numbers.first().map_or(self.name.as_str(), String::as_str);
-        format!("{section}/{number}")
+        format!("{}/{number}", self.section_number())
+    }
+
+    /// The first number, with the section's, that both slides have.
+    pub(crate) fn shares(&self, other: &Slide) -> Option<String> {
+        let number = self.numbers.iter().find(|number| other.numbers.contains(number))?;
+        let id = |slide: &Slide| format!("{}/{number}", slide.section_number());
+        (id(self) == id(other)).then(|| id(self))
+    }
+
+    /// `"5"`: the number before the section's name.
+    fn section_number(&self) -> &str {
+        self.section.split('-').next().unwrap_or_default().trim_start_matches('0')
     }
 
     /// What the section is called: `"kd-trees"`.
@@ -117,7 +129,7 @@ impl Slide {
         Some(Slide {
             name: name.to_owned(),
             section: section.to_owned(),
-            section_title: section.split('-').skip(1).collect::<Vec<_>>().join(" "),
+            section_title: untitled(section),
             numbers: head.numbers,
             title: head.title,
             plays: reading.plays,
@@ -159,6 +171,11 @@ impl Slide {
     }
 }
 
+/// What a section is called that nobody names: `"kd tree"`.
+pub(crate) fn untitled(section: &str) -> String {
+    section.split('-').skip(1).collect::<Vec<_>>().join(" ")
+}
+
 /// The two kinds of stage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum StageKind {
@@ -188,6 +205,8 @@ pub struct Stage {
     pub kind: StageKind,
     /// The name of its scene.
     pub scene: String,
+    /// The scenes of somebody's own among which that name is looked up first.
+    pub scenes: Scenes,
     /// Which structure is built over it, and how.
     pub plan: Plan,
     /// Which structure plays beside, for its numbers on paper.
@@ -222,6 +241,22 @@ impl Stage {
         }
         let moves = self.pairs.iter().any(|pair| PairsTape::case_of(*pair, key).is_some());
         moves.then(|| PairsTape::read(key, value).map(drop))
+    }
+
+    /// Whether this scene is the stage's own as it is now.
+    pub fn is_over(&self, scene: &Arc<Scene>) -> bool {
+        match self.scenes.own(&self.scene) {
+            Some(own) => Arc::ptr_eq(own, scene),
+            None => scene.name == self.scene,
+        }
+    }
+
+    /// Looks up scenes among these first.
+    pub(crate) fn know(&mut self, scenes: &Scenes) {
+        self.scenes = scenes.clone();
+        if let Some(board) = &mut self.board {
+            Arc::make_mut(board).scenes = scenes.clone();
+        }
     }
 
     /// The ray of that name.

@@ -5,7 +5,6 @@ use raystep_accel::Trial;
 use crate::Plays;
 use crate::problem::{listed, misspelt};
 use crate::reading::Reading;
-use crate::wait::names;
 
 impl Plays {
     /// Every name that a slide can wait for: those of the events, and their beginnings (`split`).
@@ -40,6 +39,12 @@ impl Plays {
         }
         common
     }
+}
+
+/// Whether `name` is `pattern`, or begins with it at a dot; `|` stands between alternatives.
+pub fn names(pattern: &str, name: &str) -> bool {
+    let begins = |word: &str| name.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
+    pattern.split('|').any(begins)
 }
 
 /// Says so if there is no such event.

@@ -6,7 +6,7 @@ use raystep_accel::{Event, Place, Value};
 
 use crate::Tape;
 use crate::reading::Reading;
-use crate::vocabulary::{check_event, check_field};
+use crate::vocabulary::{check_event, check_field, names};
 
 /// An event to wait for: its name or the beginning of its name, which one of several, and what its
 /// fields must be.
@@ -72,12 +72,6 @@ impl fmt::Display for Wait {
         self.fields.iter().try_for_each(|(field, value)| write!(f, " {field}={value}"))?;
         self.of.iter().try_for_each(|name| write!(f, " of={name}"))
     }
-}
-
-/// Whether `name` is `pattern`, or begins with it at a dot; `|` stands between alternatives.
-pub fn names(pattern: &str, name: &str) -> bool {
-    let begins = |word: &str| name.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'));
-    pattern.split('|').any(begins)
 }
 
 /// Whether a value is written like this in a slide.

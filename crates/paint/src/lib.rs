@@ -24,6 +24,7 @@ mod renderer;
 mod solid;
 mod stream;
 mod target;
+mod vertex;
 
 #[cfg(not(target_arch = "wasm32"))]
 pub use device::NoAdapter;

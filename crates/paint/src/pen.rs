@@ -5,8 +5,8 @@ use raystep_accel::{Aabb, Axis, Shape, Sphere};
 use raystep_figure::{Camera, Color, Dash, Stroke, Style, circles, contour, lines};
 
 use crate::Frame;
-use crate::batch::{FaceCorner, Line, Point};
 use crate::solid::{outline, triangles};
+use crate::vertex::{FaceCorner, Line, Point};
 
 /// A form smaller than so many points gets no hatching, and finer lines.
 const SMALL: f32 = 20.0;

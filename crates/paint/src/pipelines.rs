@@ -2,9 +2,9 @@
 
 use wgpu::{VertexAttribute, VertexStepMode, vertex_attr_array};
 
-use crate::batch::{FaceCorner, Line, Point};
 use crate::mesh::Corner;
 use crate::target::{COLOR, DEPTH, SAMPLES};
+use crate::vertex::{FaceCorner, Line, Point};
 
 /// The view's uniform, on top of every shader.
 const VIEW: &str = include_str!("shaders/view.wgsl");

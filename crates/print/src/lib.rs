@@ -15,6 +15,7 @@ mod plate;
 mod png;
 mod proof;
 mod prose;
+mod stack;
 mod svg;
 mod typefaces;
 
@@ -22,8 +23,9 @@ pub use formula::{Extent, Unset, extent, formula};
 pub use json::{Record, Told, json};
 pub use letters::{Letters, Shift, letters};
 pub use movie::{apng, gif};
-pub use plate::{Plate, plate};
+pub use plate::{Plate, enlarge, plate, set_in};
 pub use png::{PrintError, png};
 pub use proof::{proof, proof_code, proof_plain};
 pub use prose::prose;
+pub use stack::{Layer, stack};
 pub use svg::svg;

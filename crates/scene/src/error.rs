@@ -19,6 +19,11 @@ pub struct SceneError {
 }
 
 impl SceneError {
+    /// What was found and what is allowed, without a word that would bury the rest.
+    pub fn sentence(&self) -> Cow<'_, str> {
+        sentence(&self.message)
+    }
+
     /// A mistake at a byte of `text`.
     pub(crate) fn at_byte(file: &str, text: &str, byte: usize, message: impl Into<String>) -> SceneError {
         let before = text.get(..byte).unwrap_or(text);

@@ -53,6 +53,11 @@ pub fn scene_names() -> Vec<String> {
     names
 }
 
+/// Whether a scene of this name is shipped, or made by a name that begins so.
+pub(crate) fn is_shipped(name: &str) -> bool {
+    [NOTHING, PAIRS].contains(&name) || scene_names().iter().any(|shipped| shipped == name)
+}
+
 impl Scene {
     /// A shipped scene.
     ///

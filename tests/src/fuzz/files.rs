@@ -2,7 +2,7 @@
 
 use raystep_accel::Primitives;
 use raystep_lesson::{Library, check};
-use raystep_scene::Scene;
+use raystep_scene::{Scene, Scenes};
 
 use super::Target;
 
@@ -60,6 +60,10 @@ pub(super) const TARGET: Target = Target {
         "split push\n",
         "enter.leaf",
         "title = \"\"\n",
+        "scene = \"flat-own\"",
+        "scene = \"own\"",
+        "title = \"Own\"\nshapes = [\n{ disc = [2, 2], radius = 0.5 },\n]\n",
+        "v 0 0 0\nv 2 0 0\nv 2 2 0\nf 1 2 3\n",
         "shapes = [",
         "{ disc = [0, 0], radius = 1 },",
         "{ polygon = [[0, 0], [1, 0], [0, 1]] },",
@@ -89,19 +93,42 @@ pub fn files(bytes: &[u8]) {
     }
     let mut parts = text.split(NEXT);
     let names = ["05-kd-tree/1-first.md", "listings/walk.txt", "sections.txt"];
-    let files = names.into_iter().filter_map(|name| Some((name.to_owned(), parts.next()?.to_owned())));
-    let library = Library::from_files(files);
-    let playable = |scene: &str| ["flat-twelve", "flat-overlap", "flat-trap", "flat-wall"].contains(&scene);
+    let mut part = |name: &str| Some((name.to_owned(), parts.next()?.to_owned()));
+    let files: Vec<(String, String)> = names.into_iter().map_while(&mut part).collect();
+    let scenes: Vec<(String, String)> = SCENES.into_iter().map_while(&mut part).collect();
+    let scenes = scenes.into_iter().map(|(name, text)| (name, text.into_bytes()));
+    let library = Library::from_files(files).with_scenes(scenes, &Scenes::default());
+    let few = |scene: &str| library.scenes.own(scene).is_some_and(|own| own.prims.len() <= 40);
+    let playable =
+        |scene: &str| ["flat-twelve", "flat-overlap", "flat-trap", "flat-wall"].contains(&scene) || few(scene);
     let stages = library.slides.iter().flat_map(|slide| &slide.stages);
     // Only what is quick to play.
     let small = stages.clone().count() <= 2 && stages.clone().all(|stage| playable(&stage.scene));
-    let problems = if small { check(&library, &|_, _| Vec::new()) } else { library.problems };
+    let problems = if small { check(&library, &|_, _| Vec::new()) } else { library.problems.clone() };
+    beside(library);
     for problem in &problems {
-        let known = names.contains(&problem.file.as_str());
+        let known = names.iter().chain(&SCENES).any(|name| *name == problem.file);
         assert!(known && problem.line >= 1 && problem.column >= 1 && !problem.message.is_empty(), "{problem}");
         assert!(problem.message.chars().count() <= 1501, "a sentence of {} letters", problem.message.len());
     }
     assert!(problems.len() <= 500, "{} problems", problems.len());
+}
+
+/// The scenes beside a slide.
+const SCENES: [&str; 2] = ["scenes/flat-own.toml", "scenes/own.obj"];
+
+/// The lecture stays whole, whatever stands beside it, and no two slides are called the same.
+fn beside(own: Library) {
+    thread_local!(static LECTURE: Library = Library::embedded());
+    let (slides, listings) = LECTURE.with(|lecture| (lecture.slides.len(), lecture.listings.len()));
+    let both = LECTURE.with(Clone::clone).and(own.clone());
+    assert!(both.slides.len() <= slides + own.slides.len() && both.slides.len() >= slides);
+    assert!(both.listings.len() <= listings + own.listings.len() && both.listings.len() >= listings);
+    let mut ids: Vec<String> = both.slides.iter().filter(|slide| !slide.numbers.is_empty()).map(|s| s.id()).collect();
+    ids.sort();
+    let all = ids.len();
+    ids.dedup();
+    assert_eq!(ids.len(), all, "two slides have one number");
 }
 
 fn scene(text: &str) {

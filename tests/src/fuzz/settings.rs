@@ -1,6 +1,7 @@
 //! The settings of the window, and what names a place in the lecture: slides, structures, sizes, scenes.
 
 use raystep::cli::{Size, read_rule};
+use raystep::shown::Link;
 use raystep::window::{Last, Remembered};
 use raystep_lesson::Library;
 use raystep_scene::Scene;
@@ -17,13 +18,22 @@ pub(super) const TARGET: Target = Target {
         "lesson = 300.0\n",
         "walk = 300.0\n",
         "[heights]\n",
-        "slide = \"5/33\"\n",
-        "step = 7\n",
-        "grain = \"visit\"\n",
-        "[settings]\n",
-        "max_depth = \"3\"\n",
-        "[camera]\n",
-        "center = [1.0, 2.0]\n",
+        "link = \"5/33?step=7\"\n",
+        "ended = 1\n",
+        "5/33?stage=solid&ray=both%20children&step=13",
+        "&own=0.1,1.2,0,7.9,2.8,0",
+        "&set=max_depth:3",
+        "&camera=1,2,3.5",
+        "&camera=1,2,3,0,0,0,0,0,1,40",
+        "&levels=3",
+        "&beside=kd,grid",
+        "&grain=visit",
+        "&speed=0.5",
+        "%C3%A4",
+        "%",
+        "?",
+        "&",
+        "+",
         "work = 100.0\n",
         "stack = 90.0\n",
         "tree = 200.0\n",
@@ -62,6 +72,29 @@ pub(super) const TARGET: Target = Target {
     seeds: &[],
 };
 
+thread_local!(static LIBRARY: Library = Library::embedded());
+
+/// Reads a link: what it says is written as it is read, and leads somewhere or to sentences.
+fn link(text: &str) {
+    let (link, wrong) = Link::read(text);
+    for sentence in &wrong {
+        assert!(!sentence.is_empty() && sentence.len() < 1500, "{text}: {sentence}");
+    }
+    if link.slide.trim().is_empty() {
+        assert!(!wrong.is_empty(), "{text} leads nowhere");
+        return;
+    }
+    let written = link.to_string();
+    assert_eq!(written.parse::<Link>(), Ok(link.clone()), "{text}: {written}");
+    LIBRARY.with(|library| {
+        let (view, wrong) = link.view(library);
+        assert!(view.is_some() || !wrong.is_empty(), "{text}");
+        if let Some(view) = view {
+            assert!(library.slides[view.slide].id() == link.slide || library.slide(&link.slide).is_some(), "{text}");
+        }
+    });
+}
+
 /// Reads settings, and the names of places.
 ///
 /// # Panics
@@ -77,7 +110,7 @@ pub fn settings(bytes: &[u8]) {
     let (last, _) = Last::read(&text);
     assert_eq!(Last::read(&last.text()), (last.clone(), Vec::new()), "what is kept is read again");
     let word = text.lines().next().unwrap_or_default();
-    thread_local!(static LIBRARY: Library = Library::embedded());
+    link(word);
     LIBRARY.with(|library| {
         if let Some(slide) = library.slide(word) {
             assert!(

@@ -6,8 +6,9 @@ use raystep_figure::{number, whole};
 use serde::Serialize;
 
 use super::look::Shot;
-use super::{MeasureArguments, bar, table};
+use super::{MeasureArguments, bar};
 use crate::cli::subject;
+use crate::cli::told::{Align, Format, Grid, Page, to_csv, to_json};
 use crate::fault::Fault;
 use crate::rating::{Rated, rate, rays, rules, told};
 
@@ -53,23 +54,26 @@ pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
     }
     bar.finish_and_clear();
     let records: Vec<Record> = rated.iter().map(|rated| record(rated, arguments.times)).collect();
-    match (arguments.json, arguments.csv) {
-        (true, _) => table::to_json(&records),
-        (_, true) => table::to_csv(records.iter()),
-        _ => {
+    match arguments.format {
+        Format::Json => to_json(&records),
+        Format::Csv => to_csv(records.iter()),
+        format => {
             let least = rated.iter().map(|rated| rated.rays).min().unwrap_or(0);
             let fewer = match least < rays.len() as u64 {
                 true => format!(" Brute force is asked by {} of them.", whole(least)),
                 false => String::new(),
             };
             let about = format!(
-                "{}: {} primitives; {} rays, one for each pixel of a picture of {}.{fewer}\n",
+                "{}: {} primitives; {} rays, one for each pixel of a picture of {}.{fewer}",
                 scene.name,
                 whole(scene.prims.len() as u64),
                 whole(rays.len() as u64),
                 shot.size
             );
-            Ok(about + &text(&rated, arguments.times))
+            let mut page = Page::default();
+            page.text(about);
+            tell(&mut page, &rated, arguments.times);
+            Ok(page.written(format))
         }
     }
 }
@@ -91,25 +95,22 @@ fn record(rated: &Rated, times: bool) -> Record {
 }
 
 /// The table, then a sentence for each.
-fn text(rated: &[Rated], times: bool) -> String {
-    let heads = ["tests/ray", "visits/ray", "boxes/ray", "nodes, cells", "bytes"];
-    let mut page = format!("\n{:<14}{}", "structure", heads.map(|head| format!(" {head:>14}")).concat());
+fn tell(page: &mut Page, rated: &[Rated], times: bool) {
+    let mut heads = vec!["tests per ray", "visits per ray", "boxes per ray", "nodes, cells", "bytes"];
     if times {
-        page += &format!(" {:>12} {:>12}", "build ms", "one ray, us");
+        heads.extend(["build ms", "one ray, µs"]);
     }
-    page.push('\n');
+    let heads = heads.into_iter().map(|head| (head, Align::Right));
+    let mut grid = Grid::new([("structure", Align::Left)].into_iter().chain(heads));
     for rated in rated {
         let [tests, visits, boxes] = [rated.tests, rated.visits, rated.boxes].map(|value| format!("{value:.2}"));
-        let cells = [tests, visits, boxes, whole(rated.nodes), whole(rated.bytes)];
-        page += &format!("{:<14}{}", rated.name, cells.map(|cell| format!(" {cell:>14}")).concat());
+        let mut cells = vec![rated.name.to_owned(), tests, visits, boxes, whole(rated.nodes), whole(rated.bytes)];
         if times {
-            page += &format!(" {:>12} {:>12}", number(rated.build_ms as f32), number(rated.ray_us as f32));
+            cells.extend([number(rated.build_ms as f32), number(rated.ray_us as f32)]);
         }
-        page.push('\n');
+        grid.row(cells);
     }
-    page.push('\n');
-    for sentence in told(rated, times) {
-        page += &format!("{sentence}\n");
-    }
-    page + "\nLess is better in every column. Steps are visits (nodes or cells entered) and boxes (volumes tested) together.\n"
+    page.table(grid);
+    page.lines(told(rated, times));
+    page.text("Less is better in every column. Steps are visits (nodes or cells entered) and boxes (volumes tested) together.");
 }

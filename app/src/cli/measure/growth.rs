@@ -11,7 +11,8 @@ use raystep_scene::trial::scenes::needles;
 use serde::Serialize;
 
 use super::survey::{self, survey, timed};
-use super::{bar, build, fit, look, table};
+use super::{bar, build, fit, look};
+use crate::cli::told::{Align, Grid, Page};
 use crate::export::Size;
 use crate::fault::Fault;
 
@@ -119,67 +120,60 @@ fn at_the_needles() -> Vec<Ray> {
     from.filter_map(|from| Ray::new(from, -from).ok()).take(AT_NEEDLES).collect()
 }
 
-pub(super) fn json(points: &[Point]) -> Result<String, Fault> {
-    table::to_json(&points)
-}
-
-pub(super) fn csv(points: &[Point]) -> Result<String, Fault> {
-    table::to_csv(points.iter())
-}
-
-pub(super) fn text(points: &[Point]) -> String {
-    let mut page = String::new();
+/// What was found, and the laws fitted to it.
+pub(super) fn page(points: &[Point]) -> Page {
+    let mut page = Page::default();
     for (name, title) in [
         ("growth", "The teapot, from coarse to fine; one camera, primary rays"),
         ("needles", "Needles through one point, and rays at that point: here no structure helps"),
     ] {
-        page += &format!("{title}\n");
+        page.heading(title);
         let of_table = || points.iter().filter(|point| point.table == name);
         let kinds: BTreeSet<usize> =
             of_table().filter_map(|point| Rule::KINDS.iter().position(|kind| *kind == point.row)).collect();
         for kind in kinds.into_iter().map(|kind| Rule::KINDS[kind]) {
-            page += &of_kind(&of_table().filter(|point| point.row == kind).collect::<Vec<_>>());
+            of_kind(&mut page, &of_table().filter(|point| point.row == kind).collect::<Vec<_>>());
         }
     }
-    page += "Steps are cells, nodes and boxes together. An exponent of 1 is a law that is linear, one near 0 a law that \
-             hardly grows;\nthe residual says how far the points lie from the logarithm, in parts of their mean.\n";
+    page.text(
+        "Steps are cells, nodes and boxes together. An exponent of 1 is a law that is linear, one near 0 a law that \
+         hardly grows; the residual says how far the points lie from the logarithm, in parts of their mean.",
+    );
     page
 }
 
 /// The rows of one structure and the laws fitted to them.
-fn of_kind(points: &[&Point]) -> String {
-    let Some(first) = points.first() else { return String::new() };
-    let mut page = format!(
-        "\n{}\n{:>10} {:>11} {:>11} {:>11} {:>13} {:>11} {:>13}\n",
-        first.rule, "triangles", "cells/ray", "nodes/ray", "boxes/ray", "tests/ray", "build ms", "bytes"
-    );
+fn of_kind(page: &mut Page, points: &[&Point]) {
+    let Some(first) = points.first() else { return };
+    page.text(first.rule.clone());
+    let heads = ["triangles", "cells per ray", "nodes per ray", "boxes per ray", "tests per ray", "build ms", "bytes"];
+    let mut grid = Grid::new(heads.map(|head| (head, Align::Right)));
     for point in points {
-        page += &format!(
-            "{:>10} {:>11.2} {:>11.2} {:>11.2} {:>13.2} {:>11.1} {:>13}\n",
-            whole(point.triangles),
-            point.cells_per_ray,
-            point.nodes_per_ray,
-            point.boxes_per_ray,
-            point.tests_per_ray,
-            point.build_ms,
-            whole(point.bytes as u64)
-        );
+        let [cells, nodes, boxes, tests] =
+            [point.cells_per_ray, point.nodes_per_ray, point.boxes_per_ray, point.tests_per_ray]
+                .map(|count| format!("{count:.2}"));
+        let (triangles, bytes) = (whole(point.triangles), whole(point.bytes as u64));
+        grid.row([triangles, cells, nodes, boxes, tests, format!("{:.1}", point.build_ms), bytes]);
     }
+    page.table(grid);
     let pairs =
         |y: fn(&Point) -> f64| points.iter().map(|point| (point.triangles as f64, y(point))).collect::<Vec<_>>();
+    let mut laws = Vec::new();
     for (what, pairs) in [("steps", pairs(Point::steps_per_ray)), ("tests", pairs(|point| point.tests_per_ray))] {
         if pairs.len() < 3 || pairs.iter().all(|(_, y)| *y == 0.0) {
             continue;
         }
         let (power, log) = (fit::power(&pairs), fit::logarithm(&pairs));
-        page += &format!(
-            "  {what}: exponent {:.2}; logarithm {:.2} {} {:.2}·log2 n, residual {:.0} %\n",
+        laws.push(format!(
+            "{what}: exponent {:.2}; logarithm {:.2} {} {:.2}·log2 n, residual {:.0} %",
             power.exponent,
             log.start,
             if log.slope < 0.0 { '-' } else { '+' },
             log.slope.abs(),
             log.residual * 100.0
-        );
+        ));
     }
-    page + "\n"
+    if !laws.is_empty() {
+        page.lines(laws);
+    }
 }

@@ -19,6 +19,7 @@ use raystep_scene::Scene;
 use raystep_scene::trial::rules::rule;
 
 use super::spelt;
+use super::told::{Format, to_csv, to_json};
 use crate::export::Size;
 use crate::fault::Fault;
 use crate::files;
@@ -61,12 +62,9 @@ pub struct MeasureArguments {
     #[arg(long, value_name = "N", default_value_t = 100, requires = "growth",
           value_parser = clap::value_parser!(u32).range(1..=100))]
     finest: u32,
-    /// Write comma-separated values.
-    #[arg(long, conflicts_with = "json")]
-    csv: bool,
-    /// Write JSON.
-    #[arg(long)]
-    json: bool,
+    /// How to write it.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
 }
 
 /// A row with what was measured.
@@ -84,10 +82,10 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<(), Fault> {
     }
     if arguments.growth {
         let growth = growth::measure(arguments.finest, arguments.size)?;
-        return files::print(&match (arguments.json, arguments.csv) {
-            (true, _) => growth::json(&growth)?,
-            (_, true) => growth::csv(&growth)?,
-            _ => growth::text(&growth),
+        return files::print(&match arguments.format {
+            Format::Json => to_json(&growth)?,
+            Format::Csv => to_csv(growth.iter())?,
+            format => growth::page(&growth).written(format),
         });
     }
     let scene = Scene::named(&arguments.scene).map_err(|error| Fault::new(error.to_string()))?;
@@ -98,10 +96,10 @@ pub(crate) fn run(arguments: &MeasureArguments) -> Result<(), Fault> {
         rows.push(Row { table: "also", name: line.clone(), line: line.clone(), printed: None });
     }
     let measured = measure(&scene, &shot, rows)?;
-    files::print(&match (arguments.json, arguments.csv) {
-        (true, _) => table::json(&measured)?,
-        (_, true) => table::csv(&measured)?,
-        _ => table::text(&scene, &shot, &measured),
+    files::print(&match arguments.format {
+        Format::Json => table::json(&measured)?,
+        Format::Csv => table::csv(&measured)?,
+        format => table::page(&scene, &shot, &measured).written(format),
     })
 }
 

@@ -11,6 +11,7 @@ use serde::Serialize;
 use super::Measured;
 use super::look::Shot;
 use super::rows::spelt_out;
+use crate::cli::told::{Align, Grid, Page, to_csv, to_json};
 use crate::fault::Fault;
 
 /// A row as files hold it.
@@ -51,25 +52,8 @@ pub(super) fn json(measured: &[Measured]) -> Result<String, Fault> {
     to_json(&records)
 }
 
-/// JSON with a line's end.
-pub(super) fn to_json(records: &impl Serialize) -> Result<String, Fault> {
-    let json = serde_json::to_string_pretty(records).map_err(|error| Fault::new(error.to_string()))?;
-    Ok(json + "\n")
-}
-
 pub(super) fn csv(measured: &[Measured]) -> Result<String, Fault> {
     to_csv(measured.iter().map(record))
-}
-
-/// Comma-separated values under their names.
-pub(super) fn to_csv(records: impl Iterator<Item = impl Serialize>) -> Result<String, Fault> {
-    let broken = |error: &dyn std::fmt::Display| Fault::new(error.to_string());
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for record in records {
-        writer.serialize(record).map_err(|error| broken(&error))?;
-    }
-    let bytes = writer.into_inner().map_err(|error| broken(&error))?;
-    String::from_utf8(bytes).map_err(|error| broken(&error))
 }
 
 /// What a table is about.
@@ -83,78 +67,109 @@ fn title(table: &str) -> String {
 }
 
 /// A page that says how it was measured, then table by table what was printed and what was measured.
-pub(super) fn text(scene: &Scene, shot: &Shot, measured: &[Measured]) -> String {
-    let mut page = heading(scene, shot, measured);
-    let mut table = "";
-    let mut above: Option<&Measured> = None;
-    for row in measured {
-        if row.row.table != table {
-            table = row.row.table;
-            above = None;
-            page += &format!("\n{}\n{COLUMNS}\n", title(table));
+pub(super) fn page(scene: &Scene, shot: &Shot, measured: &[Measured]) -> Page {
+    let mut page = Page::default();
+    heading(&mut page, scene, shot, measured);
+    for table in measured.chunk_by(|a, b| a.row.table == b.row.table) {
+        page.heading(title(table[0].row.table));
+        if table.iter().any(|measured| measured.row.printed.is_some()) {
+            page.table(printed(table));
         }
-        page += &line(row, above);
-        above = Some(row);
+        page.table(counted(table));
     }
-    page += "\nParameters, the same in every table:\n";
-    let mut said = Vec::new();
-    for row in measured {
-        if !said.contains(&&row.row.line) {
-            said.push(&row.row.line);
-            page += &format!("  {:<22} {}\n", row.row.name, spelt_out(&row.row.line));
+    page.heading("Parameters, the same in every table");
+    let mut rules: Vec<(&str, String)> = Vec::new();
+    for Measured { row, .. } in measured {
+        if !rules.iter().any(|(line, _)| *line == row.line) {
+            rules.push((&row.line, format!("{}: {}", row.name, spelt_out(&row.line))));
         }
     }
-    page += NOTES;
+    page.lines(rules.into_iter().map(|(_, rule)| rule).collect());
+    NOTES.iter().for_each(|note| page.text(*note));
     page
 }
 
-const COLUMNS: &str = "row                      printed   tests/ray   per box ray   per hit ray   to row above     \
-                       printed total           total   visits/ray   boxes/ray   build ms        bytes";
+const NOTES: [&str; 2] = [
+    "A test is a ray against a primitive: each one counts, also one that is made again. Visits are nodes or cells \
+     entered; boxes are volumes tested. A ray is counted once, whatever it meets. \"Tests per box ray\" averages over \
+     the rays that meet the box around everything, \"tests per hit ray\" over those that hit. \"To row above\" is the \
+     ratio of tests per ray.",
+    "The lecture's totals, divided by its tests per ray, give about 587,072 rays on slides 22 and 24 and about \
+     1,579,877 on slide 41: two runs, from cameras that it does not name. So the match is of kind, not of digits.",
+];
 
-const NOTES: &str = "
-A test is a ray against a primitive: each one counts, also one that is made again. Visits are nodes or cells entered;
-boxes are volumes tested. A ray is counted once, whatever it meets. \"Per box ray\" averages over the rays that meet the
-box around everything, \"per hit ray\" over those that hit. \"To row above\" is the ratio as printed, then as measured.
-The lecture's totals, divided by its tests per ray, give about 587,072 rays on slides 22 and 24 and about 1,579,877 on
-slide 41: two runs, from cameras that it does not name. So the match is of kind, not of digits.
-";
-
-fn heading(scene: &Scene, shot: &Shot, measured: &[Measured]) -> String {
-    let mut page = format!("{}: {} primitives, {} pixels", scene.name, whole(scene.prims.len() as u64), shot.size);
+fn heading(page: &mut Page, scene: &Scene, shot: &Shot, measured: &[Measured]) {
+    let mut about = format!("{}: {} primitives, {} pixels", scene.name, whole(scene.prims.len() as u64), shot.size);
     if let Camera::Solid { eye, target, fov_degrees, .. } = shot.camera {
-        let _ = write!(page, ", eye {eye:.2} towards {target:.2}, {fov_degrees}°");
+        let _ = write!(about, ", eye {eye:.2} towards {target:.2}, {fov_degrees}°");
     }
     let light =
-        |light| format!("One shadow ray from each hit to the light at {light:.2}; a blocked one counts as a hit.\n");
-    page += ".\n";
-    page += &shot.light.map_or_else(|| "Primary rays only.\n".to_owned(), light);
+        |light| format!(" One shadow ray from each hit to the light at {light:.2}; a blocked one counts as a hit.");
+    about += ".";
+    about += &shot.light.map_or_else(|| " Primary rays only.".to_owned(), light);
     if let Some(Measured { survey, .. }) = measured.first() {
         let share = |rays: u64| 100.0 * rays as f64 / survey.rays.max(1) as f64;
         let [boxed, hits] = [survey.box_rays, survey.hit_rays].map(share);
-        let _ = writeln!(page, "{} rays: {boxed:.0} % meet the box, {hits:.0} % hit.", whole(survey.rays));
+        let _ = write!(about, " {} rays: {boxed:.0} % meet the box, {hits:.0} % hit.", whole(survey.rays));
     }
-    page
+    page.text(about);
 }
 
-fn line(measured: &Measured, above: Option<&Measured>) -> String {
-    let Measured { row, survey, build_ms, bytes } = measured;
-    let printed = row.printed.map_or_else(|| "-".to_owned(), |(tests, _)| format!("{tests:.2}"));
-    let ratio = above.and_then(|above| {
-        let here = survey.tests_per_ray() / above.survey.tests_per_ray();
-        Some(format!("{:.4}, {here:.4}", row.printed?.0 / above.row.printed?.0))
-    });
-    let printed_total = row.printed.and_then(|(_, total)| total).map_or_else(|| "-".to_owned(), whole);
-    format!(
-        "{:<22} {printed:>9} {:>11.2} {:>13.2} {:>13.2} {:>14} {printed_total:>17} {:>15} {:>12.2} {:>11.2} \
-         {build_ms:>10.1} {:>12}\n",
-        row.name,
-        survey.tests_per_ray(),
-        survey.tests_per_box_ray(),
-        survey.tests_per_hit_ray(),
-        ratio.unwrap_or_else(|| "-".to_owned()),
-        whole(survey.all.prim_tests),
-        survey.visits_per_ray(),
-        survey.boxes_per_ray(),
-        whole(*bytes as u64),
-    )
+/// As the lecture prints it, beside what was measured here.
+fn printed(table: &[Measured]) -> Grid {
+    let heads = [
+        "tests per ray, printed",
+        "tests per ray, here",
+        "to row above, printed",
+        "to row above, here",
+        "total, printed",
+        "total, here",
+    ];
+    let mut grid = Grid::new([("row", Align::Left)].into_iter().chain(heads.map(|head| (head, Align::Right))));
+    for (index, own @ Measured { row, survey, .. }) in table.iter().enumerate() {
+        let none = || "-".to_owned();
+        let above = index.checked_sub(1).and_then(|above| table.get(above));
+        let ratios = above.and_then(|above| {
+            let here = survey.tests_per_ray() / above.survey.tests_per_ray();
+            Some([row.printed?.0 / above.row.printed?.0, here].map(|ratio| format!("{ratio:.4}")))
+        });
+        let [ratio, here] = ratios.unwrap_or_else(|| [none(), none()]);
+        grid.row([
+            row.name.clone(),
+            row.printed.map_or_else(none, |(tests, _)| format!("{tests:.2}")),
+            format!("{:.2}", survey.tests_per_ray()),
+            ratio,
+            here,
+            row.printed.and_then(|(_, total)| total).map_or_else(none, whole),
+            whole(own.survey.all.prim_tests),
+        ]);
+    }
+    grid
+}
+
+/// What was counted here.
+fn counted(table: &[Measured]) -> Grid {
+    let heads = [
+        "tests per ray",
+        "tests per box ray",
+        "tests per hit ray",
+        "visits per ray",
+        "boxes per ray",
+        "build ms",
+        "bytes",
+    ];
+    let mut grid = Grid::new([("row", Align::Left)].into_iter().chain(heads.map(|head| (head, Align::Right))));
+    for Measured { row, survey, build_ms, bytes } in table {
+        let counts = [
+            survey.tests_per_ray(),
+            survey.tests_per_box_ray(),
+            survey.tests_per_hit_ray(),
+            survey.visits_per_ray(),
+            survey.boxes_per_ray(),
+        ];
+        let counts = counts.map(|count| format!("{count:.2}"));
+        let last = [format!("{build_ms:.1}"), whole(*bytes as u64)];
+        grid.row([row.name.clone()].into_iter().chain(counts).chain(last));
+    }
+    grid
 }

@@ -3,8 +3,7 @@
 use glam::DVec3;
 use raystep_accel::{PrimId, Primitives, Ray, Shape};
 
-use super::referee::nearest_moved;
-use super::tally::is_same;
+use super::referee::{is_same, nearest_moved};
 
 /// What brute force may be where it differs, the most harmless first. A rounding is that of the largest coordinate
 /// of the ray's origin and of the primitive at which the two part, in single precision.

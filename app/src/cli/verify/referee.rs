@@ -26,6 +26,26 @@ pub(super) fn nearest_moved(prims: &impl Primitives, ray: &Ray, by: DVec3) -> Op
     best
 }
 
+/// Two t further apart than this part of them are different places.
+const APART: f64 = 1e-4;
+
+/// By how much of itself t differs, beyond `slack`.
+pub(super) fn error(ray: &Ray, found: f64, t: f64, slack: f64) -> f64 {
+    // A hit at the origin itself has no relative error but that of the origin's own coordinates.
+    let (o, d) = (ray.o.as_dvec3(), ray.d.as_dvec3());
+    let least = o.length() * f64::from(f32::EPSILON) / d.length();
+    ((found - t).abs() - slack).max(0.0) / t.abs().max(least).max(f64::from(f32::MIN_POSITIVE))
+}
+
+/// Whether two answers are hits at the same place, or none.
+pub(super) fn is_same(ray: &Ray, a: Option<(f64, PrimId)>, b: Option<(f64, PrimId)>, slack: f64) -> bool {
+    match (a, b) {
+        (None, None) => true,
+        (Some((a, _)), Some((b, _))) => error(ray, a, b, slack) <= APART,
+        _ => false,
+    }
+}
+
 struct Line {
     o: DVec3,
     d: DVec3,

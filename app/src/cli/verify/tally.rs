@@ -8,6 +8,7 @@ use std::ops::AddAssign;
 use raystep_accel::{Hit, PrimId, Primitives, Ray};
 
 use super::cause::{CAUSES, cause};
+use super::referee::{error, is_same};
 use super::{counted, percent};
 
 /// What came of some rays.
@@ -63,9 +64,6 @@ pub(super) struct Sample {
     error: f64,
 }
 
-/// Two t further apart than this part of them are different places.
-const APART: f64 = 1e-4;
-
 impl Sample {
     /// One ray's answers compared: what brute force `found`, and what is `right`.
     pub(super) fn of(prims: &impl Primitives, ray: &Ray, found: Option<Hit>, right: Option<(f64, PrimId)>) -> Sample {
@@ -86,23 +84,6 @@ impl Sample {
             sample.riddle = Some(format!("{ray:?}"));
         }
         sample
-    }
-}
-
-/// By how much of itself t differs, beyond `slack`.
-fn error(ray: &Ray, found: f64, t: f64, slack: f64) -> f64 {
-    // A hit at the origin itself has no relative error but that of the origin's own coordinates.
-    let (o, d) = (ray.o.as_dvec3(), ray.d.as_dvec3());
-    let least = o.length() * f64::from(f32::EPSILON) / d.length();
-    ((found - t).abs() - slack).max(0.0) / t.abs().max(least).max(f64::from(f32::MIN_POSITIVE))
-}
-
-/// Whether two answers are hits at the same place, or none.
-pub(super) fn is_same(ray: &Ray, a: Option<(f64, PrimId)>, b: Option<(f64, PrimId)>, slack: f64) -> bool {
-    match (a, b) {
-        (None, None) => true,
-        (Some((a, _)), Some((b, _))) => error(ray, a, b, slack) <= APART,
-        _ => false,
     }
 }
 

@@ -6,6 +6,7 @@ mod given_away;
 mod heat;
 mod held;
 mod lecturing;
+mod linking;
 mod stepping;
 mod wanting;
 
@@ -483,7 +484,7 @@ impl State {
     pub fn keep(&mut self) {
         self.anchor = None;
         // What was asked for last counts, also where its walk is not there yet.
-        self.history.keep(self.wanted.as_ref().unwrap_or(&self.view));
+        self.history.keep((self.wanted.as_ref().unwrap_or(&self.view), self.opens()));
     }
 
     /// Whether there is something to undo, and to redo.
@@ -506,17 +507,22 @@ impl State {
         self.heat = None;
     }
 
+    /// Whether what is wanted is to open where its slide does, and does not stand there yet.
+    fn opens(&self) -> bool {
+        self.wanted.is_some() && self.landing == Landing::Opening
+    }
+
     fn undo(&mut self) {
-        let now = self.target().clone();
-        if let Some(view) = self.history.undo(&now) {
-            self.want(view, Landing::Named);
+        let now = (self.target().clone(), self.opens());
+        if let Some((view, opens)) = self.history.undo(now) {
+            self.want(view, if opens { Landing::Opening } else { Landing::Named });
         }
     }
 
     fn redo(&mut self) {
-        let now = self.target().clone();
-        if let Some(view) = self.history.redo(&now) {
-            self.want(view, Landing::Named);
+        let now = (self.target().clone(), self.opens());
+        if let Some((view, opens)) = self.history.redo(now) {
+            self.want(view, if opens { Landing::Opening } else { Landing::Named });
         }
     }
 }

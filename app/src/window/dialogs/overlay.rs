@@ -9,6 +9,7 @@ use raystep_figure::Theme;
 use super::palette::Palette;
 use super::{best, drop_hint, export, help, open, palette, progress};
 use crate::fault::Fault;
+use crate::shown::Link;
 use crate::shown::command::Command;
 use crate::shown::state::State;
 use crate::window::work::exporting::Wish;
@@ -32,6 +33,8 @@ pub(crate) enum Asked {
     Command(Command),
     /// A slide, by its place.
     Slide(usize),
+    /// A place, by a link.
+    Link(Box<Link>),
     /// To choose a folder to write to.
     ChooseFolder,
     /// To write files.
@@ -118,6 +121,7 @@ impl Overlay {
             asked.extend(chosen.map(|choice| match choice {
                 palette::Choice::Command(command) => Asked::Command(command),
                 palette::Choice::Slide(slide) => Asked::Slide(slide),
+                palette::Choice::Link(link) => Asked::Link(link),
             }));
         }
         if self.help.as_mut().is_some_and(|class| help::page(ui, theme, class)) {

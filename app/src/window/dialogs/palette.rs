@@ -4,6 +4,7 @@ use egui::{Id, Key, Modal, Modifiers, RichText, ScrollArea, TextEdit, Ui};
 use raystep_figure::{Role, Theme};
 use raystep_lesson::{Library, Slide};
 
+use crate::shown::Link;
 use crate::shown::command::{Command, ENTRIES};
 use crate::window::look::visuals::ink;
 
@@ -15,10 +16,11 @@ pub(super) struct Palette {
 }
 
 /// What was chosen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Choice {
     Command(Command),
     Slide(usize),
+    Link(Box<Link>),
 }
 
 impl Palette {
@@ -32,14 +34,20 @@ impl Palette {
                 let mut take = |key| input.consume_key(Modifiers::NONE, key);
                 (take(Key::ArrowUp), take(Key::ArrowDown), take(Key::Enter))
             });
-            let field =
-                TextEdit::singleline(&mut self.typed).hint_text("Find a command or slide").desired_width(f32::INFINITY);
+            let field = TextEdit::singleline(&mut self.typed)
+                .hint_text("Find a command or slide, or paste a link")
+                .desired_width(f32::INFINITY);
             let response = ui.add(field);
             response.request_focus();
             if response.changed() {
                 self.chosen = 0;
             }
-            let found = found(library, &self.typed);
+            // A link that was pasted leads to its place, or says why it does not.
+            let (found, wrong) = match link(library, &self.typed) {
+                Some(Ok(found)) => (vec![found], None),
+                Some(Err(why)) => (Vec::new(), Some(why)),
+                None => (found(library, &self.typed), None),
+            };
             if up {
                 self.chosen = self.chosen.saturating_sub(1);
             }
@@ -48,7 +56,7 @@ impl Palette {
             }
             self.chosen = self.chosen.min(found.len().saturating_sub(1));
             if enter {
-                chosen = found.get(self.chosen).map(|(choice, ..)| *choice);
+                chosen = found.get(self.chosen).map(|(choice, ..)| choice.clone());
             }
             ScrollArea::vertical().max_height((room.y * 0.62).max(260.0)).auto_shrink(false).show(ui, |ui| {
                 for (index, (choice, name, keys)) in found.iter().enumerate() {
@@ -60,16 +68,38 @@ impl Palette {
                         response.scroll_to_me(None);
                     }
                     if response.clicked() {
-                        chosen = Some(*choice);
+                        chosen = Some(choice.clone());
                     }
                 }
                 if found.is_empty() {
-                    ui.label(RichText::new("Nothing of that name.").color(ink(theme, Role::Quiet)));
+                    let says = wrong.as_deref().unwrap_or("Nothing of that name.");
+                    ui.label(RichText::new(says).color(ink(theme, Role::Quiet)));
                 }
             });
         });
         (modal.should_close() || chosen.is_some(), chosen)
     }
+}
+
+/// What is typed, if it is a link: where it leads, or why it does not.
+fn link(library: &Library, typed: &str) -> Option<Result<(Choice, String, String), String>> {
+    if !typed.contains('?') || typed.trim() == "?" {
+        return None;
+    }
+    let link = match typed.parse::<Link>() {
+        Ok(link) => link,
+        Err(why) => return Some(Err(format!("This link leads nowhere: {why}."))),
+    };
+    let (view, wrong) = link.view(library);
+    let title = view.and_then(|view| library.slides.get(view.slide)).map(|slide| slide.title.clone());
+    Some(match title.filter(|_| wrong.is_empty()) {
+        Some(title) => {
+            let step = link.step.map_or_else(String::new, |step| format!(", step {step}"));
+            let name = format!("Go to {}: {title}{step}", link.slide);
+            Ok((Choice::Link(Box::new(link)), name, String::new()))
+        }
+        None => Err(format!("This link leads nowhere: {}.", wrong.join("; "))),
+    })
 }
 
 /// Commands and slides whose names contain all the words typed, best first.
@@ -83,7 +113,7 @@ fn found(library: &Library, typed: &str) -> Vec<(Choice, String, String)> {
     // A slide is also found by its id, its section and the structures on its stages.
     let hidden = |choice: &Choice| match choice {
         Choice::Slide(index) => about(&library.slides[*index]),
-        Choice::Command(_) => String::new(),
+        Choice::Command(_) | Choice::Link(_) => String::new(),
     };
     let fits = |(choice, name, more): &(Choice, String, String)| {
         let text = format!("{name} {more} {}", hidden(choice)).to_lowercase();

@@ -1,5 +1,7 @@
 //! The numbers of a board's meter, taken in the hand: dragged along their tracks, moved by the arrows, or typed.
 
+use std::cell::RefCell;
+
 use egui::{CursorIcon, DragValue, Key, PointerButton, Pos2, Rect, Response, Ui, WidgetInfo};
 use raystep_figure::{Face, Knob, KnobLine, Look, Theme};
 
@@ -95,13 +97,20 @@ fn keys(ui: &Ui, response: &Response, line: &KnobLine, at: Pos2, theme: &Theme, 
 fn typed(ui: &mut Ui, line: &KnobLine, digits: [Pos2; 2], asked: &mut Vec<Asked>) {
     let own = &line.knob;
     let mut value = own.is;
+    let refused = RefCell::new(None);
     let speed = if own.log { own.is.abs() * 0.01 } else { (own.to - own.from) * 0.002 };
     let field = DragValue::new(&mut value)
         .range(own.from..=own.to)
         .speed(speed)
         .update_while_editing(false)
         .custom_formatter(|value, _| Knob::digits(value))
-        .custom_parser(read);
+        .custom_parser(|text| {
+            let number = read(text);
+            if number.is_none() {
+                refused.replace(Some(text.to_owned()));
+            }
+            number
+        });
     let field = ui
         .scope(|ui| {
             ui.style_mut().override_font_id = Some(font(Face::Mono, line.text));
@@ -109,6 +118,10 @@ fn typed(ui: &mut Ui, line: &KnobLine, digits: [Pos2; 2], asked: &mut Vec<Asked>
         })
         .inner;
     field.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{}, typed", own.name)));
+    if let Some(text) = refused.into_inner() {
+        let [from, to] = [own.from, own.to].map(Knob::digits);
+        asked.push(Asked::Say(format!("\u{201c}{text}\u{201d} is no number; {} goes from {from} to {to}.", own.name)));
+    }
     let value = own.nearest(value);
     if let Some(change) = change(&field).filter(|_| value != own.is) {
         asked.extend((change == Change::Begins).then_some(Asked::Keep));

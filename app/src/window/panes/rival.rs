@@ -15,7 +15,9 @@ use crate::window::look::visuals::ink;
 /// Shows the strip; what is chosen is asked for.
 pub(super) fn choice(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<Asked>) {
     let inner = rect.shrink2(vec2(12.0, 3.0));
-    let mut child = ui.new_child(egui::UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center)));
+    // The strip is the same one wherever it stands: a drop-down that is open stays open.
+    let builder = egui::UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center));
+    let mut child = ui.new_child(builder.scope_id(egui::Id::unique("rivals strip")));
     let state = page.state;
     if matches!(state.beside, Beside::Abreast(_)) {
         child.label(RichText::new("all at the same t").color(ink(page.theme, Role::Quiet)));

@@ -107,10 +107,10 @@ impl Errands {
         self.run(task, move |task| read(&path, &name, task));
     }
 
-    /// Reads the lessons in a folder again whenever they have been saved.
-    pub(crate) fn watch(&mut self, folder: &Path) {
+    /// Reads the lessons in a folder again whenever they have been saved, `only` those or beside the lecture.
+    pub(crate) fn watch(&mut self, folder: &Path, only: bool) {
         let (sender, context) = (self.sender.clone(), self.context.clone());
-        self.watch = Some(Watch::begin(folder, move |lessons| {
+        self.watch = Some(Watch::begin(folder, only, move |lessons| {
             let news = match lessons {
                 Ok(library) => News::Lessons(Box::new(library)),
                 Err(sentence) => News::Failed(sentence),

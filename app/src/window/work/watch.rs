@@ -6,13 +6,17 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::time::{Duration, Instant, SystemTime};
 
 use raystep_lesson::Library;
+use raystep_scene::{SCENE_ENDINGS, Scenes};
 
 /// How often the folder is looked at. A look asks for the sizes and times of some sixty files; it needs nothing of
 /// the system that could be refused, and it does not mind when the folder is moved away and made anew.
-const BETWEEN_LOOKS: Duration = Duration::from_millis(250);
+const BETWEEN_LOOKS: Duration = Duration::from_millis(75);
 
 /// So long nothing may change before files are taken for whole.
 const QUIET: Duration = Duration::from_millis(150);
+
+/// So long at least is waited between two looks that must be alike.
+const MOMENT: Duration = Duration::from_millis(25);
 
 /// So long an empty file is waited for: some programs empty a file well before they write it.
 const EMPTY: Duration = Duration::from_secs(2);
@@ -31,10 +35,15 @@ pub(super) struct Watch {
 impl Watch {
     /// Looks at a folder from a thread of its own. `tell` gets the lessons each time they have changed, or a
     /// sentence why they cannot be read.
-    pub(super) fn begin(folder: &Path, tell: impl FnMut(Result<Library, String>) + Send + 'static) -> Watch {
+    pub(super) fn begin(
+        folder: &Path,
+        only: bool,
+        tell: impl FnMut(Result<Library, String>) + Send + 'static,
+    ) -> Watch {
         let (_go_on, gone) = channel();
         let (folder, seen) = (folder.to_path_buf(), look(folder));
-        std::thread::spawn(move || watch(&folder, seen, &gone, tell));
+        let reader = Reader { folder, only, known: Scenes::default() };
+        std::thread::spawn(move || watch(reader, seen, &gone, tell));
         Watch { _go_on }
     }
 }
@@ -42,50 +51,77 @@ impl Watch {
 /// Files with their sizes and times; nothing if there is no folder.
 type Seen = Option<BTreeMap<PathBuf, (u64, Option<SystemTime>)>>;
 
+/// Who reads the lessons.
+struct Reader {
+    folder: PathBuf,
+    /// Whether the lecture is left out.
+    only: bool,
+    /// The scenes that were read last.
+    known: Scenes,
+}
+
 fn watch(
-    folder: &Path,
+    mut reader: Reader,
     mut seen: Seen,
     gone: &Receiver<()>,
     mut tell: impl FnMut(Result<Library, String>) + Send + 'static,
 ) {
     while gone.recv_timeout(BETWEEN_LOOKS) == Err(RecvTimeoutError::Timeout) {
-        if look(folder) == seen {
+        if look(&reader.folder) == seen {
             continue;
         }
-        let (now, lessons) = quiet(folder, &seen);
+        let (now, lessons) = quiet(&mut reader, &seen);
         seen = now;
         tell(lessons);
     }
 }
 
 /// Waits until nobody writes, and reads.
-fn quiet(folder: &Path, before: &Seen) -> (Seen, Result<Library, String>) {
+fn quiet(reader: &mut Reader, before: &Seen) -> (Seen, Result<Library, String>) {
     let begun = Instant::now();
-    let mut now = look(folder);
+    let mut now = look(&reader.folder);
+    let mut known = before.clone();
     loop {
-        std::thread::sleep(QUIET);
+        std::thread::sleep(still(&now, &known));
         let waited = begun.elapsed();
         let patient = is_emptied(&now, before) && waited < EMPTY;
-        let next = look(folder);
+        let next = look(&reader.folder);
         if waited < LONGEST && (patient || next != now) {
-            now = next;
+            (known, now) = (now, next);
             continue;
         }
-        let lessons = read(folder, &next);
-        let after = look(folder);
+        let lessons = reader.read(&next);
+        let after = look(&reader.folder);
         // Who wrote while it was read has perhaps not finished.
         if after == next || begun.elapsed() >= LONGEST {
             return (next, lessons);
         }
-        now = after;
+        (known, now) = (now, after);
     }
 }
 
-fn read(folder: &Path, seen: &Seen) -> Result<Library, String> {
-    if seen.is_none() {
-        return Err(format!("{} is not there any more: the lessons stay as they were.", folder.display()));
+/// How long nothing must change any more: what was written a while ago has been quiet since.
+fn still(now: &Seen, before: &Seen) -> Duration {
+    let (Some(now), Some(before)) = (now, before) else { return QUIET };
+    if now == before || before.keys().any(|file| !now.contains_key(file)) {
+        return QUIET;
     }
-    Library::from_dir(folder).map_err(|error| format!("The lessons cannot be read: {error}."))
+    let fresh = now.iter().filter(|(file, known)| before.get(*file) != Some(known));
+    let Some(last) = fresh.filter_map(|(_, (_, written))| *written).max() else { return QUIET };
+    let since = SystemTime::now().duration_since(last).unwrap_or_default();
+    QUIET.saturating_sub(since).max(MOMENT)
+}
+
+impl Reader {
+    fn read(&mut self, seen: &Seen) -> Result<Library, String> {
+        if seen.is_none() {
+            return Err(format!("{} is not there any more: the lessons stay as they were.", self.folder.display()));
+        }
+        let own = Library::from_dir_knowing(&self.folder, &self.known);
+        let own = own.map_err(|error| format!("The lessons cannot be read: {error}."))?;
+        self.known = own.scenes.clone();
+        Ok(if self.only { own } else { Library::embedded().and(own) })
+    }
 }
 
 /// Whether there is less than before: no folder, a file gone, or one with nothing in it.
@@ -93,6 +129,12 @@ fn is_emptied(now: &Seen, before: &Seen) -> bool {
     let Some(before) = before else { return false };
     let Some(now) = now else { return true };
     before.iter().any(|(file, (size, _))| *size > 0 && now.get(file).is_none_or(|(size, _)| *size == 0))
+}
+
+/// Whether a file may be a part of lessons.
+fn is_wanted(path: &Path) -> bool {
+    let endings = ["md", "txt"].into_iter().chain(SCENE_ENDINGS);
+    path.extension().is_some_and(|own| endings.into_iter().any(|ending| own.eq_ignore_ascii_case(ending)))
 }
 
 fn look(folder: &Path) -> Seen {
@@ -108,7 +150,7 @@ fn look(folder: &Path) -> Seen {
             let Ok(known) = std::fs::metadata(&path) else { continue };
             if known.is_dir() && depth < MOST.1 {
                 folders.push((path, depth + 1));
-            } else if known.is_file() && path.extension().is_some_and(|ending| ending == "md" || ending == "txt") {
+            } else if known.is_file() && is_wanted(&path) {
                 seen.insert(path, (known.len(), known.modified().ok()));
             }
             if seen.len() >= MOST.0 {
@@ -155,7 +197,7 @@ mod tests {
         let lessons_folder = folder.path().join("lessons");
         lessons(&lessons_folder);
         let (sender, told) = channel();
-        let _watch = Watch::begin(&lessons_folder, move |lessons| _ = sender.send(lessons));
+        let _watch = Watch::begin(&lessons_folder, true, move |lessons| _ = sender.send(lessons));
         let slide = lessons_folder.join("05-kd-tree/33-a.md");
         let mut saves = 0;
         let mut check = |what: &str, save: &dyn Fn(&str)| {

@@ -222,7 +222,10 @@ pub(crate) fn rule_of(view: &View, stage: &Stage, flat: bool) -> Result<Rule, St
 
 /// Whether the making takes less time than a frame.
 fn is_quick(order: &Order) -> bool {
-    let flat = |stage: &Stage| stage.scene.starts_with("flat");
+    let flat = |stage: &Stage| match stage.scenes.own(&stage.scene) {
+        Some(own) => own.prims.len() <= SMALL,
+        None => stage.scene.starts_with("flat"),
+    };
     match (&order.stands, &order.view.mesh) {
         (Some(Stands { built, .. }), _) => walks_quickly(&built.structure, built.scene.prims.len()),
         (None, Some(mesh)) => mesh.prims.len() <= SMALL,
@@ -262,7 +265,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
                 (Some(scene), ..) => scene.clone(),
                 (None, _, Some(mistake)) => Arc::new(scene_of(*mistake)),
                 (None, Some(mesh), None) => mesh.clone(),
-                (None, None, None) => Arc::new(Scene::named(&stage.scene).map_err(|error| wrong(error.to_string()))?),
+                (None, None, None) => stage.scenes.named(&stage.scene).map_err(|error| wrong(error.to_string()))?,
             };
             let rule = rule_of(&order.view, &stage, scene.flat).map_err(wrong)?;
             let built = build(scene, rule, slide.plays, Some(&stage), order.care, task)?;
@@ -367,7 +370,7 @@ fn is_over(built: &Built, view: &View, library: &Library) -> bool {
     match (&view.mesh, view.example) {
         (_, Some(mistake)) => built.scene.name == mistake.name(),
         (Some(mesh), None) => Arc::ptr_eq(mesh, &built.scene),
-        (None, None) => slide_and_stage(view, library).is_some_and(|(_, stage)| built.scene.name == stage.scene),
+        (None, None) => slide_and_stage(view, library).is_some_and(|(_, stage)| stage.is_over(&built.scene)),
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) fn crop_far(figure: &mut Figure) {
 }
 
 /// The figure without what lies further than `pad` off its page.
-pub(crate) fn crop(figure: &mut Figure, pad: f32) {
+pub fn crop(figure: &mut Figure, pad: f32) {
     let pad = Vec2::splat(pad);
     let (min, max) = (-pad, figure.size + pad);
     let marks = std::mem::take(&mut figure.marks);

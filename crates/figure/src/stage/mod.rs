@@ -24,7 +24,7 @@ use crate::world::{Form, Space, SpaceMark, corners};
 
 pub use axes::axes;
 pub use camera::Camera;
-pub(crate) use crop::crop;
+pub use crop::crop;
 pub use inset::{inset_size, set_inset};
 pub use labels::pointed_at;
 pub use shaded::{Shaded, shaded};

@@ -5,7 +5,7 @@ use raystep_accel::{
     Accel, Cancelled, Cost, Each, Fill, Grow, KdLayout, Machine, Observer, Packet, PacketStep, PacketVisit, Primitives,
     Ray, RayError, Structure, Want, Width, pinhole,
 };
-use raystep_scene::{Scene, View};
+use raystep_scene::{Scene, Scenes, View};
 
 use crate::Plan;
 
@@ -175,12 +175,13 @@ impl Measured {
     pub(crate) fn growth(
         plan: &Plan,
         of: Column,
-        scenes: &[String],
+        names: &[String],
+        scenes: &Scenes,
         care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Vec<[f64; 2]>, Cancelled> {
         let mut dots = Vec::new();
-        for scene in scenes.iter().filter_map(|name| Scene::named(name).ok()) {
+        for scene in names.iter().filter_map(|name| scenes.named(name).ok()) {
             if let Some(measured) = Measured::of(plan, How::default(), &scene, care, watch)? {
                 dots.push([scene.prims.len() as f64, measured.count(of)]);
             }

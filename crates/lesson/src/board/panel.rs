@@ -1,5 +1,7 @@
 //! What stands on a board, and in which order it comes to be seen.
 
+use raystep_scene::Scenes;
+
 use crate::keys::Keys;
 use crate::reading::Reading;
 use crate::{Plan, Spot, limits};
@@ -14,6 +16,8 @@ use super::{
 pub struct Board {
     /// What it holds, the largest first.
     pub panels: Vec<Panel>,
+    /// The scenes of somebody's own among which names are looked up first.
+    pub scenes: Scenes,
 }
 
 /// A part of a board.

@@ -8,7 +8,7 @@ use raystep_accel::{
     Accel, Appraisal, BvhVolume, Cancelled, Cost, Grow, Hit, Observer, Outline, PrimId, Primitives, Prims, Ray, Shape,
     Structure, pinhole,
 };
-use raystep_scene::{Scene, View};
+use raystep_scene::{Scene, Scenes, View};
 
 use super::care::Care;
 use super::smooth::Smooth;
@@ -134,20 +134,22 @@ impl Rendered {
     pub(crate) fn of(
         picture: &Picture,
         board: &Scene,
+        scenes: &Scenes,
         care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Option<Rendered>, Cancelled> {
         let named = match &picture.scene {
-            Some(name) => match Scene::named(name) {
+            Some(name) => match scenes.named(name) {
                 Ok(scene) => Some(scene),
                 Err(_) => return Ok(None),
             },
             None => None,
         };
-        let scene = named.as_ref().unwrap_or(board);
+        let scene = named.as_deref().unwrap_or(board);
         let settings: Vec<_> = picture.plan.settings.iter().map(|setting| (&setting.key, &setting.value)).collect();
         let (kind, seen) = (&picture.plan.kind, (picture.view, picture.size, picture.volume));
-        let key = format!("{} {kind} {settings:?} {seen:?} {care:?}", scene.name);
+        let print = scenes.print(&scene.name);
+        let key = format!("{} {print} {kind} {settings:?} {seen:?} {care:?}", scene.name);
         let known = || MADE.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(made) = known().get(&key) {
             return Ok(Some(made.clone()));

@@ -1,9 +1,10 @@
 //! Structures that boards measure, kept for a while: rows and maps of one board, and its draft, ask for the same ones.
 
 use std::collections::VecDeque;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
-use raystep_accel::{Cancelled, Grow, Observer, Structure};
+use raystep_accel::{Cancelled, Grow, Observer, Prims, Structure};
 use raystep_scene::Scene;
 
 use crate::Plan;
@@ -26,8 +27,8 @@ pub(super) fn structure(
     watch: &mut impl Observer<Grow>,
 ) -> Result<Option<Arc<Structure>>, Cancelled> {
     let Ok(rule) = plan.rule(scene.flat) else { return Ok(None) };
-    // A scene that was changed by hand keeps its name.
-    let key = format!("{} {:?} {rule:?}", scene.name, scene.bounds());
+    // A scene that was changed keeps its name.
+    let key = format!("{} {:x} {rule:?}", scene.name, print(&scene.prims));
     let kept = || KEPT.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, found)) = kept().iter().find(|(known, _)| *known == key) {
         return Ok(Some(found.clone()));
@@ -43,4 +44,17 @@ pub(super) fn structure(
     let fit = many.unwrap_or(kept.len()).max(1);
     kept.truncate(fit);
     Ok(Some(built))
+}
+
+/// A number by which primitives are known again.
+fn print(prims: &Prims) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    match prims {
+        Prims::Mesh(mesh) => {
+            mesh.triangles.hash(&mut hasher);
+            mesh.corners.iter().for_each(|corner| corner.to_array().map(f32::to_bits).hash(&mut hasher));
+        }
+        prims => format!("{prims:?}").hash(&mut hasher),
+    }
+    hasher.finish()
 }

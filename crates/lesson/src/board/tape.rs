@@ -58,7 +58,7 @@ impl BoardTape {
             let Some(entry) = board.entry(place) else { continue };
             let measured = match entry {
                 Entry::Row(row) => match &row.plan {
-                    Some(plan) => match row.scene.as_deref().map(Scene::named) {
+                    Some(plan) => match row.scene.as_deref().map(|name| board.scenes.named(name)) {
                         Some(Ok(own)) => Measured::of(plan, row.how, &own, care, watch)?,
                         Some(Err(_)) => None,
                         None => Measured::of(plan, row.how, scene, care, watch)?,
@@ -73,7 +73,7 @@ impl BoardTape {
                         return Err(Cancelled);
                     }
                     let of = |scene: &Scene| Appraisal::of(&scene.prims, *volume, RAYS, SEED);
-                    match own.as_deref().map(Scene::named) {
+                    match own.as_deref().map(|name| board.scenes.named(name)) {
                         Some(Ok(own)) => Some(of(&own)),
                         Some(Err(_)) => None,
                         None => Some(of(scene)),
@@ -87,12 +87,12 @@ impl BoardTape {
             };
             let grown = match entry {
                 Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, of, scenes }, .. }) => {
-                    Measured::growth(plan, *of, scenes, care, watch)?
+                    Measured::growth(plan, *of, scenes, &board.scenes, care, watch)?
                 }
                 _ => Vec::new(),
             };
             let rendered = match entry {
-                Entry::Picture(picture) => Rendered::of(picture, scene, care, watch)?,
+                Entry::Picture(picture) => Rendered::of(picture, scene, &board.scenes, care, watch)?,
                 Entry::Row(_) | Entry::Drawn(_) | Entry::Map(..) => None,
             };
             tape.places.push(place);

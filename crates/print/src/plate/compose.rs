@@ -37,7 +37,7 @@ impl Area {
 }
 
 /// Adds the marks of `part` with their origin at `at`.
-pub(crate) fn set_in(figure: &mut Figure, part: Figure, at: Vec2) {
+pub fn set_in(figure: &mut Figure, part: Figure, at: Vec2) {
     for mut mark in part.marks {
         shift(&mut mark.ink, at);
         figure.marks.push(mark);
@@ -58,7 +58,7 @@ fn shift(ink: &mut Ink, by: Vec2) {
 }
 
 /// Makes everything larger by a factor.
-pub(crate) fn enlarge(figure: &mut Figure, by: f32) {
+pub fn enlarge(figure: &mut Figure, by: f32) {
     figure.size *= by;
     for mark in &mut figure.marks {
         match &mut mark.ink {

@@ -7,7 +7,8 @@ use glam::Vec2;
 use raystep_figure::{Anchor, Ask, Face, Figure, Ink, ListingLine, Look, Pane, Role, Still, fonts};
 
 use crate::prose;
-use compose::{Area, enlarge, set_in};
+use compose::Area;
+pub use compose::{enlarge, set_in};
 
 /// A step and what is said about it.
 #[derive(Clone, Copy)]

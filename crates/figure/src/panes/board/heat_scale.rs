@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use glam::Vec2;
 
-use super::maps::{Map, Maps};
+use super::map::Map;
 use crate::page::{Anchor, Figure, Image, Ink, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
@@ -78,15 +78,27 @@ pub(super) fn height(count: u32, most: u32, corner: Vec2, high: f32, u: f32) -> 
     }
 }
 
+/// What stands beside a map.
+pub(super) struct Legend<'a> {
+    /// What is counted: `"tests"`.
+    pub(super) of: &'a str,
+    /// The upper end of the scale.
+    pub(super) most: u32,
+    /// Whether some rays cost nothing.
+    pub(super) zero: bool,
+    /// The share of rays in each part of the scale, from its lower end.
+    pub(super) shares: &'a [f32],
+}
+
 /// The scale of colours in numbers, beside it how many rays cost as much.
-pub(super) fn legend(figure: &mut Figure, maps: &Maps, map: usize, corner: Vec2, high: f32, look: &Look) {
-    let (u, small, most) = (look.text, look.small(), maps.most());
-    let Some((counted, inked)) = maps.maps.get(map).zip(maps.inked(map)) else { return };
+pub(super) fn legend(figure: &mut Figure, legend: &Legend<'_>, corner: Vec2, high: f32, look: &Look) {
+    let Legend { of, most, zero: nothing, shares } = *legend;
+    let (u, small) = (look.text, look.small());
     let (top, bar) = bar(corner, high, u);
     figure.add(Role::Scene, None, Ink::Image { min: top, max: top + bar, image: bar_image() });
     figure.add(Role::Edge, None, outline(top, top + bar));
     // Rays that cost nothing have a swatch of their own.
-    if counted.counts.contains(&0) {
+    if nothing {
         let corner = zero(top, bar, u);
         // As white as in the map, whatever the page is.
         let white = Image { width: 1, height: 1, rgba: NOTHING.get_or_init(|| [255; 4].into()).clone() };
@@ -111,17 +123,17 @@ pub(super) fn legend(figure: &mut Figure, maps: &Maps, map: usize, corner: Vec2,
         let words = tick + Vec2::new(u * 0.5, 0.0);
         write(figure, Role::Quiet, None, words, &number(count as f32), small, Face::Regular, Anchor::Start);
     }
-    let largest = inked.shares.iter().copied().fold(0.0, f32::max).max(1e-6);
+    let largest = shares.iter().copied().fold(0.0, f32::max).max(1e-6);
     let left = top.x + bar.x + u * 1.0 + widest;
     let room = u * 3.4;
     let step = bar.y / BARS as f32;
-    for (index, share) in inked.shares.iter().enumerate().filter(|(_, share)| **share > 0.0) {
+    for (index, share) in shares.iter().enumerate().filter(|(_, share)| **share > 0.0) {
         let y = top.y + bar.y - step * (index as f32 + 1.0);
         let size = Vec2::new((room * share / largest).max(1.0), step * 0.8);
         figure.add(Role::Scene, None, block(Vec2::new(left, y), size, 0.0));
     }
     let under = Vec2::new(top.x, corner.y + high + u * 0.9);
-    let says = format!("{} per ray", maps.of);
+    let says = format!("{of} per ray");
     write(figure, Role::Quiet, None, under, &says, small, Face::Regular, Anchor::Start);
     let bars = Vec2::new(top.x, under.y + u * 1.3);
     write(figure, Role::Quiet, None, bars, "bars: share of rays", small, Face::Regular, Anchor::Start);

@@ -2,7 +2,8 @@
 
 use glam::Vec2;
 
-use super::heat_scale::{image, legend, outline, shares};
+use super::heat_scale::{Legend, image, legend, outline, shares};
+use super::map::Map;
 use super::{Filled, place};
 use crate::page::{Anchor, Figure, Image, Ink, Look, write};
 use crate::theme::{Face, Role};
@@ -22,19 +23,6 @@ pub struct Maps {
     /// The largest count of all maps: the upper end of their scale.
     most: u32,
     inked: Vec<Inked>,
-}
-
-/// A heat map.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Map {
-    /// When it comes to be seen.
-    pub entry: usize,
-    /// What it is called.
-    pub name: String,
-    /// Pixels across and down.
-    pub size: [u32; 2],
-    /// What was counted for each pixel's ray, rows from above.
-    pub counts: Vec<u32>,
 }
 
 /// What follows from the counts of a map.
@@ -83,10 +71,6 @@ impl Maps {
     /// The largest count of all maps, at least 2.
     pub(super) fn most(&self) -> u32 {
         self.most
-    }
-
-    pub(super) fn inked(&self, map: usize) -> Option<&Inked> {
-        self.inked.get(map)
     }
 
     /// The pixels of a map as they are drawn.
@@ -157,9 +141,7 @@ pub(super) fn draw(maps: &Maps, filled: Filled, room: Vec2, look: &Look) -> Figu
     let mut figure = Figure::new(room);
     let u = look.text;
     look.heading(&mut figure, &maps.title, &maps.about);
-    for (index, ((map, inked), [min, max])) in
-        maps.maps.iter().zip(&maps.inked).zip(maps.corners(room, look)).enumerate()
-    {
+    for ((map, inked), [min, max]) in maps.maps.iter().zip(&maps.inked).zip(maps.corners(room, look)) {
         let shown = filled.shows(map.entry);
         let place = place(map.entry).filter(|_| shown);
         if shown {
@@ -177,7 +159,9 @@ pub(super) fn draw(maps: &Maps, filled: Filled, room: Vec2, look: &Look) -> Figu
             let says = format!("mean {}, {least} to {most}", number(inked.mean as f32));
             let at = name + Vec2::new(0.0, u * 1.5);
             write(&mut figure, Role::Missed, place, at, &says, u, Face::Regular, Anchor::Start);
-            legend(&mut figure, maps, index, Vec2::new(max.x + u * 0.8, min.y), max.y - min.y, look);
+            let (of, most, zero) = (maps.of.as_str(), maps.most, map.counts.contains(&0));
+            let beside = Legend { of, most, zero, shares: &inked.shares };
+            legend(&mut figure, &beside, Vec2::new(max.x + u * 0.8, min.y), max.y - min.y, look);
         }
     }
     figure

@@ -3,6 +3,7 @@
 
 mod chart;
 mod heat_scale;
+mod map;
 mod maps;
 mod meter;
 mod pictures;
@@ -13,7 +14,8 @@ use glam::Vec2;
 use raystep_accel::{CellId, Place};
 
 pub use chart::{Chart, Curve, Dot, Drawn, Scale};
-pub use maps::{Map, Maps, Pixel};
+pub use map::Map;
+pub use maps::{Maps, Pixel};
 pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use glam::Vec2;
 
 use super::heat_scale::{bar, height, outline};
-use super::maps::{Map, Maps, Pixel};
+use super::map::Map;
+use super::maps::{Maps, Pixel};
 use crate::page::{Anchor, Figure, Image, Ink, Look, line};
 use crate::theme::{Face, Role, text_width};
 

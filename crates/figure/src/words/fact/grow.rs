@@ -16,10 +16,14 @@ const PRUNED: Symbol = Symbol { sign: "×", name: "not reached", role: Role::Dro
 const STORED: Symbol = Symbol { sign: "●", name: "stored", role: Role::Seen, rank: 4 };
 const SHARED: Symbol = Symbol { sign: "■", name: "on both sides", role: Role::Hit, rank: 4 };
 const LEAF: Symbol = Symbol { sign: "□", name: "leaf", role: Role::Seen, rank: 5 };
+const TOUCHED: Symbol = Symbol { sign: "○", name: "looked at", role: Role::Here, rank: 2 };
+const REMOVED: Symbol = Symbol { sign: "×", name: "removed", role: Role::Dropped, rank: 5 };
+const MERGED: Symbol = Symbol { sign: "▽", name: "merged", role: Role::Plane, rank: 6 };
 const SPLIT: Symbol = Symbol { sign: "△", name: "taken", role: Role::Plane, rank: 6 };
 
 /// Every symbol of a build, in the order of a legend.
-pub(crate) const SYMBOLS: &[Symbol] = &[GROWS, RASTERISED, PRUNED, WEIGHED, SPLIT, SHARED, LEAF, STORED];
+pub(crate) const SYMBOLS: &[Symbol] =
+    &[GROWS, RASTERISED, PRUNED, WEIGHED, SPLIT, MERGED, SHARED, LEAF, TOUCHED, REMOVED, STORED];
 
 impl Fact for Grow {
     fn name(&self) -> &'static str {
@@ -43,6 +47,9 @@ impl Fact for Grow {
             Grow::Settle { .. } => STORED,
             Grow::Share { .. } => SHARED,
             Grow::Leaf { .. } => LEAF,
+            Grow::Touch { .. } => TOUCHED,
+            Grow::Remove { .. } => REMOVED,
+            Grow::Merge { .. } => MERGED,
             Grow::Split { .. } | Grow::Divide { .. } | Grow::Refine { .. } => SPLIT,
             _ => return None,
         })

@@ -1,0 +1,101 @@
+//! Sheets of paper that are filled from the top.
+
+use glam::Vec2;
+use raystep_figure::{Anchor, Face, Figure, Ink, Role};
+use raystep_print::{prose, set_in};
+
+use super::Printed;
+
+/// A sheet in points: as high and wide as A4.
+pub(super) const WIDTH: f32 = 1100.0;
+pub(super) const HEIGHT: f32 = 1555.0;
+/// Room at the left and the right, above and below.
+const SIDE: f32 = 64.0;
+const TOP: f32 = 56.0;
+const BOTTOM: f32 = 92.0;
+/// How wide what stands on it is.
+pub(super) const INNER: f32 = WIDTH - 2.0 * SIDE;
+/// Between two things on it.
+const GAP: f32 = 30.0;
+
+/// What is put on sheets, one thing below the other.
+pub(super) struct Sheet<'a> {
+    title: &'a str,
+    about: &'a str,
+    pages: Vec<Page>,
+    /// How far the last of them is filled.
+    filled: f32,
+}
+
+/// A sheet that is being filled.
+pub(super) struct Page {
+    figure: Figure,
+    says: Vec<String>,
+    about: String,
+    empty: bool,
+}
+
+impl<'a> Sheet<'a> {
+    /// The first sheet, with its title.
+    pub(super) fn new(title: &'a str, about: &'a str) -> Sheet<'a> {
+        let mut sheet = Sheet { title, about, pages: Vec::new(), filled: 0.0 };
+        sheet.turn();
+        sheet
+    }
+
+    /// Begins another sheet.
+    fn turn(&mut self) {
+        let more = !self.pages.is_empty();
+        let mut figure = Figure::new(Vec2::new(WIDTH, HEIGHT));
+        let about = if more { format!("{} · {}, continued", self.about, self.title) } else { self.about.to_owned() };
+        let mut y = TOP;
+        let small = prose(&about, INNER, 15.0, Face::Regular, Role::Quiet);
+        let height = small.size.y;
+        set_in(&mut figure, small, Vec2::new(SIDE, y));
+        y += height + 6.0;
+        if !more {
+            let large = prose(&format!("**{}**", self.title), INNER, 30.0, Face::Bold, Role::Text);
+            let height = large.size.y;
+            set_in(&mut figure, large, Vec2::new(SIDE, y));
+            y += height + 4.0;
+        }
+        let says = vec![if more { about.clone() } else { format!("{}. {}.", self.about, self.title) }];
+        self.pages.push(Page { figure, says, about: self.about.to_owned(), empty: true });
+        self.filled = y + GAP * 0.4;
+    }
+
+    /// Puts something below what is there, on a new sheet if there is no room.
+    pub(super) fn add(&mut self, part: Figure, says: &str) {
+        let full = self.filled + part.size.y > HEIGHT - BOTTOM;
+        if full && self.pages.last().is_some_and(|page| !page.empty) {
+            self.turn();
+        }
+        let Some(page) = self.pages.last_mut() else { return };
+        let height = part.size.y;
+        set_in(&mut page.figure, part, Vec2::new(SIDE, self.filled));
+        page.says.push(says.to_owned());
+        page.empty = false;
+        self.filled += height + GAP;
+    }
+
+    pub(super) fn finish(self) -> Vec<Page> {
+        self.pages
+    }
+}
+
+impl Page {
+    /// The page with its number at the foot.
+    pub(super) fn numbered(mut self, number: usize, count: usize) -> Printed {
+        let y = HEIGHT - BOTTOM * 0.45;
+        let points = vec![Vec2::new(SIDE, y - 20.0), Vec2::new(WIDTH - SIDE, y - 20.0)];
+        self.figure.add(Role::Edge, None, Ink::Line { points });
+        let mut text = |x: f32, text: String, anchor| {
+            let (at, face) = (Vec2::new(x, y), Face::Regular);
+            self.figure.add(Role::Quiet, None, Ink::Text { at, text, size: 15.0, face, anchor, boxed: false });
+        };
+        text(SIDE, format!("Raystep · {}", self.about), Anchor::Start);
+        text(WIDTH - SIDE, format!("{number} of {count}"), Anchor::End);
+        let says = format!("Page {number} of {count}. {}", self.says.join(" "));
+        Printed { figure: self.figure, says }
+    }
+}

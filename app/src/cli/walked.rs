@@ -1,0 +1,139 @@
+//! One walk, step by step, for people.
+
+use raystep_accel::{Accel, Cost, Event, Hit, Ray, Rule, Structure, Trace, Visit};
+use raystep_figure::{Reel, Walk, number, whole};
+use raystep_scene::Scene;
+use serde::Serialize;
+
+use super::told::{Align, Format, Grid, Page, to_csv};
+use crate::fault::Fault;
+use crate::shown::all_nodes::AllNodes;
+use crate::shown::kind_name::kind_name;
+
+/// A ray that has walked.
+pub(super) struct Walked<'a> {
+    pub(super) scene: &'a Scene,
+    pub(super) rule: &'a Rule,
+    pub(super) structure: &'a Structure,
+    pub(super) ray: &'a Ray,
+    pub(super) tape: &'a Trace<Visit>,
+    pub(super) hit: Option<Hit>,
+}
+
+/// A step as tables hold it.
+#[derive(Serialize)]
+struct Step {
+    step: usize,
+    event: &'static str,
+    says: String,
+    prim_tests: u64,
+    node_visits: u64,
+    cell_steps: u64,
+    box_tests: u64,
+}
+
+/// A walk that is longer is shown with a gap in its middle.
+const LONGEST: usize = 1200;
+/// Of such a walk so many steps are shown on each side of the gap.
+const ENDS: usize = 500;
+
+impl Walked<'_> {
+    /// The walk as a page or as a table.
+    pub(super) fn written(&self, format: Format) -> Result<String, Fault> {
+        match format {
+            Format::Csv => to_csv(self.steps().iter()),
+            format => Ok(self.page().written(format)),
+        }
+    }
+
+    /// What happens, and what was counted by then.
+    fn steps(&self) -> Vec<Step> {
+        let Walked { scene, structure, ray, tape, .. } = self;
+        let all = AllNodes::of(structure, None);
+        let (prims, nodes, flat) = (&scene.prims, &all.own, scene.flat);
+        let walk = Walk { structure, prims, nodes, ray: **ray, events: &tape.events, lost: tape.lost, flat };
+        let reel = Reel::new(walk);
+        let mut cost = Cost::default();
+        let step = |(index, event): (usize, &Visit)| {
+            raystep_accel::Observer::on(&mut cost, *event);
+            let event = Event::Walk(*event);
+            Step {
+                step: index + 1,
+                event: event.name(),
+                says: reel.sentence(index + 1, &event).replace("**", ""),
+                prim_tests: cost.prim_tests,
+                node_visits: cost.node_visits,
+                cell_steps: cost.cell_steps,
+                box_tests: cost.box_tests,
+            }
+        };
+        tape.events.iter().enumerate().map(step).collect()
+    }
+
+    fn page(&self) -> Page {
+        let Walked { scene, rule, structure, ray, tape, hit } = self;
+        let mut steps = self.steps();
+        // As in the window: what a flat scene has in z is no step.
+        steps.retain(|step| {
+            !scene.flat || tape.events.get(step.step - 1).is_none_or(|event| !Event::Walk(*event).concerns_z())
+        });
+        let mut page = Page::default();
+        page.heading(format!(
+            "{}: {} primitives. {}: {} nodes or cells, {} bytes",
+            scene.name,
+            whole(raystep_accel::Primitives::len(&scene.prims) as u64),
+            kind_name(rule.kind()),
+            whole(structure.node_count() as u64),
+            whole(structure.bytes() as u64),
+        ));
+        let parameters: Vec<String> = rule.parameters().iter().map(|p| format!("{}={}", p.key, p.value)).collect();
+        if !parameters.is_empty() {
+            page.text(format!("Built with {}.", parameters.join(" ")));
+        }
+        let point = |p: glam::DVec3| p.to_array().map(|x| number(x as f32)).join(", ");
+        page.text(format!(
+            "The ray starts at ({}) and runs along ({}); t counts from {} to {}.",
+            point(scene.moved_back(ray.o)),
+            point(ray.d.as_dvec3()),
+            number(ray.t_min),
+            number(ray.t_max),
+        ));
+        let mut grid = Grid::new([("step", Align::Right), ("event", Align::Left), ("what happens", Align::Left)]);
+        let cut = steps.len() > LONGEST;
+        for (index, step) in steps.iter().enumerate() {
+            if cut && (ENDS..steps.len() - ENDS).contains(&index) {
+                if index == ENDS {
+                    let left = whole((steps.len() - 2 * ENDS) as u64);
+                    let says = format!("{left} steps are left out here; --format csv and --format json have them all.");
+                    grid.row(["…".to_owned(), String::new(), says]);
+                }
+                continue;
+            }
+            grid.row([whole(step.step as u64), step.event.to_owned(), step.says.clone()]);
+        }
+        page.table(grid);
+        if tape.lost > 0 {
+            page.text(format!("{} events more happened and are not kept.", whole(tape.lost)));
+        }
+        page.text(match hit {
+            Some(hit) => format!(
+                "The ray hits primitive {} at t = {}, at ({}).",
+                hit.prim,
+                number(hit.t),
+                point(scene.moved_back(ray.at(hit.t)))
+            ),
+            None => "The ray hits nothing.".to_owned(),
+        });
+        let mut cost = Cost::default();
+        structure.intersect(&scene.prims, ray, &mut cost);
+        let counted = |n: u64, one: &str, many: &str| format!("{} {}", whole(n), if n == 1 { one } else { many });
+        let counts = [
+            counted(cost.prim_tests, "test of a primitive", "tests of primitives"),
+            counted(cost.node_visits, "node visited", "nodes visited"),
+            counted(cost.cell_steps, "cell entered", "cells entered"),
+            counted(cost.box_tests, "volume tested", "volumes tested"),
+        ];
+        page.text(format!("Counted: {}.", counts.join(", ")));
+        page
+    }
+}

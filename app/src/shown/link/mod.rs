@@ -1,0 +1,249 @@
+//! A place in the lecture and all that is set there, as one line of text: `5/33?ray=both%20children&step=13`.
+
+#[cfg(test)]
+mod tests;
+mod text;
+
+use glam::{Vec2, Vec3};
+use raystep_accel::{Grain, Ray, Rule};
+use raystep_figure::{Camera, Depth};
+use raystep_lesson::{Library, Slide, Stage, StageKind};
+
+use super::beside::{Beside, Rivals};
+use super::command::QUARTERS;
+use super::state::State;
+use super::view::{RayChoice, View};
+
+/// A place, by the names that people know: of a slide, of a ray.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// The slide's id, or its file's name.
+    pub slide: String,
+    /// The stage, if it is said.
+    pub stage: Option<StageKind>,
+    /// The name of the slide's ray; without it, its first.
+    pub ray: Option<String>,
+    /// A ray of the user's own instead.
+    pub own: Option<Ray>,
+    /// How many events have happened; without it, where the slide opens.
+    pub step: Option<usize>,
+    /// Parameters of the structure, numbers of a meter and bodies of pairs that differ from the slide's own.
+    pub set: Vec<(String, String)>,
+    /// Where it is seen from, and the aspect of the picture that this was chosen in.
+    pub camera: Option<Camera>,
+    /// The aspect of the picture.
+    pub aspect: f32,
+    /// How many boxes of a tree are drawn in space.
+    pub depth: Option<Depth>,
+    /// The kinds of structures beside.
+    pub beside: Option<Rivals>,
+    /// Where the mesh lies that is shown instead of the slide's scene.
+    pub mesh: Option<String>,
+    /// Where playing and the arrow keys stop.
+    pub grain: Grain,
+    /// How fast playing is, in quarters of the usual speed.
+    pub speed: u8,
+    /// Whether the presenter's page is shown.
+    pub present: bool,
+    /// Whether what can be set by hand stands below the lesson.
+    pub by_hand: bool,
+}
+
+impl Default for Link {
+    fn default() -> Link {
+        Link {
+            slide: String::new(),
+            stage: None,
+            ray: None,
+            own: None,
+            step: None,
+            set: Vec::new(),
+            camera: None,
+            aspect: ASPECT,
+            depth: None,
+            beside: None,
+            mesh: None,
+            grain: Grain::Decision,
+            speed: QUARTERS,
+            present: false,
+            by_hand: false,
+        }
+    }
+}
+
+/// The aspect of a picture of which nothing is known.
+const ASPECT: f32 = 1.6;
+
+impl Link {
+    /// Where a window stands: what is shown, not what is still being made. `mesh` is where the mesh lies that is shown.
+    pub fn of(state: &State, mesh: Option<String>, aspect: f32) -> Link {
+        let beside = match state.beside {
+            Beside::Structure(kind) => Some(Rivals::of([kind])),
+            Beside::Abreast(rivals) => Some(rivals),
+            Beside::Nothing | Beside::Mistake(_) => None,
+        };
+        Link {
+            beside,
+            mesh,
+            aspect: if state.view.camera.is_some() { aspect } else { ASPECT },
+            grain: state.grain,
+            speed: state.speed,
+            present: state.present,
+            by_hand: state.by_hand,
+            ..Link::of_view(&state.view, &state.library)
+        }
+    }
+
+    /// The place of a view in these lessons.
+    pub fn of_view(view: &View, library: &Library) -> Link {
+        let slide = library.slides.get(view.slide);
+        let stage = slide.and_then(|slide| slide.stage(view.stage).or(slide.stages.first()));
+        let ray = match view.ray {
+            RayChoice::Named(index) => stage.and_then(|stage| stage.rays.get(index)).map(|ray| ray.name.clone()),
+            RayChoice::Own(_) => None,
+        };
+        // The small scene of a mistake goes with the mistake.
+        let is_own = view.example.is_none();
+        let own = match view.ray {
+            RayChoice::Own(ray) if is_own => Some(ray),
+            _ => None,
+        };
+        Link {
+            slide: slide.map(Slide::id).unwrap_or_default(),
+            stage: Some(view.stage),
+            ray,
+            own,
+            step: Some(if is_own { view.step } else { 0 }),
+            set: view.settings.clone(),
+            camera: view.camera.filter(|_| is_own),
+            depth: view.depth,
+            ..Link::default()
+        }
+    }
+
+    /// The view in these lessons, without its mesh, and a sentence for all that is not there; no view where the slide
+    /// is not in them.
+    pub fn view(&self, library: &Library) -> (Option<View>, Vec<String>) {
+        let mut wrong = Vec::new();
+        let Some(found) = library.slide(&self.slide) else {
+            let known: Vec<String> = library.slides.iter().map(Slide::id).collect();
+            wrong.push(format!("there is no slide \"{}\"; there are {}", self.slide, known.join(", ")));
+            return (None, wrong);
+        };
+        let place = library.slides.iter().position(|other| std::ptr::eq(other, found)).unwrap_or(0);
+        let id = found.id();
+        let wished = self.stage.and_then(|kind| found.stage(kind));
+        if let (Some(kind), None, None) = (self.stage, wished, &self.mesh) {
+            wrong.push(format!("slide {id} has no {} stage", kind.name()));
+        }
+        // A ray is looked for on every stage, unless one is named.
+        let has = |stage: &&Stage| self.ray.as_deref().is_none_or(|name| stage.ray(name).is_some());
+        let named = found.stages.iter().find(has).filter(|_| self.stage.is_none() && self.ray.is_some());
+        let stage = wished.or(named).or(found.opening_stage(StageKind::Flat));
+        // A mesh is solid, whatever the slide has.
+        let kind = match (&self.mesh, stage) {
+            (Some(_), _) => StageKind::Solid,
+            (None, Some(stage)) => stage.kind,
+            (None, None) => {
+                wrong.push(format!("slide {id} has no stage"));
+                return (None, wrong);
+            }
+        };
+        let ray = match (self.own, &self.ray) {
+            (Some(own), _) => RayChoice::Own(own),
+            (None, Some(name)) => {
+                let index = stage.and_then(|stage| stage.rays.iter().position(|ray| ray.name == *name));
+                if index.is_none() {
+                    wrong.push(no_ray(found, name));
+                }
+                RayChoice::Named(index.unwrap_or(0))
+            }
+            (None, None) => RayChoice::Named(0),
+        };
+        let mut rule = stage.and_then(|stage| stage.plan.rule(kind == StageKind::Flat).ok());
+        let mut settings = Vec::new();
+        for (key, value) in &self.set {
+            match set(stage, rule.as_mut(), key, value) {
+                Ok(()) => settings.push((key.clone(), value.clone())),
+                Err(why) => wrong.push(why),
+            }
+        }
+        let (camera, depth, step) = (self.camera, self.depth, self.step.unwrap_or(0));
+        let flat = |camera: &Camera| matches!(camera, Camera::Flat { .. });
+        if camera.as_ref().is_some_and(|camera| flat(camera) != (kind == StageKind::Flat)) {
+            wrong.push(format!("the camera is not one of a {} stage", kind.name()));
+        }
+        let camera = camera.filter(|camera| flat(camera) == (kind == StageKind::Flat));
+        (Some(View { ray, settings, camera, depth, step, ..View::of_slide(place, kind) }), wrong)
+    }
+
+    /// Opens the place in a window, with its mesh if that has been read; says what is not there.
+    pub fn open(&self, state: &mut State, mesh: Option<std::sync::Arc<raystep_scene::Scene>>) -> Vec<String> {
+        let (view, wrong) = self.view(&state.library);
+        let Some(view) = view else { return wrong };
+        // Without the mesh its ray and its step mean nothing.
+        let lost = self.mesh.is_some() && mesh.is_none();
+        let view = if lost { View::of_slide(view.slide, view.stage) } else { View { mesh, ..view } };
+        (state.grain, state.speed, state.present, state.by_hand) = (self.grain, self.speed, self.present, self.by_hand);
+        match self.step {
+            None if !lost => state.arrive_at(view),
+            _ => state.reopen(view),
+        }
+        state.compare_all(self.beside.unwrap_or_default());
+        wrong
+    }
+}
+
+/// Sets a parameter or a number, or says why that cannot be.
+fn set(stage: Option<&Stage>, rule: Option<&mut Rule>, key: &str, value: &str) -> Result<(), String> {
+    match (stage.and_then(|stage| stage.own_setting(key, value)), rule) {
+        (Some(own), _) => own,
+        (None, Some(rule)) => rule.set(key, value).map_err(|error| error.to_string()),
+        (None, None) => Err(format!("nothing is built that has a parameter \"{key}\"")),
+    }
+}
+
+/// There is no such ray, but there are others.
+pub(crate) fn no_ray(slide: &Slide, name: &str) -> String {
+    let rays = slide.stages.iter().flat_map(|stage| &stage.rays);
+    let mut known: Vec<&str> = rays.map(|ray| ray.name.as_str()).collect();
+    known.dedup();
+    match known.is_empty() {
+        true => format!("slide {} plays how its structure is built: it has no rays", slide.id()),
+        false => format!("slide {} has no ray \"{name}\"; there are \"{}\"", slide.id(), known.join("\", \"")),
+    }
+}
+
+/// Whether a camera looks somewhere.
+fn looks(camera: &Camera) -> bool {
+    match *camera {
+        Camera::Flat { half_height, .. } => half_height > 0.0,
+        Camera::Solid { eye, target, up, .. } => (target - eye).cross(up).try_normalize().is_some(),
+    }
+}
+
+/// The numbers of a camera: three of a flat one, ten of a solid one.
+fn numbers(camera: &Camera) -> Vec<f32> {
+    match *camera {
+        Camera::Flat { center, half_height } => vec![center.x, center.y, half_height],
+        Camera::Solid { eye, target, up, fov_degrees } => {
+            let points = [eye, target, up].into_iter().flat_map(|point| point.to_array());
+            points.chain([fov_degrees]).collect()
+        }
+    }
+}
+
+/// The camera of so many numbers.
+fn camera(numbers: &[f32]) -> Option<Camera> {
+    let camera = match *numbers {
+        [x, y, half_height] => Camera::Flat { center: Vec2::new(x, y), half_height },
+        [a, b, c, d, e, f, g, h, i, fov_degrees @ 0.01..=179.0] => {
+            Camera::Solid { eye: Vec3::new(a, b, c), target: Vec3::new(d, e, f), up: Vec3::new(g, h, i), fov_degrees }
+        }
+        _ => return None,
+    };
+    (numbers.iter().all(|number| number.abs() <= LARGEST) && looks(&camera)).then_some(camera)
+}
+
+/// Larger is nothing that is looked at.
+const LARGEST: f32 = 1e30;
