@@ -6,6 +6,8 @@
 //! the CPU; [`Judged`] tells how many those were.
 
 mod batch;
+#[cfg(test)]
+mod doubt;
 mod fault;
 mod gpu;
 mod layout;
