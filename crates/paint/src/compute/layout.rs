@@ -42,7 +42,7 @@ impl Record {
             // Finite; no t of an ordinary ray comes near it.
             t_max: ray.t_max.clamp(-f32::MAX, f32::MAX),
             leave: shot.leave,
-            flags: down | shot.axes[2] as u32 * ALONG,
+            flags: down | (shot.axes[2] as u32 * ALONG),
             o: shot.o,
             r_z: shot.sorted_r[2],
             shear: shot.shear,
