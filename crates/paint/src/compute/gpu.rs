@@ -8,6 +8,9 @@ use crate::device::{Opened, open, words};
 use super::Fault;
 use super::margins::CONSTANTS;
 
+/// The walk, which knows how triangles are met.
+const SHADER: &str = concat!(include_str!("../shaders/meet.wgsl"), "\n", include_str!("../shaders/walk.wgsl"));
+
 /// A device with the walk compiled for it.
 pub struct Gpu {
     pub(crate) device: wgpu::Device,
@@ -79,7 +82,7 @@ impl Gpu {
 fn pipeline(device: &wgpu::Device) -> wgpu::ComputePipeline {
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some("raystep walk"),
-        source: wgpu::ShaderSource::Wgsl(include_str!("walk.wgsl").into()),
+        source: wgpu::ShaderSource::Wgsl(SHADER.into()),
     });
     device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
         label: Some("raystep walk"),
