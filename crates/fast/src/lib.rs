@@ -41,4 +41,4 @@ pub use instances::TwoLevels;
 pub use judge::{Count, NotOrdinary, Shot, Work};
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;
-pub use race::{Race, Row, Rung, Told, tile_order};
+pub use race::{Elsewhere, Race, Row, Rung, Told, tile_order};

@@ -1,5 +1,6 @@
 //! `raystep race`: the ladder of slide 64 on this machine.
 
+mod gpu;
 mod plate;
 mod told;
 
@@ -97,7 +98,7 @@ fn race(mesh: &Mesh, rays: &[Ray], seconds: f64) -> Result<Vec<Row>, Fault> {
     let bar = bar(Rung::ALL.len() as u64, "rungs");
     let race = Race::new(mesh, rays, seconds, &clock, &|| true).ok_or_else(stopped)?;
     let run = |rung: Rung| {
-        let row = race.run(rung);
+        let row = if rung == Rung::Gpu { gpu::run(&race, mesh, rays, &clock) } else { race.run(rung) };
         bar.inc(1);
         row
     };

@@ -85,6 +85,40 @@ impl<'a> Race<'a> {
         Some(Row { rung, told })
     }
 
+    /// Measures a rung that runs elsewhere: `ask` puts its answers to rays in their order, as many as there are rays, or
+    /// says why it cannot. Nothing if it shall not go on.
+    pub fn run_elsewhere(&self, rung: Rung, elsewhere: &Elsewhere<'_>) -> Option<Row> {
+        let told = self.elsewhere(elsewhere)?;
+        Some(Row { rung, told })
+    }
+
+    fn elsewhere(&self, elsewhere: &Elsewhere<'_>) -> Option<Result<Told, String>> {
+        let mut answers = match (elsewhere.ask)(self.rays) {
+            Ok(answers) => answers,
+            Err(why) => return Some(Err(why)),
+        };
+        if !self.agree(self.rays, &answers) {
+            return Some(Err(DISAGREES.to_owned()));
+        }
+        let mut failed = None;
+        let ([median, least, most], rounds) = self.pace.rounds(self.rays.len(), || match (elsewhere.ask)(self.rays) {
+            Ok(again) => answers = again,
+            Err(why) => failed = Some(why),
+        })?;
+        if let Some(why) = failed {
+            return Some(Err(why));
+        }
+        Some(Ok(Told {
+            mrays_per_s: median * 1e-6,
+            spread: [least * 1e-6, most * 1e-6],
+            rounds,
+            rays: self.rays.len(),
+            tests_per_ray: elsewhere.tests_per_ray,
+            build_ms: elsewhere.build_ms,
+            bytes: elsewhere.bytes,
+        }))
+    }
+
     fn reached(&self, rung: Rung) -> Option<Outcome> {
         let packets = FastKind::ALL.into_iter().find(|kind| kind.name() == PACKETS);
         let (entrant, build_ms) = match rung {
@@ -99,7 +133,7 @@ impl<'a> Race<'a> {
                 return Some(Outcome::Absent("this machine has one thread"));
             }
             Rung::Threads => self.fast(packets.unwrap_or(FastKind::Bvh8), Entrant::Together)?,
-            Rung::Gpu => return Some(Outcome::Absent("no GPU walk in this build")),
+            Rung::Gpu => return Some(Outcome::Absent("it runs elsewhere: `raystep race` asks for a GPU")),
         };
         self.timed(&entrant, build_ms)
     }
@@ -125,7 +159,7 @@ impl<'a> Race<'a> {
         let all = self.pace.some(self.rays, |rays| entrant.ask(self.mesh, rays, &mut answers))?;
         entrant.ask(self.mesh, &all, &mut answers);
         if !self.agree(&all, &answers) {
-            return Some(Outcome::Absent("it does not answer as the textbook does, and so is not timed"));
+            return Some(Outcome::Absent(DISAGREES));
         }
         let ([median, least, most], rounds) =
             self.pace.rounds(all.len(), || entrant.ask(self.mesh, &all, &mut answers))?;
@@ -150,6 +184,21 @@ impl<'a> Race<'a> {
                 all.find(|(own, _)| *own == ray).is_some_and(|(_, right)| bits(*right) == bits(*found))
             })
     }
+}
+
+/// Why a rung is not timed that answers otherwise.
+const DISAGREES: &str = "it does not answer as the textbook does, and so is not timed";
+
+/// A structure that is walked elsewhere, ready to be asked.
+pub struct Elsewhere<'a> {
+    /// Answers rays in their order, or says why not.
+    pub ask: &'a dyn Fn(&[Ray]) -> Result<Vec<Option<Hit>>, String>,
+    /// Tests of triangles, a ray.
+    pub tests_per_ray: f64,
+    /// Milliseconds of its building.
+    pub build_ms: f64,
+    /// What it takes in memory there, in bytes.
+    pub bytes: u64,
 }
 
 /// The packets that run.
