@@ -56,6 +56,19 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<(), Fault> {
     part.put(path)
 }
 
+/// The same for a file that another program fills, under the name that it is given.
+pub(crate) fn fill(path: &Path, fill: impl FnOnce(&Path) -> Result<(), Fault>) -> Result<(), Fault> {
+    let old = old(path)?;
+    let part = Part::beside(path)?;
+    fill(part.file.path())?;
+    if let Some(old) = &old {
+        keep_owner(part.file.as_file(), old);
+        part.file.as_file().set_permissions(old.permissions()).map_err(about(path))?;
+        part.file.as_file().sync_all().map_err(about(path))?;
+    }
+    part.put(path)
+}
+
 /// Puts a small file of the program's own in its place, in its folder if there is none yet. It is whole at any moment,
 /// but after a power cut it may be the one before.
 pub(crate) fn renew(path: &Path, text: &str) -> Result<(), Fault> {

@@ -3,6 +3,9 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+#[path = "command_line/exports.rs"]
+mod exports;
+
 /// A folder of this test's own, empty.
 fn folder(name: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
@@ -410,7 +413,7 @@ fn a_slide_is_drawn_twice_with_the_same_bytes() {
             .map(|file| (file.file_name().unwrap().to_owned(), std::fs::read(&file).unwrap()))
             .collect::<Vec<_>>()
     };
-    for (format, count) in [("png", 2), ("svg", 2), ("apng", 1), ("gif", 1), ("json", 1)] {
+    for (format, count) in [("png", 2), ("svg", 2), ("pdf", 2), ("apng", 1), ("gif", 1), ("json", 1)] {
         let first = call(format, &format!("{format}-first"));
         assert_eq!(first.len(), count);
         assert!(first == call(format, &format!("{format}-again")), "{format} differs");

@@ -12,7 +12,7 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("raystep-fast", &["raystep-accel"]),
     ("raystep-lesson", &["raystep-scene", "raystep-fast", "raystep-accel"]),
     ("raystep-figure", &["raystep-accel"]),
-    ("raystep-paint", &["raystep-figure", "raystep-accel"]),
+    ("raystep-paint", &["raystep-figure", "raystep-fast", "raystep-accel"]),
     ("raystep-print", &["raystep-figure", "raystep-accel"]),
     (
         "raystep",

@@ -38,16 +38,29 @@ impl Subject {
 
     /// How the structure is built over a scene that is flat or not.
     pub(super) fn rule(&self, flat: bool) -> Result<Rule, Fault> {
-        let wrong = |error: RuleError| Fault::new(error.to_string());
-        let mut rule = spelt::answering(&self.structure)?;
-        for pair in &self.rule {
-            let Some((key, value)) = pair.split_once('=') else {
-                return Err(Fault::new(format!("--rule {pair}: a parameter is written key=value")));
-            };
-            rule.set(key.trim(), value.trim()).map_err(wrong)?;
-        }
-        Ok(if flat { rule.flat() } else { rule })
+        spelt(&self.structure, &self.rule, flat)
     }
+}
+
+/// The rule of a kind of structure with these parameters, each `key=value`, over a scene that is flat or not.
+pub(super) fn spelt(kind: &str, parameters: &[String], flat: bool) -> Result<Rule, Fault> {
+    let wrong = |error: RuleError| Fault::new(error.to_string());
+    let mut rule = spelt::answering(kind)?;
+    for (key, value) in pairs(parameters)? {
+        rule.set(&key, &value).map_err(wrong)?;
+    }
+    Ok(if flat { rule.flat() } else { rule })
+}
+
+/// Keys and values of parameters.
+pub(super) fn pairs(parameters: &[String]) -> Result<Vec<(String, String)>, Fault> {
+    let pair = |written: &String| {
+        let (key, value) = written
+            .split_once('=')
+            .ok_or_else(|| Fault::new(format!("--rule {written}: a parameter is written key=value")))?;
+        Ok((key.trim().to_owned(), value.trim().to_owned()))
+    };
+    parameters.iter().map(pair).collect()
 }
 
 /// A shipped scene.

@@ -8,7 +8,7 @@ use glam::Vec2;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 use raystep_accel::{Accel, Cost, Hit, Ray, Rule, Structure, Trace};
-use raystep_figure::{number, whole};
+use raystep_figure::{Camera, number, whole};
 use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 use serde::Serialize;
@@ -95,6 +95,12 @@ fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, St
         let ray = rays::read_one(line, scene.origin).map_err(|why| Fault::new(format!("--ray {line}: {why}")))?;
         return Ok(vec![Ok(ray)]);
     }
+    let camera = camera::of_scene(scene, arguments.size.into());
+    through(scene, &camera, arguments.size, arguments.pixel.unwrap_or_default()).map(|ray| vec![Ok(ray)])
+}
+
+/// The ray through the middle of a pixel of a picture of this size.
+pub(super) fn through(scene: &Scene, camera: &Camera, size: Size, [x, y]: [u32; 2]) -> Result<Ray, Fault> {
     if scene.flat {
         return Err(Fault::new(format!(
             "--pixel: {} is flat, and a ray through a pixel would fall onto it from above; write one in its plane, as \
@@ -102,14 +108,12 @@ fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, St
             scene.name
         )));
     }
-    let [x, y] = arguments.pixel.unwrap_or_default();
-    let size: Vec2 = arguments.size.into();
+    let pixels: Vec2 = size.into();
     let at = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
-    if at.x > size.x || at.y > size.y {
-        return Err(Fault::new(format!("--pixel {x},{y} lies outside a picture of {}", arguments.size)));
+    if at.x > pixels.x || at.y > pixels.y {
+        return Err(Fault::new(format!("--pixel {x},{y} lies outside a picture of {size}")));
     }
-    let camera = camera::of_scene(scene, size);
-    Ok(vec![camera.ray(at, size).map_err(|error| error.to_string())])
+    camera.ray(at, pixels).map_err(|error| Fault::new(error.to_string()))
 }
 
 /// What a ray of a table met, as files hold it; of an unusable one `hit` says why.
@@ -240,7 +244,8 @@ fn walk(scene: &Scene, rule: &Rule, structure: &Structure, ray: &Ray, format: Fo
     }))
 }
 
-fn pixel(text: &str) -> Result<[u32; 2], String> {
+/// `800,500`
+pub(super) fn pixel(text: &str) -> Result<[u32; 2], String> {
     let number = |text: &str| text.trim().parse().ok();
     let pair = text.split_once(',').and_then(|(x, y)| Some([number(x)?, number(y)?]));
     pair.ok_or_else(|| "write two whole numbers with a comma between them, as in 800,500".to_owned())

@@ -4,14 +4,17 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use glam::Vec2;
 use raystep_accel::Rule;
-use raystep_figure::{Camera, Depth, Shaded, Space, Theme, shaded};
-use raystep_lesson::{Beat, Built, Library, Look, NamedRay, Slide, Stage};
+use raystep_figure::{Ask, Camera, Depth, Figure, Look as Letters, Maps, Pane, Shaded, Space, Theme, shaded};
+use raystep_lesson::{Beat, Built, Column, Library, Look, NamedRay, Slide, Stage};
 use raystep_scene::Scene;
 
 use super::names::{of_own_scene, of_slide, slug};
 use crate::fault::Fault;
 use crate::shown::all_nodes::AllNodes;
 use crate::shown::camera::{self, Seen};
+use crate::shown::heat::Wish;
+use crate::shown::kind_name::kind_name;
+use crate::shown::reel::pane;
 
 /// A scene, the structure over it, and the slide that speaks of it.
 pub(crate) struct Ground<'a> {
@@ -27,6 +30,12 @@ pub(crate) struct Ground<'a> {
     pub(super) nodes: Arc<AllNodes>,
     /// The beginning of files' names.
     pub(super) stem: String,
+    /// The name of the listing that it follows.
+    pub(super) listing: String,
+    /// The panes below space on a plate.
+    pub(super) show: Vec<Pane>,
+    /// What a plate is called.
+    pub(super) title: String,
     /// What a plate says about it.
     pub(super) about: String,
     look: Option<Look>,
@@ -59,16 +68,6 @@ pub(crate) struct Changes<'a> {
 }
 
 impl<'a> Ground<'a> {
-    /// A stage as its slide has it.
-    pub(crate) fn of_stage(library: &'a Library, slide: &'a Slide, stage: &'a Stage) -> Result<Ground<'a>, Fault> {
-        let wrong = |error: &dyn std::fmt::Display| Fault::new(format!("{}: {error}", slide.file));
-        let built = stage.build(slide.plays).map_err(|error| wrong(&error))?;
-        let rule = stage.plan.rule(built.scene.flat).map_err(|error| wrong(&error))?;
-        let nodes = Arc::new(AllNodes::of(&built.structure, built.told.as_ref()));
-        let own = Changes { scene: None, settings: Vec::new(), own: None, seen: None, depth: None, told: true };
-        Ok(Ground::new(library, slide, stage, built, rule, nodes, own, &|| true))
-    }
-
     /// What is built, with what differs from the stage.
     pub(crate) fn new(
         library: &'a Library,
@@ -102,7 +101,7 @@ impl<'a> Ground<'a> {
             about.push_str(&format!(" · {}: {value}", key.replace('_', " ")));
         }
         let beats = if told { slide.beats.as_slice() } else { &[] };
-        let beside = stage.build_beside(&built.scene, slide.plays).ok().flatten().filter(|_| told);
+        let beside = if told { stage.build_beside(&built.scene, slide.plays).ok().flatten() } else { None };
         Ground {
             library,
             slide,
@@ -113,6 +112,9 @@ impl<'a> Ground<'a> {
             rule,
             nodes,
             stem,
+            listing: slide.listing.clone(),
+            show: slide.show.iter().filter_map(pane).collect(),
+            title: slide.title.clone(),
             about,
             look,
             seen,
@@ -130,14 +132,32 @@ impl<'a> Ground<'a> {
         }
     }
 
+    /// What each ray costs of a picture that fills a page of this size.
+    pub(super) fn heat(&self, shown: &Space, size: Vec2) -> Result<Figure, Fault> {
+        let Built { structure, scene, .. } = &self.built;
+        let wish = Wish {
+            scene: scene.clone(),
+            structures: vec![(kind_name(self.rule.kind()).to_owned(), structure.clone())],
+            of: Column::Tests,
+            camera: self.camera(shown, size),
+            size,
+        };
+        let rays = size.to_array().map(|side| side.round() as u32);
+        let heated = wish.count(rays, self.go_on).ok_or_else(cancelled)?;
+        let look = Letters { text: Letters::WINDOW.text * 1.2, ..Letters::WINDOW };
+        let ask = Ask::new(Maps::room(size, 1, &look), look);
+        Ok(heated.reel().still(&heated.instant()).draw(Pane::Picture, &ask))
+    }
+
     /// An error once nobody waits for the pictures any more.
     pub(super) fn goes_on(&self) -> Result<(), Fault> {
-        if (self.go_on)() { Ok(()) } else { Err(Fault::new("the export was cancelled")) }
+        if (self.go_on)() { Ok(()) } else { Err(cancelled()) }
     }
 
     /// The solid scene in a picture of so many pixels; nothing if it is given up.
     pub(super) fn scenery(&self, camera: &Camera, size: Vec2, theme: &Theme) -> Option<Arc<Shaded>> {
-        let pixels = size.to_array().map(|side| (side.round() as u32).clamp(1, MOST_PIXELS));
+        let smaller = (MOST_PIXELS / size.max_element()).min(1.0);
+        let pixels = size.to_array().map(|side| ((side * smaller).round() as u32).max(1));
         // Whoever comes second waits for the first, and finds the image ready.
         let mut known = self.scenery.lock().unwrap_or_else(PoisonError::into_inner);
         let same = known.iter().find(|(seen, size, _)| seen == camera && *size == pixels);
@@ -152,6 +172,11 @@ impl<'a> Ground<'a> {
     }
 }
 
+/// Nobody waits any more.
+pub(super) fn cancelled() -> Fault {
+    Fault::new("the export was cancelled")
+}
+
 /// The rays that a stage's beats are told on, each once.
 pub(crate) fn rays_of_beats<'a>(slide: &'a Slide, stage: &'a Stage) -> Vec<&'a NamedRay> {
     let mut rays: Vec<&NamedRay> = Vec::new();
@@ -164,4 +189,4 @@ pub(crate) fn rays_of_beats<'a>(slide: &'a Slide, stage: &'a Stage) -> Vec<&'a N
 }
 
 /// Most pixels on a side of a solid scene: a larger picture shows it a little softer.
-const MOST_PIXELS: u32 = 2400;
+const MOST_PIXELS: f32 = 4800.0;

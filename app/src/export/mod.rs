@@ -1,15 +1,24 @@
 //! Steps of walks as files: the one way that the command line and the window's dialog both go.
 
+mod drawing;
+mod film;
 mod ground;
 mod job;
 mod names;
+mod order;
 mod session;
 mod size;
+mod standing;
 mod telling;
+mod there;
+mod video;
+mod view;
 
 pub(crate) use ground::{Changes, Ground, rays_of_beats};
-pub(crate) use job::{Format, Order, Which, jobs, pictures, write};
+pub(crate) use job::{Which, jobs, pictures, write};
+pub(crate) use order::{Format, Order};
 pub(crate) use session::Session;
-pub use session::View;
 pub use size::Size;
 pub(crate) use telling::{Asked, Telling};
+pub(crate) use view::Piece;
+pub use view::View;

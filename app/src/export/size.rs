@@ -15,6 +15,16 @@ pub struct Size {
     height: u32,
 }
 
+impl Size {
+    /// What is drawn if nobody says how large.
+    pub(crate) const USUAL: Size = Size { width: 1600, height: 1000 };
+
+    /// Whether both sides are even, as videos need them.
+    pub(super) fn is_even(self) -> bool {
+        self.width.is_multiple_of(2) && self.height.is_multiple_of(2)
+    }
+}
+
 impl FromStr for Size {
     type Err = String;
 

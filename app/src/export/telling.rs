@@ -71,9 +71,7 @@ impl Session<'_> {
             right: choice.right,
             reason: choice.reason.as_ref().map(|why| told(why, &Answer { coming, own: choice.own })),
         };
-        let stops =
-            crate::shown::steps::Steps { tape: &self.play.tape, flat: self.play.scene.flat, beats: &self.play.beats };
-        let before = stops.previous(step, raystep_accel::Grain::Arithmetic);
+        let before = self.stops().previous(step, raystep_accel::Grain::Arithmetic);
         Some(Asked { question: told(&ask.question, &coming), before, answers: choices.iter().map(answer).collect() })
     }
 }

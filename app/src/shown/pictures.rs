@@ -7,7 +7,7 @@ use glam::Vec2;
 use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place, Primitives};
 pub(crate) use raystep_figure::Pane;
 use raystep_figure::{
-    Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Instant, KnobLine, Look, Pixel, RulerScale, Scenery, Space,
+    Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Ink, Instant, KnobLine, Look, Pixel, RulerScale, Scenery, Space,
     SpaceMark, Symbol, TreeView, nothing, stage,
 };
 use raystep_lesson::{About, Choice, Listing, Show};
@@ -140,6 +140,13 @@ impl Pictures {
     /// Whether there is anything to show in a pane.
     pub(crate) fn has(&self, pane: Pane) -> bool {
         self.playback.reel().has(pane)
+    }
+
+    /// Whether anything that is followed is not as it was at the step before.
+    pub(crate) fn changes(&self) -> bool {
+        let ask = Ask::new(Vec2::new(400.0, 300.0), Look::WINDOW);
+        let figure = self.playback.reel().still(&self.instant).since(&self.before).draw(Pane::Changed, &ask);
+        figure.marks.iter().any(|mark| matches!(&mark.ink, Ink::Text { text, .. } if text == "\u{2192}"))
     }
 
     /// How wide the picture in the middle is at least, in letters; 0 where it is as wide as there is room.

@@ -13,6 +13,9 @@ pub struct Talk {
     from: usize,
     /// How many minutes there are, once the lecturer has said so.
     length: Option<f32>,
+    /// Where the talk stood last, and by how many minutes the plan was moved by jumps.
+    stood: usize,
+    moved: f32,
 }
 
 /// What a slide takes whose notes say nothing, in minutes.
@@ -24,7 +27,7 @@ const STEP: f32 = 5.0;
 impl Talk {
     /// A talk begins now with a slide.
     pub fn begin(now: f64, from: usize) -> Talk {
-        Talk { began: now, from, length: None }
+        Talk { began: now, from, length: None, stood: from, moved: 0.0 }
     }
 
     /// How many minutes have passed.
@@ -49,18 +52,35 @@ impl Talk {
         self.length = Some((rounded + if longer { STEP } else { -STEP }).clamp(STEP, 600.0));
     }
 
+    /// Takes in where the talk stands. A jump to a slide that is no neighbour leaves it as far behind its plan as it was:
+    /// what is passed over was not to be taught.
+    pub fn follow(&mut self, state: &State) {
+        let here = state.view.slide;
+        if here.abs_diff(self.stood) > 1 {
+            self.moved += self.before(state, self.stood) - self.before(state, here);
+        }
+        self.stood = here;
+    }
+
+    /// The minutes from the first slide to another one; less than none where that comes before it.
+    fn before(&self, state: &State, slide: usize) -> f32 {
+        let slides = &state.library.slides;
+        let between = |from: usize, to: usize| slides.iter().take(to).skip(from).map(minutes).sum::<f32>();
+        between(self.from, slide) - between(slide, self.from)
+    }
+
     /// How many minutes should have passed where the talk stands: those of the slides before, and of this one as many as
-    /// of its beats are over. Of slides before the first one nothing is planned.
+    /// of its beats are over.
     pub fn planned(&self, state: &State) -> f32 {
         let slides = &state.library.slides;
         let here = state.view.slide;
-        let before = slides.iter().take(here).skip(self.from).map(minutes).sum::<f32>();
+        let before = self.before(state, here) + self.moved;
         let beats = state.playback().map_or(&[][..], |playback| playback.play.beats.as_slice());
         let all = beats.iter().flatten().count();
         let over = beats.iter().flatten().filter(|step| **step < state.view.step).count();
         let part = if all > 0 { over as f32 / all as f32 } else { 0.0 };
-        let now = slides.get(here).filter(|_| here >= self.from).map_or(0.0, minutes);
-        before + part * now
+        let now = slides.get(here).map_or(0.0, minutes);
+        (before + part * now).max(0.0)
     }
 }
 
@@ -97,7 +117,13 @@ mod tests {
         assert_eq!((talk.passed(100.0), talk.passed(1730.0)), (0.0, 1630.0 / 60.0));
         let state = State::new(library.clone(), first + 1);
         assert_eq!(talk.planned(&state), minutes(&library.slides[first]));
-        assert_eq!(talk.planned(&State::new(library, first - 1)), 0.0);
+        assert_eq!(talk.planned(&State::new(library.clone(), first - 1)), 0.0);
+        // A jump far ahead is no hurry, and one back no delay.
+        for slide in [first + 9, first - 9] {
+            let there = State::new(library.clone(), slide);
+            talk.follow(&there);
+            assert_eq!(talk.planned(&there), 0.0);
+        }
         assert_eq!((clock(27.1667), clock(0.0), clock(61.5)), ("27:10".into(), "0:00".into(), "1:01:30".into()));
     }
 

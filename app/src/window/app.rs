@@ -708,7 +708,7 @@ impl App {
             return self.speaker.rest();
         }
         let size = ui.ctx().content_rect().size().max(egui::vec2(160.0, 90.0));
-        let (id, builder) = speaker::viewport();
+        let (id, builder) = speaker::viewport(ui.input(|input| input.viewport().monitor_size));
         let context = ui.ctx().clone();
         context.show_viewport_immediate(id, builder, |ui, class| {
             if ui.input(|input| input.viewport().close_requested()) {

@@ -21,11 +21,17 @@ pub(super) struct Speaker {
     thumbs: Thumbs,
 }
 
-/// How egui knows the window.
-pub(super) fn viewport() -> (ViewportId, ViewportBuilder) {
-    let builder = ViewportBuilder::default().with_title("Raystep: speaker").with_inner_size([1440.0, 900.0]);
-    (ViewportId::from_hash_of("speaker"), builder.with_min_inner_size([1000.0, 640.0]))
+/// How egui knows the window, on a screen of this size.
+pub(super) fn viewport(screen: Option<egui::Vec2>) -> (ViewportId, ViewportBuilder) {
+    let room = screen.map_or(USUAL, |screen| (screen - FRAME).max(LEAST));
+    let builder = ViewportBuilder::default().with_title("Raystep: speaker").with_inner_size(USUAL.min(room));
+    (ViewportId::from_hash_of("speaker"), builder.with_min_inner_size(LEAST))
 }
+
+/// The usual size of the window and the smallest one, and what stands around it on a screen.
+const USUAL: egui::Vec2 = egui::vec2(1440.0, 900.0);
+const LEAST: egui::Vec2 = egui::vec2(800.0, 560.0);
+const FRAME: egui::Vec2 = egui::vec2(24.0, 80.0);
 
 impl Speaker {
     pub(super) fn new(context: &Context) -> Speaker {
@@ -58,7 +64,7 @@ impl Speaker {
 
     /// The time runs from the first page that a class sees.
     pub(super) fn keep_time(&mut self, state: &State, now: f64) {
-        self.talk.get_or_insert_with(|| Talk::begin(now, state.view.slide));
+        self.talk.get_or_insert_with(|| Talk::begin(now, state.view.slide)).follow(state);
     }
 
     /// What its pages keep, with the sentences for the speaker.

@@ -79,7 +79,7 @@ fn the_dialog_writes_the_same_bytes_as_the_command_line() {
     harness.run_steps(2);
     harness.get_by_label("Write").click();
     let name = harness.state().state.playback().map(|playback| playback.steps().last()).unwrap();
-    let name = format!("slide33-which-child-first-flat-step{step:04}of{name:04}.png");
+    let name = format!("slide33-which-child-first-flat-1280x800-step{step:04}of{name:04}.png");
     until(&mut harness, |_| by_window.join(&name).is_file());
     let step = format!("{step}..{step}");
     let arguments = ["export", "--slide", "5/33", "--stage", "flat", "--size", "1280x800", "--steps", &step, "--out"];

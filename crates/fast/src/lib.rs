@@ -33,12 +33,12 @@ mod leaf;
 mod race;
 
 pub use build::Settings;
-pub use bvh2::Bvh2;
+pub use bvh2::{Below, Bvh2};
 pub use bvh8::Bvh8;
 pub use daylight::{Daylight, Line, Matter, Surface};
 pub use fast::{Any, Fast, Nearest, Question};
 pub use instances::TwoLevels;
-pub use judge::{Count, Work};
+pub use judge::{Count, NotOrdinary, Shot, Work};
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;
 pub use race::{Race, Row, Rung, Told, tile_order};

@@ -1,10 +1,10 @@
 //! Drawing without a window.
 
-use std::fmt;
 use std::sync::Arc;
 
 use raystep_accel::Prims;
 
+use crate::device::{NoAdapter, Opened, open, words};
 use crate::{Frame, Mesh, Renderer};
 
 /// A device of its own, and a renderer on it.
@@ -16,41 +16,17 @@ pub struct Headless {
     pub adapter: String,
 }
 
-/// No driver answers.
-#[derive(Clone, Debug)]
-pub struct NoAdapter(String);
-
-impl fmt::Display for NoAdapter {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "no graphics adapter without a window: {}", self.0)
-    }
-}
-
-impl std::error::Error for NoAdapter {}
-
 impl Headless {
     /// Any adapter that draws without a window, one in software too.
     ///
     /// # Errors
     /// When there is none, or it gives no device.
     pub fn new() -> Result<Headless, NoAdapter> {
-        pollster::block_on(async {
-            let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
-            let adapter = instance
-                .request_adapter(&wgpu::RequestAdapterOptions::default())
-                .await
-                .map_err(|wrong| NoAdapter(wrong.to_string()))?;
-            let descriptor = wgpu::DeviceDescriptor {
-                label: Some("raystep"),
-                required_limits: wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()),
-                ..Default::default()
-            };
-            let (device, queue) =
-                adapter.request_device(&descriptor).await.map_err(|wrong| NoAdapter(wrong.to_string()))?;
-            let info = adapter.get_info();
-            let renderer = Renderer::new(&device, &queue);
-            Ok(Headless { device, queue, renderer, adapter: format!("{} ({})", info.name, info.backend) })
-        })
+        let limits =
+            |adapter: &wgpu::Adapter| Ok(wgpu::Limits::downlevel_defaults().using_resolution(adapter.limits()));
+        let Opened { device, queue, info } = open(wgpu::PowerPreference::default(), limits)?;
+        let renderer = Renderer::new(&device, &queue);
+        Ok(Headless { device, queue, renderer, adapter: words(&info) })
     }
 
     /// Uploads primitives, to be drawn in many frames.

@@ -1,4 +1,4 @@
-//! Solid scenes as pixels on the GPU.
+//! Solid scenes as pixels on the GPU, and walks of many rays there.
 //!
 //! A [`Renderer`] draws a figure's [`Space`](raystep_figure::Space) over the scene's primitives, as a
 //! [`Camera`](raystep_figure::Camera) sees them, into a texture of its own. Where the texture is shown is the caller's business:
@@ -7,8 +7,14 @@
 //!
 //! Colours stay in gamma space from the theme to the texture, as in egui and in SVG, so that the same
 //! translucent fill looks the same on paper and on screen.
+//!
+//! A [`compute::Walker`] answers rays over a mesh as brute force does.
 
 mod batch;
+#[cfg(not(target_arch = "wasm32"))]
+pub mod compute;
+#[cfg(not(target_arch = "wasm32"))]
+mod device;
 #[cfg(not(target_arch = "wasm32"))]
 mod headless;
 mod mesh;
@@ -21,6 +27,8 @@ mod target;
 mod vertex;
 
 #[cfg(not(target_arch = "wasm32"))]
-pub use headless::{Headless, NoAdapter};
+pub use device::NoAdapter;
+#[cfg(not(target_arch = "wasm32"))]
+pub use headless::Headless;
 pub use mesh::Mesh;
 pub use renderer::{Frame, Renderer};

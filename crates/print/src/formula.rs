@@ -1,14 +1,12 @@
 //! Formulas: TeX in, outlines out. The one place that knows who sets them.
 
-use std::fmt::Write;
-
 use ratex_layout::{LayoutBox, LayoutOptions, layout, to_display_list, validate_layout};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 use ratex_types::path_command::PathCommand;
 use raystep_figure::{Color, Face, fonts};
 
 use crate::decimal::decimal;
-use crate::glyphs::Glyphs;
+use crate::glyphs::{Glyphs, Strokes};
 use crate::svg::escaped;
 use crate::typefaces::{MathFont, Typeface};
 
@@ -43,7 +41,7 @@ pub fn formula(tex: &str, size: f32, color: Color) -> String {
     let room = extent(tex, size);
     let mut glyphs = Glyphs::default();
     let mut body = String::new();
-    draw(&mut body, &mut glyphs, tex, size, 0.0, room.height);
+    draw(&mut Strokes { out: &mut body, glyphs: &mut glyphs }, tex, size, 0.0, room.height);
     let mut definitions = String::new();
     glyphs.definitions(&mut definitions);
     let (width, height) = (decimal(room.width), decimal(room.height + room.depth));
@@ -54,10 +52,25 @@ pub fn formula(tex: &str, size: f32, color: Color) -> String {
     )
 }
 
-/// Writes a formula with its left end on the baseline at `x`, `y`; filled as the group around it says.
-pub(crate) fn draw(out: &mut String, glyphs: &mut Glyphs, tex: &str, size: f32, x: f32, y: f32) {
+/// What a formula is drawn with. Lengths are points, y downwards.
+pub(crate) trait Hand {
+    /// A letter with its origin at `x`, `y`.
+    fn letter(&mut self, typeface: Typeface, letter: char, size: f32, x: f32, y: f32);
+
+    /// A line of text with its left end on the baseline at `x`, `y`.
+    fn line(&mut self, text: &str, face: Face, size: f32, x: f32, y: f32);
+
+    /// A filled bar with its upper left corner at `x`, `y`.
+    fn bar(&mut self, x: f32, y: f32, width: f32, height: f32);
+
+    /// A filled outline, whose points `place` puts where they belong.
+    fn outline(&mut self, commands: &[PathCommand], place: &dyn Fn(f64, f64) -> (f32, f32));
+}
+
+/// Draws a formula with its left end on the baseline at `x`, `y`.
+pub(crate) fn draw(hand: &mut impl Hand, tex: &str, size: f32, x: f32, y: f32) {
     let Ok(list) = set(tex) else {
-        glyphs.line(out, typed(tex), Face::Italic, size, x, y);
+        hand.line(typed(tex), Face::Italic, size, x, y);
         return;
     };
     // The layout measures in em from the upper left corner.
@@ -68,15 +81,17 @@ pub(crate) fn draw(out: &mut String, glyphs: &mut Glyphs, tex: &str, size: f32, 
             DisplayItem::GlyphPath { x, y, scale, font, char_code, .. } => {
                 let (x, y) = place(*x, *y);
                 let letter = char::from_u32(*char_code).unwrap_or(char::REPLACEMENT_CHARACTER);
-                glyphs.letter(out, Typeface::Math(MathFont::named(font)), letter, *scale as f32 * size, x, y);
+                hand.letter(Typeface::Math(MathFont::named(font)), letter, *scale as f32 * size, x, y);
             }
             DisplayItem::Line { x, y, width, thickness, .. } => {
-                rect(out, place(*x, *y - *thickness * 0.5), *width as f32 * size, *thickness as f32 * size);
+                let (x, y) = place(*x, *y - *thickness * 0.5);
+                hand.bar(x, y, *width as f32 * size, *thickness as f32 * size);
             }
             DisplayItem::Rect { x, y, width, height, .. } => {
-                rect(out, place(*x, *y), *width as f32 * size, *height as f32 * size);
+                let (x, y) = place(*x, *y);
+                hand.bar(x, y, *width as f32 * size, *height as f32 * size);
             }
-            DisplayItem::Path { x, y, commands, .. } => path(out, commands, |dx, dy| place(*x + dx, *y + dy)),
+            DisplayItem::Path { x, y, commands, .. } => hand.outline(commands, &|dx, dy| place(*x + dx, *y + dy)),
         }
     }
 }
@@ -175,29 +190,4 @@ fn set(tex: &str) -> Result<DisplayList, Unset> {
 /// A formula that cannot be set stands there as it was typed, as far as there is room for it.
 fn typed(tex: &str) -> &str {
     tex.char_indices().nth(200).map_or(tex, |(end, _)| &tex[..end])
-}
-
-fn rect(out: &mut String, (x, y): (f32, f32), width: f32, height: f32) {
-    let (x, y, width, height) = (decimal(x), decimal(y), decimal(width), decimal(height));
-    let _ = write!(out, r#"<rect x="{x}" y="{y}" width="{width}" height="{height}"/>"#);
-}
-
-fn path(out: &mut String, commands: &[PathCommand], place: impl Fn(f64, f64) -> (f32, f32)) {
-    let point = |x: f64, y: f64| {
-        let (x, y) = place(x, y);
-        format!("{} {}", decimal(x), decimal(y))
-    };
-    out.push_str(r#"<path d=""#);
-    for command in commands {
-        let _ = match *command {
-            PathCommand::MoveTo { x, y } => write!(out, "M{}", point(x, y)),
-            PathCommand::LineTo { x, y } => write!(out, "L{}", point(x, y)),
-            PathCommand::CubicTo { x1, y1, x2, y2, x, y } => {
-                write!(out, "C{} {} {}", point(x1, y1), point(x2, y2), point(x, y))
-            }
-            PathCommand::QuadTo { x1, y1, x, y } => write!(out, "Q{} {}", point(x1, y1), point(x, y)),
-            PathCommand::Close => write!(out, "Z"),
-        };
-    }
-    out.push_str(r#""/>"#);
 }

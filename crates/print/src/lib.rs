@@ -1,15 +1,18 @@
-//! Figures as files, without a GPU: SVG, PNG, APNG, GIF, JSON.
+//! Figures as files, without a GPU: SVG, PDF, PNG, APNG, GIF, JSON.
 //!
 //! A [`Figure`](raystep_figure::Figure) becomes an SVG file in which every letter is an outline from the
-//! shipped fonts, so that it looks the same wherever it is opened; every other picture is that SVG file,
-//! drawn in software. The same figure gives the same bytes.
+//! shipped fonts, so that it looks the same wherever it is opened; every picture of pixels is that SVG file,
+//! drawn in software. Letters as text are asked for, and stand in PDF files. The same figure gives the same bytes.
 
+mod bounds;
 mod decimal;
+mod film;
 mod formula;
 mod glyphs;
 mod json;
+mod label;
 mod letters;
-mod movie;
+mod pdf;
 mod pixels;
 mod plate;
 mod png;
@@ -18,14 +21,18 @@ mod prose;
 mod stack;
 mod svg;
 mod typefaces;
+mod webfont;
 
+pub use bounds::{around, drawn, part};
+pub use film::{Apng, Frame, Gif, Palette, Tally, frame};
 pub use formula::{Extent, Unset, extent, formula};
+pub use glyphs::Lettering;
 pub use json::{Record, Told, json};
 pub use letters::{Letters, Shift, letters};
-pub use movie::{apng, gif};
-pub use plate::{Plate, enlarge, plate, set_in};
+pub use pdf::pdf;
+pub use plate::{Part, Plate, enlarge, plate, set_in};
 pub use png::{PrintError, png};
 pub use proof::{proof, proof_code, proof_plain};
 pub use prose::prose;
 pub use stack::{Layer, stack};
-pub use svg::svg;
+pub use svg::{Manner, drawing, svg};

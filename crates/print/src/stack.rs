@@ -163,7 +163,7 @@ mod tests {
             crate::svg(&figure, &Theme::LIGHT)
         };
         let layer = |name: &str, svg: String| Layer { name: name.to_owned(), says: format!("<{name}>"), svg };
-        let (a, b) = (picture("same", Role::Tested), picture("sea", Role::Tested));
+        let (a, b) = (picture("same", Role::Missed), picture("sea", Role::Missed));
         let one = stack(&[layer("one", a.clone())]);
         let two = stack(&[layer("one", a.clone()), layer("two", b)]);
         assert_eq!(two.matches("<polyline").count(), 1, "{two}");

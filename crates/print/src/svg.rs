@@ -4,19 +4,51 @@ use std::fmt::Write;
 
 use glam::Vec2;
 use raystep_accel::Place;
-use raystep_figure::{Anchor, Color, Face, Figure, Ink, Mark, Role, Style, Theme, fonts};
+use raystep_figure::{Color, Figure, Ink, Mark, Role, Style, Theme};
 
 use crate::decimal::decimal;
 use crate::formula;
-use crate::glyphs::Glyphs;
+use crate::glyphs::{Glyphs, Lettering, Strokes};
+use crate::label::{ROUND, label_box, span};
 use crate::pixels;
 use crate::typefaces::Typeface;
+
+/// How a figure becomes a file.
+#[derive(Clone, Copy, Debug)]
+pub struct Manner<'a> {
+    /// Its colours.
+    pub theme: &'a Theme,
+    /// How letters stand in it.
+    pub lettering: Lettering,
+    /// Whether the page and the grounds of its panels are left out.
+    pub clear: bool,
+    /// Pixels of the file to a point of the figure.
+    pub scale: f32,
+}
+
+impl<'a> Manner<'a> {
+    /// Outlines on the theme's page, a pixel to a point.
+    pub fn plain(theme: &'a Theme) -> Manner<'a> {
+        Manner { theme, lettering: Lettering::Outlines, clear: false, scale: 1.0 }
+    }
+
+    /// Whether a mark is a ground that is left out.
+    pub(crate) fn leaves_out(&self, mark: &Mark) -> bool {
+        self.clear && matches!(mark.role, Role::Page | Role::Panel) && matches!(mark.ink, Ink::Rect { .. })
+    }
+}
 
 /// The figure as an SVG file: rounded coordinates, letters as outlines, every mark with its role as its
 /// class and its place as `data-place`.
 pub fn svg(figure: &Figure, theme: &Theme) -> String {
-    let mut writer = Writer { theme, glyphs: Glyphs::default(), hatched: Vec::new(), body: String::new() };
-    for mark in &figure.marks {
+    drawing(figure, &Manner::plain(theme))
+}
+
+/// The same, with letters, ground and size as `manner` says.
+pub fn drawing(figure: &Figure, manner: &Manner<'_>) -> String {
+    let (theme, glyphs) = (manner.theme, Glyphs::new(manner.lettering));
+    let mut writer = Writer { theme, glyphs, hatched: Vec::new(), body: String::new() };
+    for mark in figure.marks.iter().filter(|mark| !manner.leaves_out(mark)) {
         writer.mark(mark);
     }
     let mut definitions = String::new();
@@ -25,11 +57,15 @@ pub fn svg(figure: &Figure, theme: &Theme) -> String {
     }
     writer.glyphs.definitions(&mut definitions);
     let (width, height) = (decimal(figure.size.x), decimal(figure.size.y));
-    let page = theme.style(Role::Page).fill.map_or_else(String::new, Color::to_hex);
+    let [across, down] = [figure.size.x, figure.size.y].map(|side| decimal(side * manner.scale));
+    let page = theme.style(Role::Page).fill.filter(|_| !manner.clear);
+    let page = page.map_or_else(String::new, |page| {
+        format!("<rect width=\"{width}\" height=\"{height}\" fill=\"{}\"/>\n", page.to_hex())
+    });
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"0 0 {width} {height}\">\n<defs>{definitions}</defs>\n\
-         <rect width=\"{width}\" height=\"{height}\" fill=\"{page}\"/>\n{}</svg>\n",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{across}\" height=\"{down}\" \
+         viewBox=\"0 0 {width} {height}\"{}>\n<defs>{definitions}</defs>\n{page}{}</svg>\n",
+        writer.glyphs.root(),
         writer.body
     )
 }
@@ -88,7 +124,8 @@ impl Writer<'_> {
             }
             Ink::Formula { at, tex, size } => {
                 let _ = write!(self.body, r#"<g{} aria-label="{}">"#, paint("fill", style.text), escaped(tex));
-                formula::draw(&mut self.body, &mut self.glyphs, tex, *size, at.x, at.y);
+                let mut strokes = Strokes { out: &mut self.body, glyphs: &mut self.glyphs };
+                formula::draw(&mut strokes, tex, *size, at.x, at.y);
                 self.body.push_str("</g>");
             }
             Ink::Text { at, text, size, face, anchor, boxed } => {
@@ -97,7 +134,7 @@ impl Writer<'_> {
                 if *boxed {
                     let label = self.theme.label(role);
                     let (min, max) = label_box(left, at.y, width, *size);
-                    self.shape(&rect(min, max, LABEL_ROUND), role, &label);
+                    self.shape(&rect(min, max, ROUND), role, &label);
                     color = label.text;
                 }
                 let _ = write!(self.body, r#"<g{} aria-label="{}">"#, paint("fill", color), escaped(text));
@@ -118,26 +155,6 @@ impl Writer<'_> {
             let _ = write!(self.body, r#"{open_tag} fill="url(#{})"/>"#, hatching_name(role, self.theme));
         }
     }
-}
-
-/// Radius of a label's corners.
-const LABEL_ROUND: f32 = 4.0;
-
-/// The rounded box around a label's text.
-fn label_box(left: f32, middle: f32, width: f32, size: f32) -> (Vec2, Vec2) {
-    let (aside, half) = (size * 0.5, size * 0.8);
-    (Vec2::new(left - aside, middle - half), Vec2::new(left + width + aside, middle + half))
-}
-
-/// Where a text begins, and its width.
-fn span(at: Vec2, text: &str, face: Face, size: f32, anchor: Anchor) -> (f32, f32) {
-    let width = fonts::text_width(text, face, size);
-    let left = match anchor {
-        Anchor::Start => at.x,
-        Anchor::Middle => at.x - width * 0.5,
-        Anchor::End => at.x - width,
-    };
-    (left, width)
 }
 
 fn rect(min: Vec2, max: Vec2, round: f32) -> String {

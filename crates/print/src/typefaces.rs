@@ -94,6 +94,43 @@ impl Typeface {
         }
     }
 
+    /// The bytes of its file.
+    pub(crate) fn bytes(self) -> &'static [u8] {
+        match self {
+            Typeface::Text(face) => fonts::bytes(face),
+            Typeface::Math(font) => font.bytes(),
+        }
+    }
+
+    /// What its family is called, and what stands in for it where it is missing.
+    pub(crate) fn family(self) -> [&'static str; 2] {
+        match self {
+            Typeface::Text(Face::Mono | Face::MonoMedium) => ["JetBrains Mono", "monospace"],
+            Typeface::Text(_) => ["Inter", "sans-serif"],
+            Typeface::Math(MathFont::Main | MathFont::Bold | MathFont::Italic) => ["KaTeX_Main", "serif"],
+            Typeface::Math(MathFont::Variable) => ["KaTeX_Math", "serif"],
+            Typeface::Math(MathFont::Signs) => ["KaTeX_AMS", "serif"],
+            Typeface::Math(MathFont::Size1) => ["KaTeX_Size1", "serif"],
+            Typeface::Math(MathFont::Size2) => ["KaTeX_Size2", "serif"],
+            Typeface::Math(MathFont::Size3) => ["KaTeX_Size3", "serif"],
+            Typeface::Math(MathFont::Size4) => ["KaTeX_Size4", "serif"],
+        }
+    }
+
+    /// How heavy it is, as style sheets count: 400 is the usual weight.
+    pub(crate) fn weight(self) -> u16 {
+        match self {
+            Typeface::Text(Face::Medium | Face::MonoMedium) => 500,
+            Typeface::Text(Face::Bold) | Typeface::Math(MathFont::Bold) => 700,
+            _ => 400,
+        }
+    }
+
+    /// Whether its letters slant.
+    pub(crate) fn slants(self) -> bool {
+        matches!(self, Typeface::Text(Face::Italic) | Typeface::Math(MathFont::Italic | MathFont::Variable))
+    }
+
     /// The parsed face.
     pub(crate) fn parsed(self) -> &'static ttf_parser::Face<'static> {
         static TEXT: OnceLock<Vec<ttf_parser::Face<'static>>> = OnceLock::new();

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{NodeId, Place};
 use raystep_figure::{Anchor, Face, Figure, Ink, Role, Theme};
-use raystep_print::{png, svg};
+use raystep_print::{Lettering, Manner, around, drawing, drawn, part, pdf, png, svg};
 
 /// One row for each role: line, box, circle, arrow, label, text.
 fn chart() -> Figure {
@@ -51,4 +51,68 @@ fn formulas_are_set_and_what_is_none_stands_as_typed() {
 fn too_large_a_picture_is_refused() {
     let error = png(&svg(&chart(), &Theme::LIGHT), 1000.0).unwrap_err();
     assert!(error.to_string().contains("16384"), "{error}");
+}
+
+#[test]
+fn letters_stand_as_text_where_that_is_asked_for() {
+    let mut figure = chart();
+    figure.add(
+        Role::Text,
+        None,
+        Ink::Formula { at: Vec2::new(20.0, 20.0), tex: r"\frac{t_0}{2}".to_owned(), size: 20.0 },
+    );
+    for (lettering, texts, faces) in
+        [(Lettering::Outlines, false, false), (Lettering::Named, true, false), (Lettering::Embedded, true, true)]
+    {
+        let manner = Manner { lettering, ..Manner::plain(&Theme::LIGHT) };
+        let file = drawing(&figure, &manner);
+        assert_eq!(file, drawing(&figure, &manner));
+        assert_eq!(file.contains(">3 waits</text>"), texts, "{lettering:?}");
+        assert_eq!(file.contains("&amp; &lt;text&gt;</text>"), texts, "{lettering:?}");
+        assert_eq!(file.contains("@font-face{font-family:'Inter';font-weight:500"), faces, "{lettering:?}");
+        assert_eq!(file.contains("@font-face{font-family:'KaTeX_Math'"), faces, "{lettering:?}");
+        assert_eq!(file.contains("<path id="), !texts, "{lettering:?}");
+        // Nothing but letters differs.
+        assert_eq!(file.matches("<polyline").count(), svg(&figure, &Theme::LIGHT).matches("<polyline").count());
+        // What is not asked for is not brought along: a file of some letters is small.
+        assert!(file.len() < 200_000, "{} bytes", file.len());
+    }
+}
+
+#[test]
+fn a_page_in_pdf_is_as_large_as_asked_and_tells_no_time() {
+    let figure = chart();
+    let size = figure.size * 0.5 * 0.75;
+    for theme in Theme::ALL {
+        let manner = Manner { scale: 0.5, ..Manner::plain(theme) };
+        let page = pdf(&figure, "Marks", &manner).unwrap();
+        assert_eq!(page, pdf(&figure, "Marks", &manner).unwrap());
+        let text = String::from_utf8_lossy(&page);
+        let sides = format!("/MediaBox [0 0 {} {}]", size.x, size.y);
+        assert!(text.starts_with("%PDF-1.") && text.contains(&sides), "{sides}");
+        assert!(text.contains("/FontFile3") && text.contains("/ToUnicode") && !text.contains("Date"));
+    }
+    let clear = Manner { clear: true, ..Manner::plain(&Theme::LIGHT) };
+    assert!(pdf(&Figure::new(Vec2::new(40.0, 30.0)), "", &clear).is_ok());
+    let error = pdf(&figure, "Marks", &Manner { scale: 1000.0, ..clear }).unwrap_err();
+    assert!(error.to_string().contains("cannot be made"), "{error}");
+}
+
+#[test]
+fn margins_are_cut_off_and_grounds_left_out() {
+    let mut figure = Figure::new(Vec2::new(200.0, 100.0));
+    figure.add(Role::Panel, None, Ink::Rect { min: Vec2::ZERO, max: figure.size, round: 0.0 });
+    assert_eq!(drawn(&figure), None, "a ground is no drawing");
+    figure.add(Role::Here, None, Ink::Circle { center: Vec2::new(60.0, 50.0), radius: 10.0 });
+    figure.add(Role::Ray, None, Ink::Line { points: vec![Vec2::new(-40.0, 20.0), Vec2::new(90.0, 20.0)] });
+    let found = drawn(&figure).unwrap();
+    assert_eq!(found, [Vec2::new(0.0, 20.0), Vec2::new(90.0, 60.0)], "as far as the page goes");
+    assert_eq!(around(found, [Vec2::splat(30.0); 2]), found);
+    let opaque = svg(&figure, &Theme::LIGHT);
+    let clear = drawing(&figure, &Manner { clear: true, scale: 2.0, ..Manner::plain(&Theme::LIGHT) });
+    assert!(opaque.contains("class=\"panel\"") && !clear.contains("class=\"panel\""));
+    assert!(clear.contains("width=\"400\" height=\"200\" viewBox=\"0 0 200 100\""), "{clear}");
+    let part = part(figure, found);
+    assert_eq!(part.size, Vec2::new(90.0, 40.0));
+    assert!(matches!(part.marks[1].ink, Ink::Circle { center, .. } if center == Vec2::new(60.0, 30.0)));
 }

@@ -1,5 +1,6 @@
 //! From where the rays are shot.
 
+use std::fmt;
 use std::str::FromStr;
 
 use glam::Vec3;
@@ -47,6 +48,18 @@ impl FromStr for Look {
             _ => Err("write close, scene, or six numbers for eye and target and perhaps a seventh for the angle in \
                       degrees, as in 2,-9,5,0,0,1.5,30"
                 .to_owned()),
+        }
+    }
+}
+
+impl fmt::Display for Look {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Look::Close => f.write_str("close"),
+            Look::Scene => f.write_str("scene"),
+            Look::Free { eye: e, target: t, fov_degrees } => {
+                write!(f, "{},{},{},{},{},{},{fov_degrees}", e.x, e.y, e.z, t.x, t.y, t.z)
+            }
         }
     }
 }

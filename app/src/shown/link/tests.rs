@@ -165,7 +165,7 @@ fn every_wrong_link_gets_a_sentence() {
     check("5/33?speed=0.3", "speed=0.3: a number of quarters");
     check("5/33?present=1", "present=1: yes or no is needed");
     check("5/99?step=1", "there is no slide \"5/99\"; there are 1/");
-    check("5/33?ray=none", "slide 5/33 has no ray \"none\"; there are \"both children\"");
+    check("5/33?ray=none", "slide 5/33 has no ray \"none\"; there are \"both children, far hit\"");
     check("5/33?set=max_dept:3", "kd has no parameter \"max_dept\"");
     check("5/33?set=max_depth:9999999", "set=max_depth:9999999: 9999999 is nothing that max_depth can be");
     check("3/22?stage=solid&ray=a", "slide 3/22");

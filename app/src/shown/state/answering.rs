@@ -9,9 +9,9 @@ use crate::shown::playback::{Playback, Posed};
 
 impl State {
     /// The question that is open now: it is answered by the next step. Where a beat speaks at this step it is heard
-    /// first, and the question opens when one goes on.
+    /// first, and the question opens when one goes on; before a class there is always something to look at first.
     pub fn question(&self) -> Option<&Posed> {
-        self.posed_here().filter(|_| self.asking || !self.speaks())
+        self.posed_here().filter(|_| self.asking || !self.present && !self.speaks())
     }
 
     /// The question that waits until the beat of this step has been read.

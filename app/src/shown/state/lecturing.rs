@@ -57,6 +57,10 @@ impl State {
     /// The next thing that is said or asked: what an answer means, the question behind a beat, its answer, the next
     /// beat, the next slide.
     pub(super) fn onward(&mut self) {
+        // What is on its way is waited for: no slide is passed by.
+        if self.leaves() {
+            return;
+        }
         if self.opens_or_closes_a_question() {
             return;
         }
@@ -69,6 +73,9 @@ impl State {
 
     /// The thing before; on the slide before where one was.
     pub(super) fn backward(&mut self) {
+        if self.leaves() {
+            return;
+        }
         if self.asking || self.is_settled() {
             (self.asking, self.answered) = (false, None);
             return;

@@ -82,7 +82,7 @@ impl Form {
             return Err(Fault::new("Write the folder that the files shall go to."));
         }
         Ok(Wish {
-            order: Order { view: self.view, format: self.format, size, theme: self.theme },
+            order: Order::new(self.view, self.format, size, self.theme),
             which: match self.which {
                 Which::This => Steps::Steps(step..=step),
                 Which::Beats => Steps::Beats,

@@ -68,6 +68,7 @@ const COLUMNS: [&[Group]; 2] = [
             Command::Open,
             Command::Cancel,
             Command::Palette,
+            Command::Link,
             Command::ZoomIn,
             Command::ZoomOut,
             Command::ZoomReset,

@@ -1,4 +1,4 @@
-//! What is under way beside the UI thread, on a strip over the picture, each with a button that gives it up.
+//! What is under way beside the UI thread, on a strip over the foot of the page, each with a button that gives it up.
 
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ pub(super) fn strip(ui: &Ui, tasks: &[Arc<Task>], theme: &Theme) -> Option<Arc<T
     }
     ui.ctx().request_repaint_after_secs(0.05);
     let area = Area::new(Id::unique("underway")).order(Order::Foreground);
-    let area = area.fade_in(false).anchor(egui::Align2::CENTER_TOP, vec2(0.0, 58.0));
+    let area = area.fade_in(false).anchor(egui::Align2::CENTER_BOTTOM, vec2(0.0, -92.0));
     area.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, |ui| rows(ui, tasks, theme)).inner).inner
 }
 

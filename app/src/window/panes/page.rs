@@ -104,6 +104,8 @@ pub(crate) struct Kept {
     pub(crate) notices: Notices,
     pub(crate) formulas: Formulas,
     pub(super) tree: TreeView,
+    /// Whether the class's page is seen below what covers it: on the speaker's window.
+    pub(crate) uncovered: bool,
     /// Which page of a long beat is shown.
     pub(crate) pages: Pages,
     /// The presenter's column of words, as it was fitted last.

@@ -95,7 +95,7 @@ impl Window {
         let own = matches!(self.playback.view.ray, RayChoice::Own(_));
         let which = if own && matches!(which, Which::Beats) { &Which::ReachedBeats } else { which };
         let jobs = jobs(&sessions, which, order)?;
-        task.expect(pictures(&jobs));
+        task.expect(pictures(&jobs, order));
         let files = export::write(&jobs, order, folder, &|| {
             task.count();
             !task.is_stopped()

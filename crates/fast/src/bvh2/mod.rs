@@ -2,6 +2,7 @@
 //! children's boxes, the nearer child comes first, and the stack is our own.
 
 mod node;
+mod parts;
 mod walk;
 
 use raystep_accel::{Hit, Mesh, Ray, Want};
@@ -12,6 +13,7 @@ use crate::judge::{Count, NotOrdinary};
 use crate::lanes::{Isa, dispatch};
 use crate::leaf::Four;
 use node::Node;
+pub use parts::Below;
 
 /// A hierarchy of boxes with two children to a node.
 #[derive(Clone, Debug)]

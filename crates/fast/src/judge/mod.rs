@@ -61,7 +61,7 @@ mod verdict;
 
 pub(crate) use best::Nearest;
 pub use count::{Count, Work};
-pub(crate) use shot::{NotOrdinary, Shot};
+pub use shot::{NotOrdinary, Shot};
 pub(crate) use verdict::{accept, careful};
 
 /// The margin of a box, as a part of S·|r|.

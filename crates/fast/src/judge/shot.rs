@@ -7,29 +7,32 @@ use super::BOX;
 
 /// A ray with what every box and every triangle needs of it, computed once.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shot<'a> {
-    pub(crate) ray: &'a Ray,
-    /// One over each component of the direction.
-    pub(crate) r: [f32; 3],
-    /// What is added to b·r where the ray enters a slab, and where it leaves it.
-    pub(crate) enter: [f32; 3],
-    pub(crate) leave: [f32; 3],
+pub struct Shot<'a> {
+    /// The ray itself.
+    pub ray: &'a Ray,
+    /// One over each component of the direction; a component of less than 2⁻³⁰ of the largest counts as that much.
+    pub r: [f32; 3],
+    /// What is added to b·r where the ray enters a slab.
+    pub enter: [f32; 3],
+    /// What is added to it where the ray leaves a slab.
+    pub leave: [f32; 3],
     /// Whether the ray runs down each axis.
-    pub(crate) down: [bool; 3],
+    pub down: [bool; 3],
     /// Whether no component of the direction counts as more than it is.
-    pub(crate) steep: bool,
+    pub steep: bool,
     /// The axes, the one with the largest component last.
-    pub(crate) axes: [usize; 3],
-    /// The origin along these axes, and one over the direction.
-    pub(crate) o: [f32; 3],
-    pub(crate) sorted_r: [f32; 3],
+    pub axes: [usize; 3],
+    /// The origin along these axes.
+    pub o: [f32; 3],
+    /// One over the direction along these axes.
+    pub sorted_r: [f32; 3],
     /// How far the ray runs along the first two of these axes while it runs one along the last.
-    pub(crate) shear: [f32; 2],
+    pub shear: [f32; 2],
 }
 
 /// The proofs do not hold for this ray: it has to be walked carefully.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct NotOrdinary;
+pub struct NotOrdinary;
 
 /// What lanes can bear: coordinates and directions.
 const ORDINARY: std::ops::RangeInclusive<f32> = 1.0 / POWER_40..=POWER_40;
@@ -47,6 +50,15 @@ impl<'a> Shot<'a> {
     /// It is not an ordinary ray.
     #[inline(always)]
     pub(crate) fn new(ray: &'a Ray, reach: f32) -> Result<Shot<'a>, NotOrdinary> {
+        Shot::with_margin(ray, reach, BOX)
+    }
+
+    /// The same where boxes are moved out by another part of S·|r|: for lanes that round otherwise.
+    ///
+    /// # Errors
+    /// It is not an ordinary ray.
+    #[inline(always)]
+    pub fn with_margin(ray: &'a Ray, reach: f32, margin: f32) -> Result<Shot<'a>, NotOrdinary> {
         let (o, d) = (ray.o.extend(0.0), ray.d.extend(0.0));
         let size = d.abs();
         let largest = greater(greater(size.x, size.y), size.z);
@@ -57,7 +69,7 @@ impl<'a> Shot<'a> {
         }
         let least = largest * (1.0 / POWER_30);
         let r = Vec4::ONE / size.max(Vec4::splat(least)).copysign(d);
-        let margin = r.abs() * (BOX * reach);
+        let margin = r.abs() * (margin * reach);
         let start = -(o * r);
         // The same order as the judge's: the first of equals.
         let last = if size.y > size.x { 1 } else { 0 };

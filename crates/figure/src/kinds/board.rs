@@ -34,11 +34,15 @@ impl Kind for Board<'_> {
     }
 
     fn panes(&self) -> Vec<Pane> {
-        vec![Pane::Picture]
+        std::iter::once(Pane::Picture).chain(self.panels.iter().map(Panel::pane)).collect()
     }
 
     fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure> {
-        (pane == Pane::Picture).then(|| board(self.panels, *at.state(), ask))
+        if pane == Pane::Picture {
+            return Some(board(self.panels, *at.state(), ask));
+        }
+        let shown: Vec<Panel> = self.panels.iter().filter(|panel| pane == panel.pane()).cloned().collect();
+        (!shown.is_empty()).then(|| board(&shown, *at.state(), ask))
     }
 
     fn pixel_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {

@@ -40,11 +40,21 @@ pub enum Pane {
     Legend,
     /// The track of all steps.
     Timeline,
+    /// The charts of a board.
+    Chart,
+    /// The tables of a board.
+    Table,
+    /// The numbers of a board that are moved by hand.
+    Meter,
+    /// The heat maps of a board.
+    Heat,
+    /// The ray traced pictures of a board.
+    Traced,
 }
 
 impl Pane {
     /// Every pane.
-    pub const ALL: [Pane; 15] = [
+    pub const ALL: [Pane; 20] = [
         Pane::Picture,
         Pane::Ruler,
         Pane::RulerLine,
@@ -60,10 +70,15 @@ impl Pane {
         Pane::Work,
         Pane::Legend,
         Pane::Timeline,
+        Pane::Chart,
+        Pane::Table,
+        Pane::Meter,
+        Pane::Heat,
+        Pane::Traced,
     ];
 
     /// The pane in which a structure is best seen beside space; nothing if it has no parts.
-    pub(crate) fn best_of(structure: &Structure) -> Option<Pane> {
+    pub fn best_of(structure: &Structure) -> Option<Pane> {
         match structure {
             Structure::Slab(_) => Some(Pane::Slabs),
             Structure::List(_) => None,
@@ -88,6 +103,11 @@ impl Pane {
             Pane::Work => "Work",
             Pane::Legend => "Signs",
             Pane::Timeline => "Timeline",
+            Pane::Chart => "Chart",
+            Pane::Table => "Table",
+            Pane::Meter => "Numbers",
+            Pane::Heat => "Heat map",
+            Pane::Traced => "Pictures",
         }
     }
 }

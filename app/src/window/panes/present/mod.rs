@@ -48,7 +48,7 @@ pub(crate) fn page(
     asked: &mut Vec<Asked>,
 ) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
-    if let Some(cover) = page.state.lecture.cover {
+    if let Some(cover) = page.state.lecture.cover.filter(|_| !kept.uncovered) {
         let color = if cover == Cover::Black { Color32::BLACK } else { Color32::WHITE };
         ui.painter().rect_filled(rect, 0.0, color);
         return None;
@@ -98,7 +98,10 @@ pub(crate) fn page(
 fn says_so_far(ui: &Ui, page: Page<'_>, kept: &Kept, rect: Rect, body: f32) {
     let Some(pictures) = &kept.pictures else { return };
     let (playback, step) = (&pictures.playback, page.state.view.step);
-    let says = format!("step {step} of {} · {}", playback.steps().last(), pictures.tally());
+    // What would answer a question is left out, and nothing says so.
+    let tally = Some(pictures.tally()).filter(|_| page.state.question().is_none());
+    let tally = tally.map_or_else(String::new, |tally| format!(" · {tally}"));
+    let says = format!("step {step} of {}{tally}", playback.steps().last());
     let at = rect.left_center() + vec2(0.0, body * 0.3);
     caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, body * 0.68, Role::Quiet, page.theme);
 }
@@ -129,7 +132,8 @@ fn side_page(
     let look = Look { text: body * 0.62, titles: true, least: 0.0 };
     let pictures = kept.pictures.as_ref()?;
     let rest = (rect.bottom() - end - body * 0.6).min(changed_height(6, &look));
-    let shows = pictures.has(Pane::Changed) && rest >= changed_height(2, &look) && !page.state.is_settled();
+    let changed = pictures.has(Pane::Changed) && pictures.changes();
+    let shows = changed && rest >= changed_height(2, &look) && !page.state.is_settled();
     let below = Rect::from_min_max(pos2(rect.left(), rect.bottom() - rest), rect.max);
     shows.then(|| figure(ui, page, kept, Pane::Changed, below, &look, asked)).flatten()
 }

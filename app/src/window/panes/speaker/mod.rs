@@ -17,6 +17,7 @@ use raystep_figure::{Face, Role};
 use super::page::{Asked, Kept, Page};
 use super::present::{self, Marks};
 use crate::shown::command::Command;
+use crate::shown::lecture::Cover;
 use crate::shown::state::State;
 use crate::shown::talk::Talk;
 use crate::window::look::painter::caption;
@@ -50,7 +51,9 @@ pub(crate) struct DeskKept {
 
 impl Default for DeskKept {
     fn default() -> DeskKept {
-        DeskKept { wall: Kept::default(), next: Kept::default(), letters: 17.0 }
+        let mut wall = Kept::default();
+        wall.uncovered = true;
+        DeskKept { wall, next: Kept::default(), letters: 17.0 }
     }
 }
 
@@ -88,12 +91,13 @@ pub(crate) fn page(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, marks: &mu
     rule(ui, desk, [right.left_top(), right.left_bottom()]);
 
     let left = left.shrink2(vec2(18.0, 10.0));
-    heading(
-        ui,
-        desk,
-        left.min,
-        if desk.wall.state.lecture.frozen { "Yours alone: the class's page is held" } else { "On the wall now" },
-    );
+    let says = match desk.wall.state.lecture.cover {
+        Some(Cover::Black) => "Black on the wall; below it",
+        Some(Cover::White) => "White on the wall; below it",
+        None if desk.wall.state.lecture.frozen => "Yours alone: the class's page is held",
+        None => "On the wall now",
+    };
+    heading(ui, desk, left.min, says);
     let aspect = desk.class.x / desk.class.y;
     let wide = left.width().min((left.height() * 0.66) * aspect);
     let wall = Rect::from_min_size(left.min + vec2(0.0, 24.0), vec2(wide, wide / aspect));

@@ -82,7 +82,7 @@ pub(super) fn bar(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<Aske
         if button(ui, "+", "Five minutes more") {
             asked.push(AskedHere::Lengthen(true));
         }
-        if button(ui, "from 0", "The time begins anew") {
+        if button(ui, "restart", "The time begins anew") {
             asked.push(AskedHere::Restart);
         }
     });

@@ -20,7 +20,7 @@ pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
 pub use table::{Column, Row, Table};
 
-use super::Ask;
+use super::{Ask, Pane};
 use crate::page::{Figure, Look};
 
 /// A part of a board. Its entries (rows, points, lines) have numbers, in the order in which they come to be seen.
@@ -39,6 +39,17 @@ pub enum Panel {
 }
 
 impl Panel {
+    /// The pane that shows it and those of its kind alone.
+    pub(crate) fn pane(&self) -> Pane {
+        match self {
+            Panel::Table(_) => Pane::Table,
+            Panel::Chart(_) => Pane::Chart,
+            Panel::Meter(_) => Pane::Meter,
+            Panel::Maps(_) => Pane::Heat,
+            Panel::Pictures(_) => Pane::Traced,
+        }
+    }
+
     /// The entries that come to be seen in it; a meter is there from the beginning.
     fn entries(&self) -> Vec<usize> {
         match self {
