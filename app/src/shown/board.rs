@@ -167,7 +167,9 @@ fn here(column: Column, measured: &Measured) -> String {
     match column {
         Column::Tests => digits(measured.tests),
         // Where there is nothing to enter, none were.
-        Column::Visits | Column::Boxes | Column::Nodes if measured.nodes == 0 => "\u{2013}".to_owned(),
+        Column::Visits | Column::Boxes if measured.nodes == 0 && measured.visits == 0.0 => "\u{2013}".to_owned(),
+        // Of fast structures only what a ray enters is counted.
+        Column::Nodes if measured.nodes == 0 => "\u{2013}".to_owned(),
         Column::Visits => digits(measured.visits),
         Column::Boxes => digits(measured.boxes),
         Column::Alive if measured.alive.is_nan() => "\u{2013}".to_owned(),
