@@ -14,6 +14,7 @@
 //! | `build` | 53-54 | trees of two children by binned surface area, on all threads |
 //! | `bvh2` | 56, 59 | a node in one cache line, the nearer child first, a stack of our own |
 //! | `bvh8` | 59 | eight boxes at once |
+//! | `packet` | 59 | 8 or 16 rays from one eye that walk together |
 //! | `fast` | | what every structure here can do, with many rays on many threads |
 //! | `kinds` | 64 | the structures by name |
 
@@ -25,6 +26,7 @@ mod judge;
 mod kinds;
 mod lanes;
 mod leaf;
+mod packet;
 
 pub use build::Settings;
 pub use bvh2::Bvh2;
@@ -33,3 +35,4 @@ pub use fast::{Any, Fast, Nearest, Question};
 pub use judge::{Count, Work};
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;
+pub use packet::{PacketWidth, Packets};

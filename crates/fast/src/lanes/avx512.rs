@@ -68,4 +68,11 @@ ops! {
 
     /// In which lanes a ≤ b.
     fn at_most8(a: F8, b: F8) -> u32 { u32::from(_mm256_cmp_ps_mask::<_CMP_LE_OQ>(a, b)) }
+    fn mul8(a: F8, b: F8) -> F8 { _mm256_mul_ps(a, b) }
+    fn div8(a: F8, b: F8) -> F8 { _mm256_div_ps(a, b) }
+    fn abs8(a: F8) -> F8 { _mm256_andnot_ps(_mm256_set1_ps(-0.0), a) }
+    /// In which lanes the sign is a minus.
+    fn minus8(a: F8) -> u32 { _mm256_movemask_ps(a) as u32 }
+    /// In which lanes a < b.
+    fn below8(a: F8, b: F8) -> u32 { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(a, b)) as u32 }
 }

@@ -82,4 +82,11 @@ ops! {
 
     /// In which lanes a ≤ b.
     fn at_most8(a: F8, b: F8) -> u32 { bits::<8>(|i| a[i] <= b[i]) }
+    fn mul8(a: F8, b: F8) -> F8 { from_fn(|i| a[i] * b[i]) }
+    fn div8(a: F8, b: F8) -> F8 { from_fn(|i| a[i] / b[i]) }
+    fn abs8(a: F8) -> F8 { from_fn(|i| a[i].abs()) }
+    /// In which lanes the sign is a minus.
+    fn minus8(a: F8) -> u32 { bits::<8>(|i| a[i].is_sign_negative()) }
+    /// In which lanes a < b.
+    fn below8(a: F8, b: F8) -> u32 { bits::<8>(|i| a[i] < b[i]) }
 }

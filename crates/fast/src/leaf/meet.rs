@@ -1,11 +1,8 @@
 //! A ray and four triangles: ruled out in single precision, judged in double.
 
-use crate::judge::{AREA, Count, FAR_AREA, INWARD, LEAST_AREA, LEAST_T, Nearest, Shot, accept};
+use crate::judge::{AREA, Count, EDGE_ON, FAR_AREA, INWARD, LEAST_AREA, LEAST_T, Nearest, Shot, accept};
 use crate::lanes::stamped;
 use crate::leaf::Four;
-
-/// Thinner than this part of its distance, and a triangle counts as seen edge-on: as `accel` has it.
-const EDGE_ON: f64 = 1e-10;
 
 macro_rules! meet {
     ($(#[$features:meta])* $isa:ident) => {

@@ -2,6 +2,8 @@
 
 mod four;
 mod meet;
+#[cfg(test)]
+mod search;
 
 pub(crate) use four::Four;
 pub(crate) use meet::*;
