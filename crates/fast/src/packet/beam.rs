@@ -21,6 +21,8 @@ pub(super) struct Beam<const G: usize> {
     pub(super) largest: f32,
     /// Whether no component counts as more than it is.
     pub(super) steep: bool,
+    /// How far the rays run along the first two of these axes while they run one along the last; and so far along that.
+    pub(super) shear: [[[[f64; 4]; 3]; 2]; G],
     /// The least t that counts.
     pub(super) t_min: [[f32; 8]; G],
 }
@@ -32,12 +34,6 @@ pub(super) struct Found<const G: usize> {
 }
 
 impl<const G: usize> Found<G> {
-    /// The t beyond which no ray of the packet looks.
-    #[inline(always)]
-    pub(super) fn furthest(&self) -> f32 {
-        self.t.as_flattened().iter().copied().fold(f32::NEG_INFINITY, |most, t| if t > most { t } else { most })
-    }
-
     /// The hits, in the order of the rays.
     #[inline(always)]
     pub(super) fn hits(&self) -> impl Iterator<Item = Option<Hit>> {

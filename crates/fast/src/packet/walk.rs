@@ -65,6 +65,7 @@ macro_rules! walk {
                 down,
                 axes,
                 largest: 0.0,
+                shear: [[[[0.0; 4]; 3]; 2]; G],
                 steep: true,
                 t_min: [[0.0; 8]; G],
             };
@@ -104,22 +105,57 @@ macro_rules! walk {
                     high[axis] = max8(high[axis], r);
                     beam.r[group][axis] = array8(r);
                 }
+                for half in 0..2 {
+                    let d_z = double4(half4(&d[axes[2]], half));
+                    beam.shear[group][half] = [
+                        array_d4(div_d4(double4(half4(&d[axes[0]], half)), d_z)),
+                        array_d4(div_d4(double4(half4(&d[axes[1]], half)), d_z)),
+                        array_d4(d_z),
+                    ];
+                }
                 beam.d[group] = d;
             }
             if !alike {
                 return None;
             }
-            let (longest, shortest) = (array8(longest), array8(shortest));
-            beam.largest = longest.into_iter().fold(0.0, f32::max);
-            let short = shortest.into_iter().fold(f32::INFINITY, f32::min);
-            if !(STRAIGHT.contains(&beam.largest) && STRAIGHT.contains(&short)) {
+            beam.largest = most8(longest);
+            if !(STRAIGHT.contains(&beam.largest) && STRAIGHT.contains(&least8(shortest))) {
                 return None;
             }
             beam.extreme = [
-                low.map(|low| array8(low).into_iter().fold(f32::INFINITY, f32::min)),
-                high.map(|high| array8(high).into_iter().fold(f32::NEG_INFINITY, f32::max)),
+                [least8(low[0]), least8(low[1]), least8(low[2])],
+                [most8(high[0]), most8(high[1]), most8(high[2])],
             ];
             Some(beam)
+        }
+
+        /// The least t that counts for any ray.
+        $(#[$features])*
+        #[inline]
+        fn first_t<const G: usize>(beam: &Beam<G>) -> f32 {
+            let mut least = load8(&beam.t_min[0]);
+            for group in 1..G {
+                least = min8(least, load8(&beam.t_min[group]));
+            }
+            least8(least)
+        }
+
+        /// The t beyond which no ray of the packet looks.
+        $(#[$features])*
+        #[inline]
+        fn last_t<const G: usize>(found: &Found<G>) -> f32 {
+            let mut most = load8(&found.t[0]);
+            for group in 1..G {
+                most = max8(most, load8(&found.t[group]));
+            }
+            most8(most)
+        }
+
+        /// The first or the last four of eight.
+        $(#[$features])*
+        #[inline]
+        fn half4(of: &[f32; 8], half: usize) -> F4 {
+            load4(&bytemuck::cast_ref::<[f32; 8], [[f32; 4]; 2]>(of)[half & 1])
         }
 
         /// Walks a packet to the nearest hits of its rays, if they run alike.
@@ -137,20 +173,22 @@ macro_rules! walk {
             let reach = beam.o.iter().fold(reach, |reach, o| reach.max(o.abs()));
             // A plane is met by all rays between where the two extreme ones meet it.
             let [low, high] = beam.extreme;
-            let start = |r: [f32; 3], side: f32| -> [f32; 3] {
-                from_fn(|axis| -(beam.o[axis] * r[axis]) + side * (BOX * reach * r[axis].abs()))
+            let [o_x, o_y, o_z] = beam.o;
+            let out = BOX * reach;
+            let start = |[x, y, z]: [f32; 3], side: f32| {
+                [side * (out * x.abs()) - o_x * x, side * (out * y.abs()) - o_y * y, side * (out * z.abs()) - o_z * z]
             };
-            let [low_x, low_y, low_z] = low.map(|r| splat8(r));
-            let [high_x, high_y, high_z] = high.map(|r| splat8(r));
-            let [enter_low_x, enter_low_y, enter_low_z] = start(low, -1.0).map(|n| splat8(n));
-            let [enter_high_x, enter_high_y, enter_high_z] = start(high, -1.0).map(|n| splat8(n));
-            let [leave_low_x, leave_low_y, leave_low_z] = start(low, 1.0).map(|n| splat8(n));
-            let [leave_high_x, leave_high_y, leave_high_z] = start(high, 1.0).map(|n| splat8(n));
+            let [low_x, low_y, low_z] = splats8(low);
+            let [high_x, high_y, high_z] = splats8(high);
+            let [enter_low_x, enter_low_y, enter_low_z] = splats8(start(low, -1.0));
+            let [enter_high_x, enter_high_y, enter_high_z] = splats8(start(high, -1.0));
+            let [leave_low_x, leave_low_y, leave_low_z] = splats8(start(low, 1.0));
+            let [leave_high_x, leave_high_y, leave_high_z] = splats8(start(high, 1.0));
             let [down_x, down_y, down_z] = beam.down.map(usize::from);
             let (row_x, row_y, row_z) = (down_x, 2 + down_y, 4 + down_z);
             let (octant, turned) = octant(beam.down);
-            let t_min = splat8(beam.t_min.as_flattened().iter().copied().fold(f32::INFINITY, f32::min));
-            let mut furthest = found.furthest();
+            let t_min = splat8(first_t(&beam));
+            let mut furthest = last_t(&found);
             let (mut here, mut waiting) = (0u32, 0usize);
             'walk: loop {
                 while here & LEAF == 0 {
@@ -199,7 +237,7 @@ macro_rules! walk {
                     }
                 }
                 if meet(&leaves[(here & !LEAF) as usize], &beam, rays, &mut found) {
-                    furthest = found.furthest();
+                    furthest = last_t(&found);
                 }
                 loop {
                     if waiting == 0 {
@@ -224,7 +262,9 @@ macro_rules! walk {
             let corner = |axis: usize, corner: usize| {
                 sub_d4(double4(load4(&four.rows[axis][corner])), splat_d4(f64::from(beam.o[axis])))
             };
-            let [a, b, c] = [0, 1, 2].map(|i| [corner(0, i), corner(1, i), corner(2, i)]);
+            let a = [corner(0, 0), corner(1, 0), corner(2, 0)];
+            let b = [corner(0, 1), corner(1, 1), corner(2, 1)];
+            let c = [corner(0, 2), corner(1, 2), corner(2, 2)];
             let cross = |p: [_; 3], q: [_; 3]| {
                 let [p_x, p_y, p_z] = p;
                 let [q_x, q_y, q_z] = q;
@@ -244,7 +284,12 @@ macro_rules! walk {
             let mut any = false;
             for lane in 0..four.count() as usize {
                 let lane = lane & 3;
-                let [u, v, w] = normals.map(|normal| normal.map(|part| splat8(part[lane])));
+                let [u, v, w] = &normals;
+                let [u, v, w] = [
+                    splats8([u[0][lane], u[1][lane], u[2][lane]]),
+                    splats8([v[0][lane], v[1][lane], v[2][lane]]),
+                    splats8([w[0][lane], w[1][lane], w[2][lane]]),
+                ];
                 let margin = splat8(margins[lane]);
                 let minus = splat8(-margins[lane]);
                 for group in 0..G {
@@ -277,7 +322,6 @@ macro_rules! walk {
             left: u32,
             found: &mut Found<G>,
         ) -> bool {
-            let part = |of: &[f32; 8]| -> [f32; 4] { from_fn(|i| of[4 * half + i]) };
             let triangle = four.triangle(lane);
             let o = Vec3::from(beam.o).as_dvec3();
             let [i, j, k] = beam.axes;
@@ -286,8 +330,8 @@ macro_rules! walk {
                 DVec3::new(p[i], p[j], p[k])
             };
             let (a, b, c) = (sorted(triangle.a), sorted(triangle.b), sorted(triangle.c));
-            let [d_x, d_y, d_z] = beam.axes.map(|axis| double4(load4(&part(&beam.d[group][axis]))));
-            let (shear_x, shear_y) = (div_d4(d_x, d_z), div_d4(d_y, d_z));
+            let [shear_x, shear_y, d_z] = &beam.shear[group][half & 1];
+            let (shear_x, shear_y, d_z) = (load_d4(shear_x), load_d4(shear_y), load_d4(d_z));
             let sheared = |p: DVec3| {
                 let z = splat_d4(p.z);
                 (sub_d4(splat_d4(p.x), mul_d4(shear_x, z)), sub_d4(splat_d4(p.y), mul_d4(shear_y, z)))
@@ -319,7 +363,7 @@ macro_rules! walk {
                 for axis in 0..3 {
                     let (near, far) = (bounds.min[axis] - beam.o[axis], bounds.max[axis] - beam.o[axis]);
                     let (near, far) = if beam.down[axis] { (far, near) } else { (near, far) };
-                    let r = load4(&part(&beam.r[group][axis]));
+                    let r = half4(&beam.r[group][axis], half);
                     low = max4(low, mul4(splat4(near), r));
                     high = min4(high, mul4(splat4(far), r));
                 }
