@@ -32,7 +32,7 @@ const HOUSES: &[(&str, &[&str])] = &[
             "event",
         ],
     ),
-    ("crates/fast/src", &["lanes", "judge", "leaf", "build", "fast", "bvh2", "bvh8", "kinds"]),
+    ("crates/fast/src", &["lanes", "judge", "leaf", "build", "fast", "bvh2", "bvh8", "packet", "kd", "grid", "kinds"]),
     ("crates/figure/src", &["theme", "page", "words", "world", "stage", "moments", "panes", "kinds"]),
     (
         "app/src",

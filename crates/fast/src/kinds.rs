@@ -2,11 +2,15 @@
 
 use raystep_accel::{Hit, Mesh, Ray, Want};
 
-use crate::{Bvh2, Bvh8, Count, Fast, Isa, PacketWidth, Packets, Question, Settings};
+use crate::{Bvh2, Bvh8, Count, Fast, Grid, Isa, Kd, PacketWidth, Packets, Question, Settings};
 
 /// The kinds of fast structures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FastKind {
+    /// A uniform grid.
+    Grid,
+    /// A kd-tree.
+    Kd,
     /// Two children to a node.
     Bvh2,
     /// Eight children to a node.
@@ -20,6 +24,10 @@ pub enum FastKind {
 /// Any of the fast structures.
 #[derive(Clone, Debug)]
 pub enum AnyFast {
+    /// A uniform grid.
+    Grid(Grid),
+    /// A kd-tree.
+    Kd(Kd),
     /// Two children to a node.
     Bvh2(Bvh2),
     /// Eight children to a node.
@@ -32,6 +40,8 @@ pub enum AnyFast {
 macro_rules! each {
     ($any:expr, $structure:ident => $do:expr) => {
         match $any {
+            AnyFast::Grid($structure) => $do,
+            AnyFast::Kd($structure) => $do,
             AnyFast::Bvh2($structure) => $do,
             AnyFast::Bvh8($structure) => $do,
             AnyFast::Packets($structure) => $do,
@@ -41,11 +51,14 @@ macro_rules! each {
 
 impl FastKind {
     /// All of them.
-    pub const ALL: [FastKind; 4] = [FastKind::Bvh2, FastKind::Bvh8, FastKind::Packets8, FastKind::Packets16];
+    pub const ALL: [FastKind; 6] =
+        [FastKind::Grid, FastKind::Kd, FastKind::Bvh2, FastKind::Bvh8, FastKind::Packets8, FastKind::Packets16];
 
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
+            FastKind::Grid => "fast-grid",
+            FastKind::Kd => "fast-kd",
             FastKind::Bvh2 => "fast-bvh2",
             FastKind::Bvh8 => "fast-bvh8",
             FastKind::Packets8 => "fast-packets8",
@@ -61,6 +74,8 @@ impl FastKind {
     /// Builds it over a mesh, on the threads of the current pool.
     pub fn build(self, mesh: &Mesh, settings: &Settings) -> AnyFast {
         match self {
+            FastKind::Grid => AnyFast::Grid(Grid::build(mesh)),
+            FastKind::Kd => AnyFast::Kd(Kd::build(mesh)),
             FastKind::Bvh2 => AnyFast::Bvh2(Bvh2::build(mesh, settings)),
             FastKind::Bvh8 => AnyFast::Bvh8(Bvh8::build(mesh, settings)),
             FastKind::Packets8 => AnyFast::Packets(Packets::build(mesh, PacketWidth::Eight, settings)),
@@ -74,6 +89,8 @@ impl AnyFast {
     #[must_use]
     pub fn with(self, isa: Isa) -> AnyFast {
         match self {
+            AnyFast::Grid(grid) => AnyFast::Grid(grid.with(isa)),
+            AnyFast::Kd(tree) => AnyFast::Kd(tree.with(isa)),
             AnyFast::Bvh2(tree) => AnyFast::Bvh2(tree.with(isa)),
             AnyFast::Bvh8(tree) => AnyFast::Bvh8(tree.with(isa)),
             AnyFast::Packets(packets) => AnyFast::Packets(packets.with(isa)),

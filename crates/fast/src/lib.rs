@@ -15,6 +15,8 @@
 //! | `bvh2` | 56, 59 | a node in one cache line, the nearer child first, a stack of our own |
 //! | `bvh8` | 59 | eight boxes at once |
 //! | `packet` | 59 | 8 or 16 rays from one eye that walk together |
+//! | `kd` | 28-42, 60-62 | the kd-tree with nodes of eight bytes |
+//! | `grid` | 16-22 | the grid |
 //! | `fast` | | what every structure here can do, with many rays on many threads |
 //! | `kinds` | 64 | the structures by name |
 
@@ -22,7 +24,9 @@ mod build;
 mod bvh2;
 mod bvh8;
 mod fast;
+mod grid;
 mod judge;
+mod kd;
 mod kinds;
 mod lanes;
 mod leaf;
@@ -32,7 +36,9 @@ pub use build::Settings;
 pub use bvh2::Bvh2;
 pub use bvh8::Bvh8;
 pub use fast::{Any, Fast, Nearest, Question};
+pub use grid::Grid;
 pub use judge::{Count, Work};
+pub use kd::Kd;
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;
 pub use packet::{PacketWidth, Packets};

@@ -47,6 +47,12 @@ impl Packets {
         let (nodes, leaves, reach) = self.tree.parts();
         walk::STACK.with_borrow_mut(|stack| {
             for (rays, answers) in rays.chunks(8 * G).zip(answers.chunks_mut(8 * G)) {
+                // Quickly seen: rays of different origins do not walk together.
+                let apart = rays.first().map(|ray| ray.o) != rays.last().map(|ray| ray.o);
+                if apart {
+                    self.tree.ask_some(rays, answers, question);
+                    continue;
+                }
                 let found: Option<Found<G>> = dispatch!(self.isa, walk::walk(nodes, leaves, rays, reach, stack));
                 match found {
                     Some(found) => {

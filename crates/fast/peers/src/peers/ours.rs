@@ -38,6 +38,8 @@ pub fn makers() -> Vec<Maker> {
         Box::new(Ours(built.with(isa.unwrap_or(Isa::best()))))
     }
     vec![
+        Maker { name: "fast-grid", build: |mesh| build(FastKind::Grid, mesh, &Settings::QUICK) },
+        Maker { name: "fast-kd", build: |mesh| build(FastKind::Kd, mesh, &Settings::QUICK) },
         Maker { name: "fast-bvh2", build: |mesh| build(FastKind::Bvh2, mesh, &Settings::QUICK) },
         Maker { name: "fast-bvh2-dear", build: |mesh| build(FastKind::Bvh2, mesh, &Settings::DEAR) },
         Maker { name: "fast-bvh8", build: |mesh| build(FastKind::Bvh8, mesh, &Settings::QUICK) },
