@@ -2,11 +2,10 @@
 
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
-use rayon::prelude::*;
 use raystep_accel::{Aabb, Accel, Hit, List, Mesh, PrimId, Primitives, Prims, Random, Ray, Shape, pinhole};
 use raystep_fast::{AnyFast, Fast, FastKind, Isa, Settings};
 use raystep_scene::trial::rays::Targets;
-use raystep_scene::trial::scenes::cases;
+use raystep_scene::trial::scenes::{cases, cases_of};
 use raystep_scene::{Scene, trial};
 
 /// The triangles of a scene.
@@ -115,12 +114,40 @@ fn check_pictures(name: &str, mesh: &Mesh, side: u32) {
 #[test]
 fn a_million_rays_agree() {
     let cases: Vec<_> = cases().into_iter().filter(|case| !case.flat).collect();
-    let each = 1_050_000 / cases.len() as u32;
-    let counts =
-        cases.par_iter().enumerate().map(|(i, case)| check(&case.name, &mesh(&case.prims), i as u64 + 1, each));
+    let meshes: Vec<(String, Mesh)> = cases.into_iter().map(|case| (case.name, mesh(&case.prims))).collect();
+    // Brute force takes about the same time in each scene.
+    let weight = |mesh: &Mesh| 1.0 / (mesh.len() as f64 + 40.0);
+    let all: f64 = meshes.iter().map(|(_, mesh)| weight(mesh)).sum();
+    let counts = meshes
+        .par_iter()
+        .enumerate()
+        .map(|(i, (name, mesh))| check(name, mesh, i as u64 + 1, (1_050_000.0 * weight(mesh) / all) as u32));
     let [shot, hits] = counts.reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]]);
     assert!(shot >= 1_000_000, "too few rays: {shot}");
     assert!(hits > shot / 5, "too few rays hit anything: {hits}");
+}
+
+/// `cargo test --release -p raystep-fast --test agreement -- --ignored --nocapture` with `RAYSTEP_RAYS=100000000` shoots
+/// that many, at ever other scenes.
+#[test]
+#[ignore = "a campaign: as many rays as RAYSTEP_RAYS says"]
+fn as_many_rays_as_you_like_agree() {
+    let rays: u64 = std::env::var("RAYSTEP_RAYS").ok().and_then(|rays| rays.parse().ok()).unwrap_or(10_000_000);
+    let (mut shot, mut hits) = (0u64, 0u64);
+    for seed in 1.. {
+        if shot >= rays {
+            break;
+        }
+        let cases: Vec<_> = cases_of(seed).into_iter().filter(|case| !case.flat).collect();
+        let counts = cases.par_iter().enumerate().map(|(i, case)| {
+            let mesh = mesh(&case.prims);
+            // Brute force takes about the same time in each.
+            check(&case.name, &mesh, seed * 1000 + i as u64, 4_000_000 / (mesh.len() as u32 + 40))
+        });
+        let [more, hit] = counts.reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]]);
+        (shot, hits) = (shot + u64::from(more), hits + u64::from(hit));
+        println!("{shot} rays, {hits} hits: all alike");
+    }
 }
 
 #[test]
@@ -130,6 +157,25 @@ fn the_teapots_agree() {
         let [_, hits] = check(name, &mesh(&scene.prims), 1, rays);
         assert!(hits > rays / 5, "{name}: {hits}");
         check_pictures(name, &mesh(&scene.prims), 32);
+    }
+}
+
+#[test]
+fn threads_change_nothing() {
+    let scene = Scene::named("teapot-6321").unwrap();
+    let mesh = mesh(&scene.prims);
+    let targets = Targets::of(&scene.prims, false, &[]);
+    let mut random = Random::new(5);
+    let rays: Vec<Ray> = (1..9000).step_by(3).filter_map(|i| targets.ray(&scene.prims, i, &mut random)).collect();
+    for kind in FastKind::ALL {
+        let answers = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let structure = kind.build(&mesh, &Settings::default());
+                (structure.bytes(), structure.intersect_many(&rays), structure.occluded_many(&rays))
+            })
+        };
+        assert_eq!(answers(1), answers(3), "{}", kind.name());
     }
 }
 

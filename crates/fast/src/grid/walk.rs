@@ -51,7 +51,8 @@ macro_rules! walk {
                 let place = locate(lattice, axis, ray.o[axis] + live.near * ray.d[axis]);
                 cell += rows[i] * place as usize;
                 let width = (lattice.bounds.max[axis] - lattice.bounds.min[axis]) / n as f32;
-                if ray.d[axis] != 0.0 {
+                // One that runs so slowly along an axis that it counts as faster never leaves its cells there.
+                if 1.0 / ray.d[axis].abs() == shot.r[i].abs() {
                     let plane = lattice.plane(axis, place + u32::from(!shot.down[i]));
                     next[i] = (plane - ray.o[axis]) * shot.r[i];
                 }
