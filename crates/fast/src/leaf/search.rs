@@ -53,7 +53,7 @@ fn ray(random: &mut Random, mesh: &Mesh, number: u32) -> Option<Ray> {
     let o = at - d;
     // Of any length.
     d *= 10f32.powi(number as i32 % 7 - 3);
-    if number % 11 == 0 {
+    if number.is_multiple_of(11) {
         d.x *= 1e-12;
     }
     Ray::new(o, d).ok()

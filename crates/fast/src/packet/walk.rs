@@ -75,7 +75,7 @@ macro_rules! walk {
             let mut longest = splat8(0.0);
             let mut shortest = splat8(f32::INFINITY);
             for group in 0..G {
-                let Some(eight) = rays[8 * group..].first_chunk::<8>() else { return None };
+                let eight = rays[8 * group..].first_chunk::<8>()?;
                 alike &= eight.iter().all(|ray| ray.o.to_array().map(f32::to_bits) == o.map(f32::to_bits));
                 let d: [[f32; 8]; 3] = [
                     from_fn(|i| eight[i].d.x),
