@@ -1,7 +1,7 @@
 //! bvh: boxes along the ray, the nearest first.
 
 use bvh::aabb::{Aabb, Bounded};
-use bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
+use bvh::bounding_hierarchy::BHShape;
 use bvh::bvh::Bvh;
 use nalgebra::{Point3, Vector3};
 use raystep_accel::{Hit, Mesh, PrimId, Ray, Triangle};
