@@ -34,7 +34,22 @@ const HOUSES: &[(&str, &[&str])] = &[
     ),
     (
         "crates/fast/src",
-        &["lanes", "judge", "leaf", "build", "fast", "bvh2", "bvh8", "kinds", "instances", "daylight", "race"],
+        &[
+            "lanes",
+            "judge",
+            "leaf",
+            "build",
+            "fast",
+            "bvh2",
+            "bvh8",
+            "packet",
+            "kd",
+            "grid",
+            "kinds",
+            "instances",
+            "daylight",
+            "race",
+        ],
     ),
     ("crates/figure/src", &["theme", "page", "words", "world", "stage", "moments", "panes", "kinds"]),
     (

@@ -14,6 +14,9 @@
 //! | `build` | 53-54 | trees of two children by binned surface area, on all threads |
 //! | `bvh2` | 56, 59 | a node in one cache line, the nearer child first, a stack of our own |
 //! | `bvh8` | 59 | eight boxes at once |
+//! | `packet` | 59 | 8 or 16 rays from one eye that walk together |
+//! | `kd` | 28-42, 60-62 | the kd-tree with nodes of eight bytes |
+//! | `grid` | 16-22 | the grid |
 //! | `fast` | | what every structure here can do, with many rays on many threads |
 //! | `kinds` | 64 | the structures by name |
 //! | `instances` | 10, 27 | a tree over trees: what is stored once and placed many times |
@@ -25,11 +28,14 @@ mod bvh2;
 mod bvh8;
 mod daylight;
 mod fast;
+mod grid;
 mod instances;
 mod judge;
+mod kd;
 mod kinds;
 mod lanes;
 mod leaf;
+mod packet;
 mod race;
 
 pub use build::Settings;
@@ -37,8 +43,11 @@ pub use bvh2::{Below, Bvh2};
 pub use bvh8::Bvh8;
 pub use daylight::{Daylight, Line, Matter, Surface};
 pub use fast::{Any, Fast, Nearest, Question};
+pub use grid::Grid;
 pub use instances::TwoLevels;
 pub use judge::{Count, NotOrdinary, Shot, Work};
+pub use kd::Kd;
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;
+pub use packet::{PacketWidth, Packets};
 pub use race::{Elsewhere, Race, Row, Rung, Told, tile_order};

@@ -119,7 +119,10 @@ fn scene(name: &'static str, options: &Options) {
                 let each = |number: u64| number as f64 / rays.len() as f64;
                 let (nodes, boxes) = (each(work.nodes), each(work.boxes));
                 let (triangles, judged) = (each(work.triangles), each(work.judged));
-                println!("  {}, {name}: {nodes:.2} nodes, {boxes:.1} boxes, {triangles:.2} triangles a ray, {judged:.3} of them judged", one.name);
+                println!(
+                    "  {}, {name}: {nodes:.2} nodes, {boxes:.1} boxes, {triangles:.2} triangles a ray, {judged:.3} of them judged",
+                    one.name
+                );
             }
         }
     }

@@ -6,7 +6,6 @@ use raystep_accel::{Hit, Mesh, PrimId, Ray};
 /// How answers fare beside the truth.
 #[derive(Default)]
 pub struct Report {
-    pub rays: usize,
     pub hits: usize,
     /// The triangle is not met there, or the truth is nearer by more than single precision explains, or a miss is none.
     pub wrong: usize,
@@ -19,7 +18,7 @@ pub const SLIPS: f64 = 0.004;
 
 /// Compares answers with those of Raystep, which are exact, and those in turn with double precision.
 pub fn report(mesh: &Mesh, rays: &[Ray], truth: &[Option<Hit>], found: &[Option<Hit>]) -> Report {
-    let mut report = Report { rays: rays.len(), ..Report::default() };
+    let mut report = Report::default();
     for ((ray, truth), found) in rays.iter().zip(truth).zip(found) {
         report.hits += usize::from(found.is_some());
         let is_right = match (truth, found) {

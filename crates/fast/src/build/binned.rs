@@ -124,7 +124,9 @@ fn part(references: &mut [Reference], depth: u32) -> (usize, [Box4; 2]) {
     let middle = references.len() / 2;
     let around = |references: &[Reference]| {
         let mut bounds = Box4::EMPTY;
-        references.iter().for_each(|reference| bounds.add(reference));
+        for reference in references {
+            bounds.add(reference);
+        }
         bounds
     };
     (middle, [around(&references[..middle]), around(&references[middle..])])

@@ -120,7 +120,9 @@ impl Loose {
             if places.iter().any(|&place| touched[place]) {
                 continue;
             }
-            places.iter().for_each(|&place| touched[place] = true);
+            for place in places {
+                touched[place] = true;
+            }
             self.apply(node, to);
             moved += 1;
         }

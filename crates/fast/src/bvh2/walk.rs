@@ -67,10 +67,11 @@ macro_rules! walk {
             let mut best = Nearest::before(shot.ray.t_max);
             // Lanes 0 and 1 say where the ray enters the left and the right child; lanes 2 and 3, where it leaves them,
             // with the sign turned, so that one maximum narrows both ends.
-            let [r_x, r_y, r_z] = shot.r.map(|r| load4(&[r, r, -r, -r]));
+            let turned = |r: f32| load4(&[r, r, -r, -r]);
+            let (r_x, r_y, r_z) = (turned(shot.r[0]), turned(shot.r[1]), turned(shot.r[2]));
             let ends = |axis: usize| load4(&[shot.enter[axis], shot.enter[axis], -shot.leave[axis], -shot.leave[axis]]);
             let (n_x, n_y, n_z) = (ends(0), ends(1), ends(2));
-            let [turn_x, turn_y, turn_z] = shot.down.map(|down| turn4(down));
+            let (turn_x, turn_y, turn_z) = (turn4(shot.down[0]), turn4(shot.down[1]), turn4(shot.down[2]));
             let t_min = shot.ray.t_min;
             let mut range = load4(&[t_min, t_min, -best.t, -best.t]);
             let (mut here, mut high) = (Child::ROOT, 0usize);

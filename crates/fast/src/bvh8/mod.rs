@@ -11,7 +11,7 @@ use crate::fast::{Fast, Question};
 use crate::judge::{Count, NotOrdinary};
 use crate::lanes::{Isa, dispatch};
 use crate::leaf::Four;
-use node::Node;
+pub(crate) use node::{LEAF, Node, octant};
 
 /// A hierarchy of boxes with up to eight children to a node.
 #[derive(Clone, Debug)]
@@ -28,6 +28,11 @@ impl Bvh8 {
         let tree = tree(mesh, settings);
         let (nodes, leaves) = collapse::nodes(&tree, mesh);
         Bvh8 { nodes, leaves, reach: tree.reach(), isa: Isa::best() }
+    }
+
+    /// Its nodes, its leaves, and the largest coordinate: for walks of other rooms.
+    pub(crate) fn parts(&self) -> (&[Node], &[Four], f32) {
+        (&self.nodes, &self.leaves, self.reach)
     }
 
     /// The same with other instructions.

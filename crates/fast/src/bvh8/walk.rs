@@ -65,9 +65,9 @@ macro_rules! walk {
         ) -> Result<Option<Hit>, NotOrdinary> {
             let shot = &Shot::new(ray, reach)?;
             let mut best = Nearest::before(shot.ray.t_max);
-            let [r_x, r_y, r_z] = shot.r.map(|r| splat8(r));
-            let [enter_x, enter_y, enter_z] = shot.enter.map(|enter| splat8(enter));
-            let [leave_x, leave_y, leave_z] = shot.leave.map(|leave| splat8(leave));
+            let [r_x, r_y, r_z] = splats8(shot.r);
+            let [enter_x, enter_y, enter_z] = splats8(shot.enter);
+            let [leave_x, leave_y, leave_z] = splats8(shot.leave);
             // In which rows the planes stand through which the ray enters slabs; the next but for the last bit, those
             // through which it leaves them.
             let [down_x, down_y, down_z] = shot.down.map(usize::from);

@@ -11,13 +11,25 @@ pub(crate) struct Nearest {
 }
 
 /// The number of no triangle.
-const NONE: u32 = u32::MAX;
+pub(crate) const NONE: u32 = u32::MAX;
 
 impl Nearest {
     /// Nothing found yet.
     #[inline(always)]
     pub(crate) fn before(t_max: f32) -> Nearest {
         Nearest { t: t_max, prim: NONE }
+    }
+
+    /// What was found before: [`parts`](Nearest::parts).
+    #[inline(always)]
+    pub(crate) fn of(t: f32, prim: u32) -> Nearest {
+        Nearest { t, prim }
+    }
+
+    /// The t, and the number of the triangle or of none.
+    #[inline(always)]
+    pub(crate) fn parts(self) -> (f32, u32) {
+        (self.t, self.prim)
     }
 
     /// Keeps a hit within the ray's range if it is better: smaller t, or the same t and the smaller id.

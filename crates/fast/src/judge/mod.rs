@@ -43,6 +43,18 @@
 //!
 //! A triangle is ruled out where one area is surely negative and another surely positive. `accel` rejects it then.
 //!
+//! # Packets
+//!
+//! Rays with one origin whose directions have the same signs enter a slab between where the rays of the least and of the
+//! greatest r on that axis do: (b − o)·r − 32·u·S·|r| is linear in r, and if both ends are found with errors of 8·u·S·|r| at
+//! most, then the lesser of them is no further out than any mean of both, and so than the t of any ray's hit, by the same
+//! sums as above.
+//!
+//! The area that such a ray makes with an edge from p to q is, times the largest component D of d, the product n·d with
+//! n = p × q. That is computed in double precision (to 2⁻⁵¹·L² on each axis) and rounded: no component is larger than
+//! 2·L·x, since n = p × (q − p). The product with d errs by 4.1·u·Σ|n_k·d_k| ≤ 4.1·u·6·L·x·D: less than
+//! D·(32·u·g·x + u²·g²) with all the rest.
+//!
 //! # Meetings: within a box's interval but for 1.5·u of its ends
 //!
 //! What the judge met counts as it is if it lies in the slab interval of the triangle's own box. To know that, the six
@@ -59,9 +71,10 @@ mod count;
 mod shot;
 mod verdict;
 
-pub(crate) use best::Nearest;
+pub(crate) use best::{NONE, Nearest};
 pub use count::{Count, Work};
 pub use shot::{NotOrdinary, Shot};
+pub(crate) use shot::{ORDINARY, POWER_30, STRAIGHT};
 pub(crate) use verdict::{accept, careful};
 
 /// The margin of a box, as a part of S·|r|.
@@ -72,6 +85,12 @@ pub(crate) const AREA: f32 = 64.0 * UNIT;
 pub(crate) const FAR_AREA: f32 = 1024.0 * UNIT * UNIT;
 /// ... and this.
 pub(crate) const LEAST_AREA: f32 = f32::from_bits((127 - 100) << 23);
+/// The same of an area that was found as a product of a direction and a normal: so much of g·x times the direction ...
+pub(crate) const BEAM_AREA: f32 = 32.0 * UNIT;
+/// ... and of g².
+pub(crate) const BEAM_FAR_AREA: f32 = UNIT * UNIT;
+/// Thinner than this part of its distance, and a triangle counts as seen edge-on: as `accel` has it.
+pub(crate) const EDGE_ON: f64 = 1e-10;
 /// The part of an end by which a meeting may lie further out and surely be within.
 pub(crate) const INWARD: f32 = 1.5 * UNIT;
 /// The least t of which that can be said.

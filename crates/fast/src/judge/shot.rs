@@ -35,9 +35,9 @@ pub struct Shot<'a> {
 pub struct NotOrdinary;
 
 /// What lanes can bear: coordinates and directions.
-const ORDINARY: std::ops::RangeInclusive<f32> = 1.0 / POWER_40..=POWER_40;
-const STRAIGHT: std::ops::RangeInclusive<f32> = 1.0 / POWER_30..=POWER_30;
-const POWER_30: f32 = (1u64 << 30) as f32;
+pub(crate) const ORDINARY: std::ops::RangeInclusive<f32> = 1.0 / POWER_40..=POWER_40;
+pub(crate) const STRAIGHT: std::ops::RangeInclusive<f32> = 1.0 / POWER_30..=POWER_30;
+pub(crate) const POWER_30: f32 = (1u64 << 30) as f32;
 const POWER_40: f32 = (1u64 << 40) as f32;
 
 /// For each axis the two that follow it, and it.

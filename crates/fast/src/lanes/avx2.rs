@@ -68,4 +68,26 @@ ops! {
 
     /// In which lanes a ≤ b.
     fn at_most8(a: F8, b: F8) -> u32 { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(a, b)) as u32 }
+    fn mul8(a: F8, b: F8) -> F8 { _mm256_mul_ps(a, b) }
+    fn div8(a: F8, b: F8) -> F8 { _mm256_div_ps(a, b) }
+    fn abs8(a: F8) -> F8 { _mm256_andnot_ps(_mm256_set1_ps(-0.0), a) }
+    /// The least and the greatest of all lanes.
+    fn least8(a: F8) -> f32 {
+        let a = _mm_min_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps::<1>(a));
+        let a = _mm_min_ps(a, _mm_movehl_ps(a, a));
+        _mm_cvtss_f32(_mm_min_ss(a, _mm_shuffle_ps::<1>(a, a)))
+    }
+    fn most8(a: F8) -> f32 {
+        let a = _mm_max_ps(_mm256_castps256_ps128(a), _mm256_extractf128_ps::<1>(a));
+        let a = _mm_max_ps(a, _mm_movehl_ps(a, a));
+        _mm_cvtss_f32(_mm_max_ss(a, _mm_shuffle_ps::<1>(a, a)))
+    }
+    fn load_d4(x: &[f64; 4]) -> D4 { cast(*x) }
+    fn array_d4(x: D4) -> [f64; 4] { cast(x) }
+    fn splats4(x: [f32; 3]) -> [F4; 3] { [splat4(x[0]), splat4(x[1]), splat4(x[2])] }
+    fn splats8(x: [f32; 3]) -> [F8; 3] { [splat8(x[0]), splat8(x[1]), splat8(x[2])] }
+    /// In which lanes the sign is a minus.
+    fn minus8(a: F8) -> u32 { _mm256_movemask_ps(a) as u32 }
+    /// In which lanes a < b.
+    fn below8(a: F8, b: F8) -> u32 { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(a, b)) as u32 }
 }

@@ -82,4 +82,18 @@ ops! {
 
     /// In which lanes a ≤ b.
     fn at_most8(a: F8, b: F8) -> u32 { bits::<8>(|i| a[i] <= b[i]) }
+    fn mul8(a: F8, b: F8) -> F8 { from_fn(|i| a[i] * b[i]) }
+    fn div8(a: F8, b: F8) -> F8 { from_fn(|i| a[i] / b[i]) }
+    fn abs8(a: F8) -> F8 { from_fn(|i| a[i].abs()) }
+    /// The least and the greatest of all lanes.
+    fn least8(a: F8) -> f32 { a.into_iter().fold(f32::INFINITY, lesser) }
+    fn most8(a: F8) -> f32 { a.into_iter().fold(f32::NEG_INFINITY, greater) }
+    fn load_d4(x: &[f64; 4]) -> D4 { *x }
+    fn array_d4(x: D4) -> [f64; 4] { x }
+    fn splats4(x: [f32; 3]) -> [F4; 3] { [splat4(x[0]), splat4(x[1]), splat4(x[2])] }
+    fn splats8(x: [f32; 3]) -> [F8; 3] { [splat8(x[0]), splat8(x[1]), splat8(x[2])] }
+    /// In which lanes the sign is a minus.
+    fn minus8(a: F8) -> u32 { bits::<8>(|i| a[i].is_sign_negative()) }
+    /// In which lanes a < b.
+    fn below8(a: F8, b: F8) -> u32 { bits::<8>(|i| a[i] < b[i]) }
 }

@@ -1,11 +1,8 @@
 //! A ray and four triangles: ruled out in single precision, judged in double.
 
-use crate::judge::{AREA, Count, FAR_AREA, INWARD, LEAST_AREA, LEAST_T, Nearest, Shot, accept};
+use crate::judge::{AREA, Count, EDGE_ON, FAR_AREA, INWARD, LEAST_AREA, LEAST_T, Nearest, Shot, accept};
 use crate::lanes::stamped;
 use crate::leaf::Four;
-
-/// Thinner than this part of its distance, and a triangle counts as seen edge-on: as `accel` has it.
-const EDGE_ON: f64 = 1e-10;
 
 macro_rules! meet {
     ($(#[$features:meta])* $isa:ident) => {
@@ -29,8 +26,8 @@ macro_rules! meet {
         #[inline]
         pub(crate) fn left(four: &Four, shot: &Shot<'_>) -> u32 {
             let [x, y, z] = shot.axes.map(|axis| &four.rows[axis & 3]);
-            let [o_x, o_y, o_z] = shot.o.map(|o| splat4(o));
-            let [shear_x, shear_y] = shot.shear.map(|shear| splat4(shear));
+            let [o_x, o_y, o_z] = splats4(shot.o);
+            let (shear_x, shear_y) = (splat4(shot.shear[0]), splat4(shot.shear[1]));
             // The corners relative to the origin, sheared so that the ray runs along z.
             let [a_z, b_z, c_z] = [sub4(load4(&z[0]), o_z), sub4(load4(&z[1]), o_z), sub4(load4(&z[2]), o_z)];
             let a_x = sub_product4(shear_x, a_z, sub4(load4(&x[0]), o_x));
@@ -61,7 +58,8 @@ macro_rules! meet {
             let d = shot.ray.d.to_array();
             let [x, y, z] = shot.axes.map(|axis| &four.rows[axis & 3]);
             let [d_x, d_y, d_z] = shot.axes.map(|axis| f64::from(d[axis]));
-            let [o_x, o_y, o_z] = shot.o.map(|o| splat_d4(f64::from(o)));
+            let [o_x, o_y, o_z] = shot.o.map(f64::from);
+            let (o_x, o_y, o_z) = (splat_d4(o_x), splat_d4(o_y), splat_d4(o_z));
             let (shear_x, shear_y) = (splat_d4(d_x / d_z), splat_d4(d_y / d_z));
             let [a_z, b_z, c_z] = [
                 sub_d4(double4(load4(&z[0])), o_z),
@@ -117,7 +115,9 @@ macro_rules! meet {
             for i in 0..3 {
                 let [a, b, c] = &four.rows[shot.axes[i] & 3];
                 let (o, r) = (splat4(shot.o[i]), splat4(shot.sorted_r[i]));
-                let [a, b, c] = [load4(a), load4(b), load4(c)].map(|p| mul4(sub4(p, o), r));
+                let a = mul4(sub4(load4(a), o), r);
+                let b = mul4(sub4(load4(b), o), r);
+                let c = mul4(sub4(load4(c), o), r);
                 low = max4(low, min4(min4(a, b), c));
                 high = min4(high, max4(max4(a, b), c));
             }

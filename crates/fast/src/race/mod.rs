@@ -101,10 +101,11 @@ impl<'a> Race<'a> {
             return Some(Err(DISAGREES.to_owned()));
         }
         let mut failed = None;
-        let ([median, least, most], rounds) = self.pace.rounds(self.rays.len(), || match (elsewhere.ask)(self.rays) {
-            Ok(again) => answers = again,
-            Err(why) => failed = Some(why),
-        })?;
+        let ([median, least, most], rounds) =
+            self.pace.rounds(self.rays.len(), || match (elsewhere.ask)(self.rays) {
+                Ok(again) => answers = again,
+                Err(why) => failed = Some(why),
+            })?;
         if let Some(why) = failed {
             return Some(Err(why));
         }

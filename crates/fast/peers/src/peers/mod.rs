@@ -6,7 +6,7 @@ pub mod obvhs_crate;
 pub mod ours;
 pub mod parry_crate;
 
-use raystep_accel::{Hit, Mesh, PrimId, Ray, Want};
+use raystep_accel::{Hit, Mesh, PrimId, Ray, Triangle, Want};
 use raystep_fast::Work;
 
 /// A hit as Raystep tells it.
@@ -42,4 +42,17 @@ pub fn makers() -> Vec<Maker> {
     makers.extend(parry_crate::makers());
     makers.extend(embree::makers());
     makers
+}
+
+/// Where a ray meets a triangle, for peers that leave that to others: Möller and Trumbore (1997), single precision.
+fn moeller_trumbore(triangle: &Triangle, ray: &Ray) -> Option<f32> {
+    let (ab, ac) = (triangle.b - triangle.a, triangle.c - triangle.a);
+    let across = ray.d.cross(ac);
+    let part = 1.0 / ab.dot(across);
+    let from_a = ray.o - triangle.a;
+    let u = from_a.dot(across) * part;
+    let turned = from_a.cross(ab);
+    let v = ray.d.dot(turned) * part;
+    let t = ac.dot(turned) * part;
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && ray.t_min <= t && t <= ray.t_max).then_some(t)
 }

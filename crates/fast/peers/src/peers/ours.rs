@@ -32,17 +32,19 @@ impl<F: Fast> Peer for Ours<F> {
 pub fn makers() -> Vec<Maker> {
     fn build(kind: FastKind, mesh: &Mesh, settings: &Settings) -> Box<dyn Peer> {
         let built = kind.build(mesh, settings);
+        // For those who want to know what other instructions make of it.
         let asked = std::env::var("RAYSTEP_ISA");
         let isa = Isa::all().into_iter().find(|isa| asked.as_deref() == Ok(isa.name()));
-        match isa.map_or(built.clone(), |isa| built.with(isa)) {
-            raystep_fast::AnyFast::Bvh2(tree) => Box::new(Ours(tree)),
-            raystep_fast::AnyFast::Bvh8(tree) => Box::new(Ours(tree)),
-        }
+        Box::new(Ours(built.with(isa.unwrap_or(Isa::best()))))
     }
     vec![
+        Maker { name: "fast-grid", build: |mesh| build(FastKind::Grid, mesh, &Settings::QUICK) },
+        Maker { name: "fast-kd", build: |mesh| build(FastKind::Kd, mesh, &Settings::QUICK) },
         Maker { name: "fast-bvh2", build: |mesh| build(FastKind::Bvh2, mesh, &Settings::QUICK) },
         Maker { name: "fast-bvh2-dear", build: |mesh| build(FastKind::Bvh2, mesh, &Settings::DEAR) },
         Maker { name: "fast-bvh8", build: |mesh| build(FastKind::Bvh8, mesh, &Settings::QUICK) },
         Maker { name: "fast-bvh8-dear", build: |mesh| build(FastKind::Bvh8, mesh, &Settings::DEAR) },
+        Maker { name: "fast-packets8", build: |mesh| build(FastKind::Packets8, mesh, &Settings::QUICK) },
+        Maker { name: "fast-packets16", build: |mesh| build(FastKind::Packets16, mesh, &Settings::QUICK) },
     ]
 }
