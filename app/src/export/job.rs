@@ -126,7 +126,8 @@ fn steps(session: &Session<'_>, which: &Which, order: &Order) -> Result<Vec<(usi
             let (stem, first) = (session.file_stem(), range.start());
             Err(Fault::new(format!("{stem}: the last step is {last}, before {first}")))
         }
-        Which::Steps(range) => Ok(stops(*range.start()..=last.min(*range.end()), order.grain.or(usual))),
+        // Whoever names steps gets all of them, unless a grain is named, too.
+        Which::Steps(range) => Ok(stops(*range.start()..=last.min(*range.end()), order.grain)),
     }
 }
 

@@ -42,7 +42,9 @@ impl Last {
         let mut add = |key: &str, value: Option<Value>| _ = value.map(|value| table.insert(key.to_owned(), value));
         add("ended", (self.ended > 0).then(|| i64::from(self.ended).into()));
         add("lessons", self.lessons.clone().map(Value::String));
-        add("link", Some(Value::String(self.link.to_string())));
+        // Of a window that stood nowhere there is nothing to say.
+        let link = Some(self.link.to_string()).filter(|link| !link.is_empty());
+        add("link", link.map(Value::String));
         table.to_string()
     }
 

@@ -299,7 +299,11 @@ fn linked(link: &str) -> Window {
 
 /// The link that Ctrl+L copies.
 fn copied(harness: &mut Window) -> String {
-    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::L);
+    let (key, modifiers) = (egui::Key::L, egui::Modifiers::COMMAND);
+    // One frame alone: what it puts on the clipboard is looked for in its output.
+    let event = egui::Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers };
+    harness.input_mut().modifiers = modifiers;
+    harness.input_mut().events.push(event);
     harness.step();
     let copied = harness.output().platform_output.commands.iter().find_map(|command| match command {
         egui::OutputCommand::CopyText(text) => Some(text.clone()),

@@ -259,9 +259,14 @@ mod tests {
             assert_eq!(tally(7, 1, in_turn), tally(7, 3, in_turn));
             assert_ne!(tally(7, 3, in_turn), tally(8, 3, in_turn));
         }
-        let answers =
-            |in_turn| tally(7, 2, in_turn).kinds.into_values().map(|(answers, _)| answers).collect::<Vec<_>>();
-        assert!(answers(true).iter().all(|&answers| answers == 2 * tally(7, 2, true).rays));
-        assert!(answers(false).iter().sum::<u64>() > answers(true).iter().sum());
+        let answers = |in_turn| tally(7, 2, in_turn).kinds.into_iter().map(|(kind, (answers, _))| (kind, answers));
+        let sum = |in_turn| answers(in_turn).map(|(_, answers)| answers).sum::<u64>();
+        let all = 2 * tally(7, 2, true).rays;
+        for (kind, answers) in answers(true) {
+            // Fast structures stand over triangles alone: they are not asked in every scene.
+            let fast = kind.starts_with("fast-");
+            assert!(if fast { (1..=all).contains(&answers) } else { answers == all }, "{kind}: {answers} of {all}");
+        }
+        assert!(sum(false) > sum(true));
     }
 }

@@ -12,6 +12,8 @@ pub struct Apng {
     writer: Option<Writer<Shared>>,
     bytes: Shared,
     frames: u32,
+    /// How many were added.
+    added: u32,
     last: Option<Frame>,
 }
 
@@ -32,7 +34,7 @@ impl Write for Shared {
 impl Apng {
     /// A film of so many pictures.
     pub fn new(frames: u32) -> Apng {
-        Apng { writer: None, bytes: Shared::default(), frames, last: None }
+        Apng { writer: None, bytes: Shared::default(), frames, added: 0, last: None }
     }
 
     /// Adds the next picture, shown for `millis`.
@@ -66,6 +68,7 @@ impl Apng {
         writer.set_frame_position(left, top).map_err(pack)?;
         writer.write_image_data(&cut(&frame.rgba, width, area, 4)).map_err(pack)?;
         self.last = Some(frame);
+        self.added += 1;
         Ok(())
     }
 
@@ -75,6 +78,13 @@ impl Apng {
     /// When there are fewer pictures than was said.
     pub fn finish(self) -> Result<Vec<u8>, PrintError> {
         let writer = self.writer.ok_or_else(|| PrintError::Pack("there is no step to show".to_owned()))?;
+        if self.added < self.frames {
+            return Err(PrintError::Pack(format!(
+                "{} of {} pictures are missing",
+                self.frames - self.added,
+                self.frames
+            )));
+        }
         writer.finish().map_err(pack)?;
         let mut bytes = self.bytes.0.lock().map_err(|_| PrintError::Pack("it is not whole".to_owned()))?;
         Ok(std::mem::take(bytes.get_mut()))
