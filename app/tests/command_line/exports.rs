@@ -199,7 +199,9 @@ fn two_programs_that_write_one_file_do_not_mix() {
     };
     let alone = written(&folder, &call[1..]);
     let programs: Vec<_> = (0..3).map(|_| run()).collect();
-    programs.into_iter().for_each(|mut program| assert!(program.wait().unwrap().success()));
+    for mut program in programs {
+        assert!(program.wait().unwrap().success());
+    }
     let found: Vec<_> = std::fs::read_dir(folder.join("out")).unwrap().map(|entry| entry.unwrap().path()).collect();
     assert_eq!(found.len(), alone.len(), "{found:?}");
     for path in found {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::state::State;
 use raystep::shown::{RayChoice, View, command::Command};
 use raystep::window::{App, Remembered, Wishes};
@@ -299,17 +299,12 @@ fn linked(link: &str) -> Window {
 
 /// The link that Ctrl+L copies.
 fn copied(harness: &mut Window) -> String {
-    let (key, modifiers) = (egui::Key::L, egui::Modifiers::COMMAND);
-    // One frame alone: what it puts on the clipboard is looked for in its output.
-    let event = egui::Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers };
-    harness.input_mut().modifiers = modifiers;
-    harness.input_mut().events.push(event);
-    harness.step();
-    let copied = harness.output().platform_output.commands.iter().find_map(|command| match command {
-        egui::OutputCommand::CopyText(text) => Some(text.clone()),
-        _ => None,
-    });
-    copied.expect("a link on the clipboard")
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::L);
+    harness.run_steps(2);
+    let says = "The link is on the clipboard: ";
+    let said = harness.get_by_label_contains(says);
+    let text = said.accesskit_node().label().or(said.accesskit_node().value()).expect("a sentence");
+    text.strip_prefix(says).expect("the link").to_owned()
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn out_of_room(harness: &Window, size: [f32; 2]) -> f32 {
     let words = shown.filter(|node| node.accesskit_node().label().as_deref() != Some("Back to the study page"));
     let out = words.map(|node| node.rect()).map(|words| {
         let beside = below.iter().filter(|pane| pane.right() > words.left() + 1.0);
-        let floor = beside.map(|pane| pane.top()).fold(foot, f32::min);
+        let floor = beside.map(Rect::top).fold(foot, f32::min);
         (words.bottom() - floor).max(words.right() - right - 1.0)
     });
     out.fold(0.0, f32::max)

@@ -16,8 +16,8 @@ fn bits(hit: Option<Hit>) -> Option<(u32, u32, Option<u32>)> {
 }
 
 /// Shoots rays at instances; how many hit something.
-fn check(name: &str, instances: Instances, rays: u32) -> u32 {
-    let fast = TwoLevels::build(&instances, &Settings::default());
+fn check(name: &str, instances: &Instances, rays: u32) -> u32 {
+    let fast = TwoLevels::build(instances, &Settings::default());
     let prims = Prims::Instances(instances.clone());
     let targets = Targets::of(&prims, false, &[]);
     let (mut random, mut hits) = (Random::new(7), 0);
@@ -64,7 +64,7 @@ fn every_way(seed: u64) -> Instances {
 #[test]
 fn placed_in_every_way() {
     for seed in 1..5 {
-        let hits = check(&format!("seed {seed}"), every_way(seed), 700);
+        let hits = check(&format!("seed {seed}"), &every_way(seed), 700);
         assert!(hits > 100, "seed {seed}: {hits}");
     }
 }
@@ -72,7 +72,7 @@ fn placed_in_every_way() {
 #[test]
 fn a_few_trees_on_a_floor() {
     let Prims::Instances(forest) = Scene::named("forest:9").unwrap().prims else { panic!("a forest has instances") };
-    let hits = check("forest:9", forest, 400);
+    let hits = check("forest:9", &forest, 400);
     assert!(hits > 80, "{hits}");
 }
 

@@ -27,7 +27,9 @@ fn pictures(clear: bool) -> Vec<Frame> {
 
 fn gif(pictures: &[Frame]) -> Vec<u8> {
     let mut tally = Tally::new(&Theme::LIGHT);
-    pictures.iter().for_each(|picture| tally.add(picture).unwrap());
+    for picture in pictures {
+        tally.add(picture).unwrap();
+    }
     let mut gif = Gif::new(tally.palette().unwrap());
     pictures.iter().zip([900, 1800, 2700]).for_each(|(picture, millis)| gif.add(picture, millis).unwrap());
     gif.finish().unwrap()

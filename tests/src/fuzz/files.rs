@@ -1,7 +1,7 @@
 //! Slides, listings, names of sections, and scenes.
 
 use raystep_accel::Primitives;
-use raystep_lesson::{Library, check};
+use raystep_lesson::{Library, Slide, check};
 use raystep_scene::{Scene, Scenes};
 
 use super::Target;
@@ -105,7 +105,7 @@ pub fn files(bytes: &[u8]) {
     // Only what is quick to play.
     let small = stages.clone().count() <= 2 && stages.clone().all(|stage| playable(&stage.scene));
     let problems = if small { check(&library, &|_, _| Vec::new()) } else { library.problems.clone() };
-    beside(library);
+    beside(&library);
     for problem in &problems {
         let known = names.iter().chain(&SCENES).any(|name| *name == problem.file);
         assert!(known && problem.line >= 1 && problem.column >= 1 && !problem.message.is_empty(), "{problem}");
@@ -118,13 +118,13 @@ pub fn files(bytes: &[u8]) {
 const SCENES: [&str; 2] = ["scenes/flat-own.toml", "scenes/own.obj"];
 
 /// The lecture stays whole, whatever stands beside it, and no two slides are called the same.
-fn beside(own: Library) {
+fn beside(own: &Library) {
     thread_local!(static LECTURE: Library = Library::embedded());
     let (slides, listings) = LECTURE.with(|lecture| (lecture.slides.len(), lecture.listings.len()));
     let both = LECTURE.with(Clone::clone).and(own.clone());
     assert!(both.slides.len() <= slides + own.slides.len() && both.slides.len() >= slides);
     assert!(both.listings.len() <= listings + own.listings.len() && both.listings.len() >= listings);
-    let mut ids: Vec<String> = both.slides.iter().filter(|slide| !slide.numbers.is_empty()).map(|s| s.id()).collect();
+    let mut ids: Vec<String> = both.slides.iter().filter(|slide| !slide.numbers.is_empty()).map(Slide::id).collect();
     ids.sort();
     let all = ids.len();
     ids.dedup();

@@ -104,7 +104,7 @@ fn tell(page: &mut Page, rated: &[Rated], times: bool) {
     let mut grid = Grid::new([("structure", Align::Left)].into_iter().chain(heads));
     for rated in rated {
         let [tests, visits, boxes] = [rated.tests, rated.visits, rated.boxes].map(|value| format!("{value:.2}"));
-        let mut cells = vec![rated.name.to_owned(), tests, visits, boxes, whole(rated.nodes), whole(rated.bytes)];
+        let mut cells = vec![rated.name.clone(), tests, visits, boxes, whole(rated.nodes), whole(rated.bytes)];
         if times {
             cells.extend([number(rated.build_ms as f32), number(rated.ray_us as f32)]);
         }

@@ -85,7 +85,9 @@ pub(super) fn page(scene: &Scene, shot: &Shot, measured: &[Measured]) -> Page {
         }
     }
     page.lines(rules.into_iter().map(|(_, rule)| rule).collect());
-    NOTES.iter().for_each(|note| page.text(*note));
+    for note in NOTES {
+        page.text(note);
+    }
     page
 }
 

@@ -190,7 +190,7 @@ pub(crate) fn place_of(library: &Library, typed: &str) -> Option<usize> {
     let (section, number) = typed.split_once('/').map_or((None, typed), |(section, number)| (Some(section), number));
     let of_section =
         |slide: &&raystep_lesson::Slide| section.is_none_or(|section| slide.id().split('/').next() == Some(section));
-    let found = library.slides.iter().enumerate().filter(|(_, slide)| of_section(&slide));
+    let found = library.slides.iter().enumerate().filter(|(_, slide)| of_section(slide));
     let exact = |slide: &raystep_lesson::Slide| slide.numbers.iter().any(|known| known == number);
     let between = |slide: &raystep_lesson::Slide| {
         let value = |text: &str| text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic()).parse::<u32>().ok();

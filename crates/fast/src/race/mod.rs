@@ -193,10 +193,13 @@ impl<'a> Race<'a> {
 /// Why a rung is not timed that answers otherwise.
 const DISAGREES: &str = "it does not answer as the textbook does, and so is not timed";
 
+/// The hits of rays in their order, or why there are none.
+pub type Answered = Result<Vec<Option<Hit>>, String>;
+
 /// A structure that is walked elsewhere, ready to be asked.
 pub struct Elsewhere<'a> {
     /// Answers rays in their order, or says why not.
-    pub ask: &'a dyn Fn(&[Ray]) -> Result<Vec<Option<Hit>>, String>,
+    pub ask: &'a dyn Fn(&[Ray]) -> Answered,
     /// Tests of triangles, a ray.
     pub tests_per_ray: f64,
     /// Milliseconds of its building.

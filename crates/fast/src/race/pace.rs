@@ -27,7 +27,7 @@ impl Pace<'_> {
         let share = self.seconds / (ROUNDS + 1) as f64;
         let begun = (self.clock)();
         let mut tried = 0;
-        for ray in spread(rays, 1, TRIES).iter() {
+        for ray in &spread(rays, 1, TRIES) {
             if !(self.go_on)() {
                 return None;
             }

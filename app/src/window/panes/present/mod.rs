@@ -18,7 +18,7 @@ use super::figure::figure;
 use super::page::{Asked, Kept, Page};
 use super::stage;
 use crate::shown::lecture::Cover;
-use crate::shown::pictures::Pane;
+use crate::shown::pictures::{Pane, Pictures};
 use crate::window::look::painter::caption;
 use crate::window::look::visuals::fill;
 use fitted::Column;
@@ -62,7 +62,7 @@ pub(crate) fn page(
     let strip = Strip::of(page.state, kept.pictures.as_ref(), inner.size(), body);
     let bottom = foot - strip.height();
     // A wide table stands above what is said of it.
-    let across = kept.pictures.as_ref().map_or(0.0, |pictures| pictures.across());
+    let across = kept.pictures.as_ref().map_or(0.0, Pictures::across);
     let under_it = across * body * READABLE > inner.width() * BESIDE;
     let share = top + (bottom - top) * ABOVE;
     let wide = |column: Column| inner.width() * column.part;
@@ -120,7 +120,7 @@ fn side_page(
     let pages = Speech::of(page.state).pages(ui, &mut kept.formulas, &prose, rect.size());
     let at = kept.pages.at(page.state, pages.len());
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
-    let Some(speech) = pages.get(at) else { return None };
+    let speech = pages.get(at)?;
     asked.extend(speech.show(&mut child, &mut kept.formulas, &prose).map(Asked::Command));
     let end = child.min_rect().bottom();
     if pages.len() > 1 {

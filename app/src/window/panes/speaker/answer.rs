@@ -3,7 +3,7 @@
 use egui::{Align2, Frame, Margin, Rect, ScrollArea, Stroke, StrokeKind, Ui, UiBuilder, vec2};
 use raystep_figure::{Face, Role};
 
-use super::Desk;
+use super::desk::Desk;
 use crate::shown::playback::Posed;
 use crate::shown::state::State;
 use crate::shown::words::{label, question_text, reason};

@@ -3,7 +3,7 @@
 use egui::{Button, Rect, RichText, Stroke, Ui, UiBuilder, vec2};
 use raystep_figure::{Face, Role};
 
-use super::{AskedHere, Desk};
+use super::desk::{AskedHere, Desk};
 use crate::shown::command::Command;
 use crate::shown::lecture::{Cover, InHand};
 use crate::window::look::fonts::font;

@@ -3,41 +3,24 @@
 
 mod answer;
 mod buttons;
+mod desk;
 mod next;
 mod notes;
 mod slides;
 mod small;
 mod time;
 
+use desk::heading;
+pub(crate) use desk::{AskedHere, Desk};
 pub(crate) use slides::SHOWN;
 
-use egui::{Align2, Id, Pos2, Rect, Stroke, StrokeKind, Ui, Vec2, pos2, vec2};
-use raystep_figure::{Face, Role};
+use egui::{Id, Pos2, Rect, Stroke, StrokeKind, Ui, pos2, vec2};
+use raystep_figure::Role;
 
-use super::page::{Asked, Kept, Page};
+use super::page::Kept;
 use super::present::{self, Marks};
-use crate::shown::command::Command;
 use crate::shown::lecture::Cover;
-use crate::shown::state::State;
-use crate::shown::talk::Talk;
-use crate::window::look::painter::caption;
 use crate::window::look::visuals::{fill, ink, line};
-use crate::window::work::thumbs::Thumbs;
-
-/// What the speaker's window shows.
-pub(crate) struct Desk<'a> {
-    /// What the class sees, unless its page is held.
-    pub(crate) wall: Page<'a>,
-    /// The beat that comes next; none after the last slide.
-    pub(crate) next: Option<&'a State>,
-    /// The size of the class's page, in points.
-    pub(crate) class: Vec2,
-    pub(crate) talk: &'a Talk,
-    /// Seconds on the talk's clock, and the time of the day.
-    pub(crate) now: f64,
-    pub(crate) clock: &'a str,
-    pub(crate) thumbs: &'a Thumbs,
-}
 
 /// What the window keeps from frame to frame.
 pub(crate) struct DeskKept {
@@ -55,23 +38,6 @@ impl Default for DeskKept {
         wall.uncovered = true;
         DeskKept { wall, next: Kept::default(), letters: 17.0 }
     }
-}
-
-/// What was asked for.
-#[derive(Debug)]
-pub(crate) enum AskedHere {
-    /// Something in the picture of the class's page.
-    Wall(Asked),
-    /// A command.
-    Command(Command),
-    /// A slide, by its place.
-    Slide(usize),
-    /// A step.
-    Step(usize),
-    /// A longer talk, or a shorter one.
-    Lengthen(bool),
-    /// The time begins anew.
-    Restart,
 }
 
 /// Shows the window.
@@ -114,7 +80,7 @@ pub(crate) fn page(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, marks: &mu
     let (coming, notes) = right.split_top_bottom_at_fraction(0.42);
     next::show(ui, desk, &mut kept.next, coming);
     rule(ui, desk, [coming.left_bottom(), coming.right_bottom()]);
-    notes::show(ui, desk, kept, notes);
+    notes::show(ui, desk, &mut kept.wall.formulas, &mut kept.letters, notes);
 
     let (slides, keys) = below.split_left_right_at_x(below.right() - 300.0);
     slides::show(ui, desk, slides.shrink2(vec2(18.0, 8.0)), asked);
@@ -123,18 +89,4 @@ pub(crate) fn page(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, marks: &mu
 
 fn rule(ui: &Ui, desk: &Desk<'_>, ends: [Pos2; 2]) {
     ui.painter().line_segment(ends, line(desk.wall.theme, Role::Panel));
-}
-
-/// The name of a part of the window.
-fn heading(ui: &Ui, desk: &Desk<'_>, at: Pos2, says: &str) {
-    caption(
-        ui.painter(),
-        at + vec2(0.0, 10.0),
-        Align2::LEFT_CENTER,
-        says,
-        Face::Bold,
-        13.5,
-        Role::Quiet,
-        desk.wall.theme,
-    );
 }

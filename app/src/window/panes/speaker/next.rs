@@ -4,8 +4,8 @@ use egui::{Align2, Id, Rect, ScrollArea, StrokeKind, Ui, UiBuilder, pos2, vec2};
 use raystep_figure::{Face, Role};
 use raystep_lesson::Medium;
 
+use super::desk::{Desk, heading};
 use super::small::small;
-use super::{Desk, heading};
 use crate::shown::reel::said;
 use crate::window::look::painter::caption;
 use crate::window::look::prose::Prose;

@@ -3,16 +3,17 @@
 use egui::{Align2, Button, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
 use raystep_figure::{Face, Role};
 
-use super::{Desk, DeskKept, heading};
+use super::desk::{Desk, heading};
 use crate::shown::talk::minutes;
 use crate::window::look::fonts::font;
+use crate::window::look::formulas::Formulas;
 use crate::window::look::painter::caption;
 use crate::window::look::prose::{LEADING, Prose};
 
 /// The smallest and the largest letters, and from one size to the next.
 const SIZES: [f32; 3] = [12.0, 34.0, 2.0];
 
-pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, rect: Rect) {
+pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, formulas: &mut Formulas, letters: &mut f32, rect: Rect) {
     let theme = desk.wall.theme;
     let rect = Rect::from_min_max(rect.min + vec2(0.0, 8.0), rect.max);
     heading(ui, desk, rect.min, "Notes");
@@ -28,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, rect: Rect
             let response = ui.add(button);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
             if response.clicked() {
-                kept.letters = (kept.letters + by).clamp(least, most);
+                *letters = (*letters + by).clamp(least, most);
             }
         }
     });
@@ -36,9 +37,9 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, rect: Rect
     let mut child = ui.new_child(UiBuilder::new().max_rect(words));
     child.set_clip_rect(words);
     let notes = if slide.notes.is_empty() { "This slide has no notes." } else { &slide.notes };
-    let prose = Prose { theme, size: kept.letters, role: Role::Text, face: Face::Regular, leading: LEADING };
+    let prose = Prose { theme, size: *letters, role: Role::Text, face: Face::Regular, leading: LEADING };
     ScrollArea::vertical().id_salt(("notes", desk.wall.state.view.slide)).auto_shrink(false).show(&mut child, |ui| {
         ui.set_width(ui.available_width() - 8.0);
-        prose.show(ui, &mut kept.wall.formulas, notes);
+        prose.show(ui, formulas, notes);
     });
 }

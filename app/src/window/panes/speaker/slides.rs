@@ -3,8 +3,8 @@
 use egui::{Align2, Id, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 use raystep_figure::{Face, Role, text_width};
 
+use super::desk::{AskedHere, Desk, heading};
 use super::small::small;
-use super::{AskedHere, Desk, heading};
 use crate::shown::talk::minutes;
 use crate::window::look::painter::{caption, paint_figure};
 use crate::window::look::visuals::{fill, ink};

@@ -3,7 +3,7 @@
 use egui::{Align2, Button, Rect, RichText, Sense, Ui, UiBuilder, pos2, vec2};
 use raystep_figure::{Face, Role};
 
-use super::{AskedHere, Desk};
+use super::desk::{AskedHere, Desk};
 use crate::shown::talk::clock;
 use crate::window::look::fonts::font;
 use crate::window::look::painter::caption;
