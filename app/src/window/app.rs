@@ -238,7 +238,7 @@ impl App {
     }
 
     /// The place where the window stands.
-    fn link(&self) -> Link {
+    pub fn link(&self) -> Link {
         let shown = |(scene, _): &&(Arc<Scene>, PathBuf)| {
             self.state.view.mesh.as_ref().is_some_and(|mesh| Arc::ptr_eq(mesh, scene))
         };
