@@ -25,9 +25,14 @@ fn pages(folder: &Path) -> Vec<String> {
 #[test]
 fn answers_stand_at_the_end() {
     let folder = folder("answers");
-    let output = handout(&folder, &["--slide", "5/33", "--slide", "2/15", "--out", "pages"]);
+    let output = handout(&folder, &["--slide", "5/33", "--slide", "2/15", "--pdf", "--out", "pages"]);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let pages = pages(&folder.join("pages"));
+    // All pages stand in one file as well.
+    let pdf = std::fs::read(folder.join("pages/handout.pdf")).unwrap();
+    let text = String::from_utf8_lossy(&pdf);
+    assert_eq!(text.matches("/MediaBox").count(), pages.len());
+    assert!(!text.contains("Date"));
     let answers = pages.iter().position(|page| page.contains("Answers")).unwrap();
     let asked: Vec<usize> =
         (1..99).take_while(|n| pages.iter().any(|page| page.contains(&format!("Question {n}:")))).collect();

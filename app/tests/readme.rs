@@ -40,8 +40,8 @@ fn every_line_is_understood() {
 }
 
 /// A folder with the files that the lines name: a mesh, and rays at it.
-fn folder() -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme");
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme").join(name);
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();
     std::fs::write(folder.join("model.obj"), "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n").unwrap();
@@ -51,7 +51,7 @@ fn folder() -> PathBuf {
 
 #[test]
 fn every_ray_hits_something() {
-    let folder = folder();
+    let folder = folder("rays");
     let traced = calls().into_iter().filter(|call| call.get(1).is_some_and(|word| word == "trace"));
     let mut hits = 0;
     for call in traced {
@@ -71,7 +71,7 @@ fn every_ray_hits_something() {
 
 #[test]
 fn what_is_quick_is_done() {
-    let folder = folder();
+    let folder = folder("quick");
     let quick = |call: &[String]| match call.get(1).map(String::as_str) {
         Some("export") => !call.contains(&"--all".to_owned()),
         Some("handout") => call.contains(&"--slide".to_owned()),

@@ -29,7 +29,7 @@ pub use formula::{Extent, Unset, extent, formula};
 pub use glyphs::Lettering;
 pub use json::{Record, Told, json};
 pub use letters::{Letters, Shift, letters};
-pub use pdf::pdf;
+pub use pdf::{pdf, pdf_pages};
 pub use plate::{Part, Plate, enlarge, plate, set_in};
 pub use png::{PrintError, png};
 pub use proof::{proof, proof_code, proof_plain};

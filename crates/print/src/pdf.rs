@@ -30,14 +30,23 @@ const PRINT: f32 = 0.75;
 /// # Errors
 /// When the page is empty or too large.
 pub fn pdf(figure: &Figure, title: &str, manner: &Manner<'_>) -> Result<Vec<u8>, PrintError> {
-    let size = figure.size * manner.scale * PRINT;
-    let settings = PageSettings::from_wh(size.x, size.y).filter(|_| size.max_element() <= MOST);
-    let settings = settings.ok_or(PrintError::Size(size.x, size.y))?;
+    pdf_pages(&[figure], title, manner)
+}
+
+/// Figures as the pages of one PDF file, in their order: see [`pdf`].
+///
+/// # Errors
+/// When a page is empty or too large.
+pub fn pdf_pages(figures: &[&Figure], title: &str, manner: &Manner<'_>) -> Result<Vec<u8>, PrintError> {
     let mut document = Document::new_with(SerializeSettings { enable_tagging: false, ..SerializeSettings::default() });
     document.set_metadata(Metadata::new().title(title.to_owned()).creator("Raystep".to_owned()));
-    let mut page = document.start_page_with(settings);
-    paint_page(figure, manner, page.surface());
-    page.finish();
+    for figure in figures {
+        let size = figure.size * manner.scale * PRINT;
+        let settings = PageSettings::from_wh(size.x, size.y).filter(|_| size.max_element() <= MOST);
+        let mut page = document.start_page_with(settings.ok_or(PrintError::Size(size.x, size.y))?);
+        paint_page(figure, manner, page.surface());
+        page.finish();
+    }
     document.finish().map_err(|error| PrintError::Pack(format!("{error:?}")))
 }
 

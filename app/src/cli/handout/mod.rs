@@ -11,7 +11,7 @@ use clap::Args;
 use rayon::prelude::*;
 use raystep_figure::{Figure, Theme};
 use raystep_lesson::{Library, NamedRay, Slide, StageKind};
-use raystep_print::svg;
+use raystep_print::{Manner, pdf_pages, svg};
 
 use super::export::{bar, no_slide};
 use super::lessons::Lessons;
@@ -28,6 +28,9 @@ pub struct HandoutArguments {
     /// The folder to write to: pages, and a handout.html that holds them all.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// A handout.pdf of all pages as well.
+    #[arg(long)]
+    pdf: bool,
     /// Only these slides, as in 5/33; may be repeated.
     #[arg(long, value_name = "SLIDE")]
     slide: Vec<String>,
@@ -83,19 +86,28 @@ pub(crate) fn run(arguments: &HandoutArguments) -> Result<(), Fault> {
         return Err(Fault::new("there is nothing to print: no chosen slide has a beat that its ray reaches"));
     }
     let names: Vec<String> = (1..=pages.len()).map(|page| format!("page{page:03}.svg")).collect();
-    let is_ours = |name: &str| name == INDEX_NAME || name.starts_with("page") && name.ends_with(".svg");
+    let is_ours =
+        |name: &str| name == INDEX_NAME || name == PDF_NAME || name.starts_with("page") && name.ends_with(".svg");
     files::whole_folder(&arguments.out, &is_ours, |folder| {
         pages.par_iter().zip(&names).try_for_each(|(page, name)| {
             files::write(&folder.join(name), svg(&page.figure, &Theme::PRINT).as_bytes())
         })?;
+        if arguments.pdf {
+            let figures: Vec<&Figure> = pages.iter().map(|page| &page.figure).collect();
+            let written = pdf_pages(&figures, "Raystep: handout", &Manner::plain(&Theme::PRINT));
+            let written = written.map_err(|error| Fault::new(error.to_string()))?;
+            files::write(&folder.join(PDF_NAME), &written)?;
+        }
         files::write(&folder.join(INDEX_NAME), index(&pages, &names).as_bytes())
     })?;
     let (count, out) = (pages.len(), arguments.out.display());
-    files::say(&format!("{count} {} in {out}; open its {INDEX_NAME}", if count == 1 { "page" } else { "pages" }));
+    let open = if arguments.pdf { PDF_NAME } else { INDEX_NAME };
+    files::say(&format!("{count} {} in {out}; open its {open}", if count == 1 { "page" } else { "pages" }));
     Ok(())
 }
 
 const INDEX_NAME: &str = "handout.html";
+const PDF_NAME: &str = "handout.pdf";
 
 /// The slides that are asked for, in the order of the lecture.
 fn chosen<'a>(library: &'a Library, arguments: &HandoutArguments) -> Result<Vec<&'a Slide>, Fault> {
