@@ -17,7 +17,7 @@ use crate::window::panes::page::{Asked, Kept, Page};
 const LETTERS: f32 = 0.7;
 
 /// Most of the page's height that panes take.
-const MOST: f32 = 0.36;
+const MOST: f32 = 0.34;
 
 /// The same where a slide is about bytes most of all.
 const MOST_BYTES: f32 = 0.5;
@@ -37,7 +37,7 @@ fn legible(pane: Pane) -> Option<[f32; 2]> {
         Pane::Matrix => [15.0, 8.0],
         Pane::Slabs => [16.0, 7.0],
         Pane::Bytes => [30.0, 12.5],
-        Pane::Listing => [20.0, 10.5],
+        Pane::Listing => [20.0, 8.5],
         Pane::Bin => [9.0, 6.5],
         Pane::Work => [15.0, 7.5],
         _ => return None,
