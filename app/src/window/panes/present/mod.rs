@@ -39,6 +39,9 @@ const READABLE: f32 = 0.5;
 const BESIDE: f32 = 0.62;
 const ABOVE: f32 = 0.56;
 
+/// The least part of the page's height that space keeps beside two rows of panes.
+const SPACE: f32 = 0.38;
+
 /// Shows the page in all the room there is; says which place the pointer is on.
 pub(crate) fn page(
     ui: &mut Ui,
@@ -75,6 +78,12 @@ pub(crate) fn page(
     let column = fitted.as_ref().map_or(Column::USUAL, |fitted| fitted.column);
     kept.column = fitted;
     let side = wide(column);
+    let strip = if column.tall {
+        strip.stacked(inner.width() - side - body, foot - top, inner.height() * SPACE)
+    } else {
+        strip
+    };
+    let bottom = foot - strip.height();
     let left = if column.below { inner.right() } else { inner.right() - side - body };
     let space = Rect::from_min_max(pos2(inner.left(), top), pos2(left, if column.below { share } else { bottom }));
     let corner = if column.below { pos2(inner.left(), share) } else { pos2(left + body, top) };

@@ -1,7 +1,7 @@
 //! The panes below space: those that the slide is about, in its order, as many as can be read from the last row. A
 //! question's own come first: what it speaks of is there.
 
-use egui::{Rect, Ui, pos2};
+use egui::{Rect, Ui, pos2, vec2};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
 use raystep_lesson::Show;
@@ -22,9 +22,23 @@ const MOST: f32 = 0.34;
 /// The same where a slide is about bytes most of all.
 const MOST_BYTES: f32 = 0.5;
 
-/// The panes that are shown, with the widths that they need, and how high they are.
+/// The panes that the slide is about, in their order, and those of them that are shown, in rows.
 pub(super) struct Strip {
-    panes: Vec<(Pane, f32)>,
+    panes: Vec<Wanted>,
+    rows: Vec<Row>,
+}
+
+/// A pane with the width and the height that it needs.
+#[derive(Clone, Copy)]
+struct Wanted {
+    pane: Pane,
+    wide: f32,
+    high: f32,
+}
+
+/// Panes beside each other.
+struct Row {
+    panes: Vec<Wanted>,
     height: f32,
 }
 
@@ -83,7 +97,7 @@ fn spoken_of(text: &str) -> Vec<Pane> {
 impl Strip {
     /// The panes of a state, on a page of this size without its margins.
     pub(super) fn of(state: &State, pictures: Option<&Pictures>, size: egui::Vec2, body: f32) -> Strip {
-        let nothing = Strip { panes: Vec::new(), height: 0.0 };
+        let nothing = Strip { panes: Vec::new(), rows: Vec::new() };
         let (Some(pictures), Some(slide)) = (pictures, state.slide()) else { return nothing };
         let mut panes: Vec<Pane> = slide.show.iter().filter_map(pane).filter(|pane| pictures.has(*pane)).collect();
         // A key calls for those that had no room. What needs all of it stands alone until then.
@@ -101,26 +115,44 @@ impl Strip {
         let first: Vec<Pane> = first.into_iter().filter(|pane| pictures.has(*pane)).collect();
         panes.retain(|pane| !first.contains(pane));
         panes.splice(0..0, first);
+        let wanted = |pane: Pane| {
+            let [wide, _] = legible(pane)?;
+            Some(Wanted { pane, wide: wide * body, high: high(pane, pictures, body)? })
+        };
+        let panes: Vec<Wanted> = panes.into_iter().filter_map(wanted).collect();
         // The page does not move from step to step: its foot is as high as its highest pane.
-        let heights = panes.iter().filter_map(|pane| high(*pane, pictures, body));
         let bytes = slide.show.first() == Some(&Show::Bytes);
-        let height = heights.fold(0.0, f32::max).min(size.y * if bytes { MOST_BYTES } else { MOST });
-        let mut left = size.x;
-        let mut shown = Vec::new();
-        for pane in panes {
-            let Some([wide, _]) = legible(pane) else { continue };
-            // The first one is always there.
-            if shown.is_empty() || wide * body <= left {
-                left -= wide * body;
-                shown.push((pane, wide));
-            }
-        }
-        Strip { height: if shown.is_empty() { 0.0 } else { height }, panes: shown }
+        let most = size.y * if bytes { MOST_BYTES } else { MOST };
+        let height = panes.iter().map(|wanted| wanted.high).fold(0.0, f32::max).min(most);
+        let (row, _) = beside(&panes, size.x);
+        let rows = if row.is_empty() { Vec::new() } else { vec![Row { panes: row, height }] };
+        Strip { panes, rows }
+    }
+
+    /// The same in a narrower room, beside a column of words as high as the page: those that have no place in the first
+    /// row stand in a second one, where both leave space so much room. `rest` is the height of all three.
+    pub(super) fn stacked(self, width: f32, rest: f32, space: f32) -> Strip {
+        let (first, left_out) = beside(&self.panes, width);
+        let (second, _) = beside(&left_out, width);
+        let Some(Row { height, .. }) = self.rows.first() else { return self };
+        let row = |panes: Vec<Wanted>| {
+            let high = panes.iter().map(|wanted| wanted.high).fold(0.0, f32::max).min(*height);
+            Row { panes, height: high }
+        };
+        let both = [row(first), row(second)];
+        let fits = both.iter().map(|row| row.height).sum::<f32>() <= rest - space;
+        let [first, second] = both;
+        let rows = if fits && !second.panes.is_empty() {
+            vec![first, second]
+        } else {
+            vec![Row { height: *height, ..first }]
+        };
+        Strip { panes: self.panes, rows }
     }
 
     /// How high it is.
     pub(super) fn height(&self) -> f32 {
-        self.height
+        self.rows.iter().map(|row| row.height).sum()
     }
 
     /// Shows the panes beside each other, with rules between them.
@@ -133,30 +165,46 @@ impl Strip {
         body: f32,
         asked: &mut Vec<Asked>,
     ) -> Option<Place> {
-        // Beside a high column of words there is less room: the last ones make way.
-        let mut panes = self.panes.clone();
-        while panes.len() > 1 && panes.iter().map(|(_, wide)| wide * body).sum::<f32>() > rect.width() {
-            panes.pop();
-        }
-        let sum: f32 = panes.iter().map(|(_, wide)| wide).sum();
         let look = Look { text: body * LETTERS, titles: true, least: 0.0 };
-        let mut left = rect.left();
         let mut under = None;
-        for (index, (pane, wide)) in panes.into_iter().enumerate() {
-            let right = left + rect.width() * wide / sum;
-            if index > 0 {
-                let y = rect.y_range().shrink(body * 0.5);
-                ui.painter().vline(left, y, line(page.theme, Role::Panel));
+        let mut top = rect.top();
+        for (nth, row) in self.rows.iter().enumerate() {
+            let sum: f32 = row.panes.iter().map(|wanted| wanted.wide).sum();
+            let room = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), row.height));
+            if nth > 0 {
+                ui.painter().hline(room.x_range(), room.top(), line(page.theme, Role::Panel));
             }
-            let room = Rect::from_min_max(
-                pos2(left + if index > 0 { body * 0.5 } else { 0.0 }, rect.top()),
-                pos2(right, rect.bottom()),
-            );
-            under = figure(ui, page, kept, pane, room, &look, asked).or(under);
-            left = right;
+            let mut left = room.left();
+            for (index, Wanted { pane, wide, .. }) in row.panes.iter().enumerate() {
+                let right = left + room.width() * wide / sum;
+                if index > 0 {
+                    let y = room.y_range().shrink(body * 0.5);
+                    ui.painter().vline(left, y, line(page.theme, Role::Panel));
+                }
+                let inner = if index > 0 { body * 0.5 } else { 0.0 };
+                let room = Rect::from_min_max(pos2(left + inner, room.top()), pos2(right, room.bottom()));
+                under = figure(ui, page, kept, *pane, room, &look, asked).or(under);
+                left = right;
+            }
+            top += row.height;
         }
         under
     }
+}
+
+/// Those that stand beside each other in this width, the first one always, and those that do not.
+fn beside(panes: &[Wanted], width: f32) -> (Vec<Wanted>, Vec<Wanted>) {
+    let (mut stand, mut rest) = (Vec::new(), Vec::new());
+    let mut left = width;
+    for wanted in panes {
+        if stand.is_empty() || wanted.wide <= left {
+            left -= wanted.wide;
+            stand.push(*wanted);
+        } else {
+            rest.push(*wanted);
+        }
+    }
+    (stand, rest)
 }
 
 /// How high a pane is to be.
