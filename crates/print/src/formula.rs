@@ -3,11 +3,8 @@
 use ratex_layout::{LayoutBox, LayoutOptions, layout, to_display_list, validate_layout};
 use ratex_types::display_item::{DisplayItem, DisplayList};
 use ratex_types::path_command::PathCommand;
-use raystep_figure::{Color, Face, fonts};
+use raystep_figure::{Face, fonts};
 
-use crate::decimal::decimal;
-use crate::glyphs::{Glyphs, Strokes};
-use crate::svg::escaped;
 use crate::typefaces::{MathFont, Typeface};
 
 /// How much room a formula takes, in points.
@@ -34,22 +31,6 @@ pub fn extent(tex: &str, size: f32) -> Extent {
             Extent { width, height: size * 0.75, depth: size * 0.25 }
         }
     }
-}
-
-/// A formula as an SVG file of its own, as large as its [`Extent`].
-pub fn formula(tex: &str, size: f32, color: Color) -> String {
-    let room = extent(tex, size);
-    let mut glyphs = Glyphs::default();
-    let mut body = String::new();
-    draw(&mut Strokes { out: &mut body, glyphs: &mut glyphs }, tex, size, 0.0, room.height);
-    let mut definitions = String::new();
-    glyphs.definitions(&mut definitions);
-    let (width, height) = (decimal(room.width), decimal(room.height + room.depth));
-    format!(
-        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}"><defs>{definitions}</defs><g fill="{}" aria-label="{}">{body}</g></svg>"#,
-        color.to_hex(),
-        escaped(tex),
-    )
 }
 
 /// What a formula is drawn with. Lengths are points, y downwards.

@@ -9,8 +9,8 @@ use raystep_figure::{Face, fonts, text_width};
 use ttf_parser::GlyphId;
 
 use crate::decimal::decimal;
+use crate::escaped::escaped;
 use crate::formula::Hand;
-use crate::svg::escaped;
 use crate::typefaces::Typeface;
 use crate::webfont;
 

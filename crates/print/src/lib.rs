@@ -6,8 +6,10 @@
 
 mod bounds;
 mod decimal;
+mod escaped;
 mod film;
 mod formula;
+mod formula_svg;
 mod glyphs;
 mod json;
 mod label;
@@ -25,7 +27,8 @@ mod webfont;
 
 pub use bounds::{around, drawn, part};
 pub use film::{Apng, Frame, Gif, Palette, Tally, frame};
-pub use formula::{Extent, Unset, extent, formula};
+pub use formula::{Extent, Unset, extent};
+pub use formula_svg::formula;
 pub use glyphs::Lettering;
 pub use json::{Record, Told, json};
 pub use letters::{Letters, Shift, letters};

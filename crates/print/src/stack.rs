@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
 
-use crate::svg::escaped;
+use crate::escaped::escaped;
 
 /// Marks with fewer letters are not worth a reference.
 const SHORT: usize = 90;

@@ -7,6 +7,7 @@ use raystep_accel::Place;
 use raystep_figure::{Color, Figure, Ink, Mark, Role, Style, Theme};
 
 use crate::decimal::decimal;
+use crate::escaped::escaped;
 use crate::formula;
 use crate::glyphs::{Glyphs, Lettering, Strokes};
 use crate::label::{ROUND, label_box, span};
@@ -68,11 +69,6 @@ pub fn drawing(figure: &Figure, manner: &Manner<'_>) -> String {
         writer.glyphs.root(),
         writer.body
     )
-}
-
-/// Text as it may stand in an attribute.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 struct Writer<'a> {

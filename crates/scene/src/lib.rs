@@ -3,6 +3,7 @@
 //! Everything loads from bytes. What is wrong in a file is a [`SceneError`]: a sentence with file, line and
 //! column that says what was found and what is allowed.
 
+mod close;
 mod decimal;
 mod error;
 mod flat;

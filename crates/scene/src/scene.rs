@@ -3,8 +3,6 @@
 use glam::{DVec3, Vec3};
 use raystep_accel::{Aabb, PrimId, Primitives, Prims};
 
-use crate::shipped::TEAPOT;
-use crate::stadium::STADIUM;
 use crate::{ObjError, SceneError, View, flat, read_obj};
 
 /// What a ray walks through.
@@ -65,23 +63,6 @@ impl Scene {
     /// A point of the primitives as the scene's file counts it.
     pub fn moved_back(&self, p: Vec3) -> DVec3 {
         p.as_dvec3() + self.origin
-    }
-
-    /// The object alone fills a picture of 4:3, seen from the side of [`Scene::view`]: of the teapot on its floor, the
-    /// teapot.
-    pub fn close_view(&self) -> View {
-        if self.name == STADIUM {
-            // It is seen from near the teapot anyhow.
-            return self.view;
-        }
-        let boxes = (0..self.prims.len() as u32).map(|prim| self.prims.bounds(PrimId(prim)));
-        let mut corners: Vec<Vec3> = boxes.flat_map(|bounds| [bounds.min, bounds.max]).collect();
-        if self.name == TEAPOT {
-            // The floor is the last of its triangles.
-            corners.truncate(corners.len() - 2);
-        }
-        let View { eye, target, up, .. } = self.view;
-        View::filling(&corners, eye - target, up)
     }
 
     /// The smallest box around all primitives.

@@ -142,11 +142,8 @@ impl Strip {
         let both = [row(first), row(second)];
         let fits = both.iter().map(|row| row.height).sum::<f32>() <= rest - space;
         let [first, second] = both;
-        let rows = if fits && !second.panes.is_empty() {
-            vec![first, second]
-        } else {
-            vec![Row { height: *height, ..first }]
-        };
+        let rows =
+            if fits && !second.panes.is_empty() { vec![first, second] } else { vec![Row { height: *height, ..first }] };
         Strip { panes: self.panes, rows }
     }
 
