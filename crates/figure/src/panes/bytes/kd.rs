@@ -71,6 +71,9 @@ const LARGEST: f32 = 1.3;
 const SMALL: f32 = 0.85;
 const LEAST: f32 = 0.7;
 
+/// How wide the box of those bits is that have no room of their own, in bits.
+const GATHERED: u32 = 3;
+
 /// One layout of a node.
 struct Row {
     node: NodeId,
@@ -107,7 +110,7 @@ impl Row {
             figure.add(role, place, block(Vec2::new(x, self.y), Vec2::new(width, u * 1.7), 0.0));
             let middle = x + width / 2.0;
             self.fitted(figure, Role::Value, Vec2::new(middle, self.y + u * 0.85), &shown.unwrap_or_default(), width);
-            self.fitted(figure, Role::Quiet, Vec2::new(middle, self.y + u * 2.2), name, width);
+            self.fitted(figure, Role::Quiet, Vec2::new(middle, self.y + u * 2.2), self.caption(name, width), width);
             x += width;
         }
         if let Some((field, word)) = fields.iter().find(|(field, _)| !field.bits.is_empty() && !self.hide) {
@@ -125,6 +128,19 @@ impl Row {
         match name.split_once(" or ") {
             Some((_, of_leaf)) if self.leaf => of_leaf,
             Some((of_inner, _)) => of_inner,
+            None => name,
+        }
+    }
+
+    /// A name as it stands below its field: in one word where there is no room for two.
+    fn caption(&self, name: &'static str, width: f32) -> &'static str {
+        let words = name.split_once(' ').filter(|_| {
+            let least = text_width(name, Face::Regular, self.u * LEAST);
+            least > width
+        });
+        match words {
+            Some(("is" | "first", last)) => last,
+            Some((first, _)) => first,
             None => name,
         }
     }
@@ -147,37 +163,51 @@ impl Row {
         })
     }
 
-    /// The bits of a word, the highest one first, and what each part of them says.
+    /// The bits of a word, the highest one first, and what each part of them says. Where there is no room for all of
+    /// them the highest ones stand there as one box.
     fn bits(&self, figure: &mut Figure, field: &NodeField, word: u32, left: f32, right: f32) {
         let u = self.u;
-        let side = ((right - left) / 32.0).min(u * 1.2);
-        if side < 3.0 {
+        let least = u * SMALL * text_width("0", Face::Mono, 1.0);
+        let side = ((right - left) / 32.0).clamp(least, (u * 1.2).max(least));
+        let room = ((right - left) / side + 1e-3) as u32;
+        if room < GATHERED + 2 {
             return;
         }
-        let left = right - side * 32.0;
+        let alone = if room >= 32 { 32 } else { room - GATHERED };
+        // From its lowest bit on, how far left of the end so many bits reach.
+        let reach = |bits: u32| side * if bits <= alone { bits } else { alone + GATHERED } as f32;
+        let left = right - reach(32);
         let height = u * 1.7;
-        for bit in 0..32 {
+        for bit in 0..alone {
             let set = word >> bit & 1 == 1;
-            let corner = Vec2::new(right - side * (bit + 1) as f32, self.y);
+            let corner = Vec2::new(right - reach(bit + 1), self.y);
             figure.add(Role::Edge, None, block(corner, Vec2::new(side, height), 0.0));
             let role = if set { Role::Value } else { Role::Quiet };
             let digit = if set { "1" } else { "0" };
             let size = (side / text_width("0", Face::Mono, 1.0)).min(u * 0.9);
             write(figure, role, None, corner + Vec2::new(side, height) / 2.0, digit, size, Face::Mono, Anchor::Middle);
         }
+        if alone < 32 {
+            let wide = Vec2::new(reach(32) - reach(alone), height);
+            figure.add(Role::Edge, None, block(Vec2::new(left, self.y), wide, 0.0));
+            let says = if word >> alone == 0 { "0\u{2026}0" } else { "\u{2026}" };
+            self.fitted(figure, Role::Quiet, Vec2::new(left, self.y) + wide / 2.0, says, wide.x);
+        }
         // The lowest bits stand at the right; names longer than their place push the next ones to the left.
-        let (mut end, mut low, mut free) = (right, 0, right);
+        let names = field.bits.iter().map(|(name, _)| format!("{}: 00  ", self.named(name)));
+        let all: f32 = names.map(|name| text_width(&name, Face::Regular, u * SMALL)).sum();
+        let letters = u * if all > right - left { LEAST } else { SMALL };
+        let (mut low, mut free) = (0, right);
         for (name, count) in field.bits {
-            let width = side * *count as f32;
+            let [start, end] = [low + count, low].map(|bits| right - reach(bits));
             let value = word >> low & (1_u64 << count).wrapping_sub(1) as u32;
-            figure.add(Role::Seen, None, block(Vec2::new(end - width, self.y), Vec2::new(width, height), 0.0));
+            figure.add(Role::Seen, None, block(Vec2::new(start, self.y), Vec2::new(end - start, height), 0.0));
             let says = format!("{}: {value}", self.named(name));
-            let long = text_width(&says, Face::Regular, u * SMALL);
-            let x = (end - (width + long) / 2.0).min(free - long).max(left);
+            let long = text_width(&says, Face::Regular, letters);
+            let x = (f32::midpoint(start, end) - long / 2.0).min(free - long).max(left);
             let at = Vec2::new(x, self.y + u * 2.2);
-            write(figure, Role::Quiet, None, at, &says, u * SMALL, Face::Regular, Anchor::Start);
-            free = x - u * 0.7;
-            end -= width;
+            write(figure, Role::Quiet, None, at, &says, letters, Face::Regular, Anchor::Start);
+            free = x - u * 0.5;
             low += count;
         }
     }
