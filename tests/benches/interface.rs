@@ -3,7 +3,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Ray, Rule, Structure, Visit};
+use raystep_accel::{Accel, KdLayout, Ray, Rule, Structure, Visit};
 use raystep_figure::{Ask, Camera, Film, Look, Nodes, Pane, Reel, Scenery, Walk};
 use raystep_scene::Scene;
 
@@ -34,6 +34,7 @@ fn steps(criterion: &mut Criterion) {
             events: &events,
             lost: 0,
             flat: false,
+            layout: KdLayout::Compact,
         };
         let reel = Reel::new(walk);
         let film = Film::new(&reel);

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::Vec2;
-use raystep_accel::{Place, PrimId, Primitives, Prims, Shape, Structure, Visit};
+use raystep_accel::{KdLayout, Place, PrimId, Primitives, Prims, Shape, Structure, Visit};
 use raystep_figure::{
     Camera, Figure, Form, Ink, Look, Mark, Moment, Nodes, Role, Scenery, Space, Walk, ruler, ruler_height, space,
     stage, text_width,
@@ -32,6 +32,7 @@ fn every_flat_step(check: &mut dyn FnMut(&str, &Walk<'_>, &Moment)) {
                     events: &tape.events,
                     lost: tape.lost,
                     flat: true,
+                    layout: KdLayout::Compact,
                 };
                 let mut moment = Moment::start(&walk);
                 for step in 0..=tape.events.len() {

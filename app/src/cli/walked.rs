@@ -1,6 +1,6 @@
 //! One walk, step by step, for people.
 
-use raystep_accel::{Accel, Cost, Event, Hit, Ray, Rule, Structure, Trace, Visit};
+use raystep_accel::{Accel, Cost, Event, Hit, KdLayout, Ray, Rule, Structure, Trace, Visit};
 use raystep_figure::{Reel, Walk, number, whole};
 use raystep_scene::Scene;
 use serde::Serialize;
@@ -51,7 +51,16 @@ impl Walked<'_> {
         let Walked { scene, structure, ray, tape, .. } = self;
         let all = AllNodes::of(structure, None);
         let (prims, nodes, flat) = (&scene.prims, &all.own, scene.flat);
-        let walk = Walk { structure, prims, nodes, ray: **ray, events: &tape.events, lost: tape.lost, flat };
+        let walk = Walk {
+            structure,
+            prims,
+            nodes,
+            ray: **ray,
+            events: &tape.events,
+            lost: tape.lost,
+            flat,
+            layout: KdLayout::Compact,
+        };
         let reel = Reel::new(walk);
         let mut cost = Cost::default();
         let step = |(index, event): (usize, &Visit)| {

@@ -47,7 +47,9 @@ impl<'a> Session<'a> {
     /// Plays the build if the ground kept it, else the ray; nothing where there is neither. The ray's name
     /// stands on plates, the stem at the beginning of files' names.
     fn new(ground: &'a Ground<'a>, ray: Option<Ray>, name: Option<&str>, stem: String) -> Option<Session<'a>> {
-        let play = ground.built.play_with(ground.beside.as_ref(), ray, ground.beats)?;
+        let mut play = ground.built.play_with(ground.beside.as_ref(), ray, ground.beats)?;
+        // A scene of no slide has nothing hidden from it.
+        play.layout = if ground.beats.is_empty() { play.layout } else { ground.slide.layout };
         Some(Session { ground, play, ray: name.map(str::to_owned), stem })
     }
 

@@ -82,6 +82,7 @@ impl Playback {
         // A mistake's own scene is no scene of the slide: nothing is told there.
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
         let mut play = raystep_lesson::Built { scene, structure, told }.play(ray, beats)?;
+        play.layout = slide.layout;
         // Beats that speak of another of the slide's rays are silent on this one.
         if let RayChoice::Named(index) = view.ray
             && let Some(this) = stage.rays.get(index)
@@ -211,7 +212,7 @@ impl Playback {
         let instead = Some(std::mem::replace(place, weighed));
         let (scene, structure) = (self.play.scene.clone(), self.play.structure.clone());
         let (beats, beside) = (self.play.beats.clone(), self.play.beside.clone());
-        let play = Play { scene, structure, tape: Tape::Build(Arc::new(build)), beside, beats };
+        let play = Play { beside, beats, ..Play::new(scene, structure, Tape::Build(Arc::new(build)), &[]) };
         let made = self.aside(play, self.rule, self.nodes.clone(), Beside::Nothing);
         Some(Playback { posed: self.posed.clone(), instead, ..made })
     }

@@ -6,7 +6,7 @@ use super::all_nodes::AllNodes;
 use super::kind_name::kind_name;
 use std::sync::Arc;
 
-use raystep_accel::{Event, Grow, Mistake, Place, Prims, Rule, Structure, Value};
+use raystep_accel::{Event, Grow, KdLayout, Mistake, Place, Prims, Rule, Structure, Value};
 use raystep_figure::{
     Board, Build, Fact, ListingLine, Nodes, PacketWalk, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told,
 };
@@ -19,7 +19,8 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>)
     let (structure, prims, flat) = (&*play.structure, &play.scene.prims, play.scene.flat);
     match &play.tape {
         Tape::Walk(walk) => {
-            Reel::new(Walk { structure, prims, nodes, ray: walk.ray, events: &walk.events, lost: walk.lost, flat })
+            let (ray, events, lost, layout) = (walk.ray, walk.events.as_slice(), walk.lost, play.layout);
+            Reel::new(Walk { structure, prims, nodes, ray, events, lost, flat, layout })
         }
         Tape::Build(build) => Reel::new(Build {
             structure,
@@ -55,7 +56,7 @@ fn side_by_side<'a>(walks: &'a WalksTape, nodes: &'a [Nodes], prims: &'a Prims, 
             .map(|setting| format!("{}: {}", setting.key.replace('_', " "), setting.value))
             .collect();
         let (ray, events, lost) = (walk.ray, walk.events.as_slice(), walk.lost);
-        let walk = Walk { structure, prims, nodes, ray, events, lost, flat };
+        let walk = Walk { structure, prims, nodes, ray, events, lost, flat, layout: KdLayout::Compact };
         Some((kind_name(&plan.kind).to_owned(), settings.join(", "), walk))
     };
     Walks { walks: each.filter_map(walk).collect(), order: &walks.order, reached: &walks.reached }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{
-    Accel, Axes, Instances, KdRule, Measure, Mesh, Model, NodeId, Place, Prims, Ray, Rule, Shape, Sphere, Structure,
-    Transform, Visit,
+    Accel, Axes, Instances, KdLayout, KdRule, Measure, Mesh, Model, NodeId, Place, Prims, Ray, Rule, Shape, Sphere,
+    Structure, Transform, Visit,
 };
 use raystep_figure::{
     Camera, Depth, Figure, Film, Form, Ink, Moment, Nodes, Reel, Role, Scenery, Space, Theme, Walk, ghost, labels,
@@ -54,6 +54,7 @@ impl Stand {
             events: &self.events,
             lost: 0,
             flat: true,
+            layout: KdLayout::Compact,
         }
     }
 
@@ -145,7 +146,16 @@ fn what_happens_in_an_instance_is_drawn_where_it_stands() {
     let mut events = Vec::new();
     structure.intersect(&prims, &ray, &mut events);
     let nodes = Nodes::of(&structure);
-    let walk = Walk { structure: &structure, prims: &prims, nodes: &nodes, ray, events: &events, lost: 0, flat: false };
+    let walk = Walk {
+        structure: &structure,
+        prims: &prims,
+        nodes: &nodes,
+        ray,
+        events: &events,
+        lost: 0,
+        flat: false,
+        layout: KdLayout::Compact,
+    };
     let moved = [a, b, c].map(|corner| corner + shift).to_vec();
     let drawn = |step: usize, role: Role| {
         let space = space(&walk, &Moment::at(&walk, step));

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
+use raystep_accel::KdLayout;
 use raystep_scene::Scenes;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -31,6 +32,7 @@ pub(crate) struct Head {
     pub(crate) listing: String,
     pub(crate) listing_spot: Spot,
     pub(crate) show: Vec<Show>,
+    pub(crate) layout: Option<KdLayout>,
     pub(crate) stages: Vec<Stage>,
     pub(crate) opens: Option<StageKind>,
 }
@@ -68,6 +70,7 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     };
     let (listing_at, listing) = listing.unwrap_or_default();
     let show = show(&mut keys, reading);
+    let layout = layout(&mut keys, &show, reading);
 
     // Two stages in tables of their own, or one whose keys stand in the head itself.
     let mut stages = Vec::new();
@@ -83,7 +86,7 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     let opens = opens(&mut keys, &stages, reading);
     keys.finish(reading);
     let [numbers_spot, title_spot, listing_spot] = [numbers_at, title_at, listing_at].map(|at| reading.spot(at));
-    Some(Head { numbers, numbers_spot, title, title_spot, listing, listing_spot, show, stages, opens })
+    Some(Head { numbers, numbers_spot, title, title_spot, listing, listing_spot, show, layout, stages, opens })
 }
 
 /// A message in one line.
@@ -158,6 +161,18 @@ fn show(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Vec<Show> {
         }
     }
     show
+}
+
+/// The last layout of a node that its bytes are shown in: the last of all if the slide does not say.
+fn layout(keys: &mut Keys<'_>, show: &[Show], reading: &mut Reading<'_>) -> Option<KdLayout> {
+    let (at, name) = keys.get::<String>("layout", reading)?;
+    let known = KdLayout::ALL.iter().copied().find(|layout| layout.word() == name);
+    if known.is_none() {
+        reading.problem(at, misspelt("layout of nodes", &name, KdLayout::WORDS));
+    } else if !show.contains(&Show::Bytes) {
+        reading.problem(at, "`layout` says which bytes of a node are shown: write \"bytes\" among the panes of `show`");
+    }
+    known
 }
 
 /// The only stage of a slide that has but one: flat if its scene's name begins so.

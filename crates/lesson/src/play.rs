@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Cancelled, Event, Ray, Rule, RuleError, Structure};
+use raystep_accel::{Cancelled, Event, KdLayout, Ray, Rule, RuleError, Structure};
 use raystep_scene::{Scene, UnknownScene};
 use thiserror::Error;
 
@@ -21,6 +21,8 @@ pub struct Play {
     pub beside: Option<Tape>,
     /// For each beat of the slide the step at which it stands, if this tape reaches it.
     pub beats: Vec<Option<usize>>,
+    /// The last layout in which the bytes of a kd-tree's node are shown.
+    pub layout: KdLayout,
 }
 
 /// A stage's scene, the structure over it, and what is played whichever ray there is: a build, a board.
@@ -123,7 +125,7 @@ impl Play {
     /// Looks up where on the tape the beats stand.
     pub fn new(scene: Arc<Scene>, structure: Arc<Structure>, tape: Tape, beats: &[Beat]) -> Play {
         let beats = steps(beats, &tape, scene.flat);
-        Play { scene, structure, tape, beside: None, beats }
+        Play { scene, structure, tape, beside: None, beats, layout: KdLayout::Compact }
     }
 
     /// The event that a step shows; none at step 0.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Ray, Rule};
+use raystep_accel::{KdLayout, Ray, Rule};
 use raystep_scene::{Scene, Scenes};
 
 use crate::minutes::minutes;
@@ -29,6 +29,8 @@ pub struct Slide {
     pub listing: String,
     /// The panes that it is about, most important first.
     pub show: Vec<Show>,
+    /// Of the bytes of a kd-tree's node, the last layout that is shown.
+    pub layout: KdLayout,
     /// Where it plays: flat first if it has both.
     pub stages: Vec<Stage>,
     /// The stage that it opens on, if it says so.
@@ -135,6 +137,7 @@ impl Slide {
             plays: reading.plays,
             listing: head.listing,
             show: head.show,
+            layout: head.layout.unwrap_or(KdLayout::Compact),
             stages: head.stages,
             opens: head.opens,
             beats,

@@ -106,6 +106,8 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
         ("number that is a path", "slide = [33, 38]", "slide = \"../33\""),
         ("same number twice", "slide = [33, 38]", "slide = [33, 33]"),
         ("opens on a stage that is not there", "title = \"First\"", "title = \"First\"\nopens = \"solid\""),
+        ("a layout that there is not", "title = \"First\"", "title = \"First\"\nlayout = \"pared\""),
+        ("a layout of bytes that are not shown", "title = \"First\"", "title = \"First\"\nlayout = \"paired\""),
         ("opens on nothing", "title = \"First\"", "title = \"First\"\nopens = \"sollid\""),
         ("text for a stage that is not", "> if side=both", "> if stage=sollid"),
         ("quote that neither asks nor depends", "> if side=both", "> when side=both"),

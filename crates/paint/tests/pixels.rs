@@ -2,7 +2,7 @@
 //! With `RAYSTEP_PICTURES=DIR` the pictures are written there to be looked at.
 
 use glam::{Vec3, vec3};
-use raystep_accel::{Aabb, Accel, PrimId, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_accel::{Aabb, Accel, KdLayout, PrimId, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
 use raystep_figure::{Camera, Form, Moment, Nodes, Role, Space, SpaceMark, Theme, Walk};
 use raystep_paint::{Frame, Headless};
 use raystep_scene::{Scene, View};
@@ -190,6 +190,7 @@ fn walks_on_the_teapot() {
             events: &events,
             lost: 0,
             flat: false,
+            layout: KdLayout::Compact,
         };
         for part in [0.3, 0.6, 1.0] {
             let step = (events.len() as f32 * part) as usize;

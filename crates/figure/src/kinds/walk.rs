@@ -137,7 +137,7 @@ impl Kind for Walk<'_> {
             Pane::Ruler => Some(ruler_height(self, look)),
             Pane::RulerLine => Some(ruler_line_height(self, look)),
             Pane::Tree => tree_height(self.nodes, look),
-            Pane::Bytes => bytes_height(self.structure, look),
+            Pane::Bytes => bytes_height(self, look),
             _ => None,
         }
     }

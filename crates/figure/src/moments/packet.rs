@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use raystep_accel::{
-    Aabb, Abreast, Cost, Direction, Fill, Hit, Interval, Lanes, NodeId, Observer, PacketStep, PacketVisit, Place,
-    PrimId, Prims, Ray, Side, Structure, Verdict, Visit,
+    Aabb, Abreast, Cost, Direction, Fill, Hit, Interval, KdLayout, Lanes, NodeId, Observer, PacketStep, PacketVisit,
+    Place, PrimId, Prims, Ray, Side, Structure, Verdict, Visit,
 };
 
 use super::Walk;
@@ -35,7 +35,16 @@ impl<'a> PacketWalk<'a> {
     /// What the views of a single ray need of it: the walk of this lane, without what happened.
     pub(crate) fn one(&self, lane: usize) -> Option<Walk<'a>> {
         let PacketWalk { structure, prims, nodes, flat, .. } = *self;
-        Some(Walk { structure, prims, nodes, ray: *self.rays.get(lane)?, events: &[], lost: 0, flat })
+        Some(Walk {
+            structure,
+            prims,
+            nodes,
+            ray: *self.rays.get(lane)?,
+            events: &[],
+            lost: 0,
+            flat,
+            layout: KdLayout::Compact,
+        })
     }
 
     /// The box of a place.

@@ -1,6 +1,6 @@
 //! A walk that was recorded, with what it went through.
 
-use raystep_accel::{Aabb, Direction, Place, PrimId, Primitives, Prims, Ray, Structure, Visit};
+use raystep_accel::{Aabb, Direction, KdLayout, Place, PrimId, Primitives, Prims, Ray, Structure, Visit};
 
 use crate::world::Nodes;
 
@@ -21,6 +21,8 @@ pub struct Walk<'a> {
     pub lost: u64,
     /// Whether the scene is flat.
     pub flat: bool,
+    /// The last layout in which the bytes of a kd-tree's node are shown.
+    pub layout: KdLayout,
 }
 
 impl Walk<'_> {

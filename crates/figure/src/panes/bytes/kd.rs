@@ -27,7 +27,8 @@ pub(super) fn node(tree: &Kd, walk: &Walk<'_>, moment: &Moment, hide: bool, size
     let remark = format!("{kind} \u{b7} pointers of 32 bits, addresses in bytes from the root");
     let top = look.heading(&mut figure, &format!("Bytes of node {node}"), &remark);
 
-    let rows: Vec<_> = KdLayout::ALL.iter().filter_map(|&layout| Some((layout, layout.node(tree, node)?))).collect();
+    let shown = layouts(walk.layout);
+    let rows: Vec<_> = shown.iter().filter_map(|&layout| Some((layout, layout.node(tree, node)?))).collect();
     if rows.is_empty() {
         look.nothing(&mut figure, "", "This tree is too large for addresses of 32 bits.");
         return figure;
@@ -55,9 +56,15 @@ pub(super) fn node(tree: &Kd, walk: &Walk<'_>, moment: &Moment, hide: bool, size
     figure
 }
 
-/// How high the four rows should be.
-pub(super) fn height(look: &Look) -> f32 {
-    look.text * LARGEST * ROW * KdLayout::ALL.len() as f32 + look.margin()
+/// Those that are shown, the last one included.
+fn layouts(last: KdLayout) -> &'static [KdLayout] {
+    let many = KdLayout::ALL.iter().take_while(|layout| **layout != last).count() + 1;
+    &KdLayout::ALL[..many]
+}
+
+/// How high the rows should be.
+pub(super) fn height(last: KdLayout, look: &Look) -> f32 {
+    look.text * LARGEST * ROW * layouts(last).len() as f32 + look.margin()
 }
 
 /// A row in parts of its letters: how high it is, and where its cache lines stand in it.

@@ -33,10 +33,10 @@ pub fn bytes(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
 }
 
 /// How high the pane should be; nothing for what is not shown as bytes.
-pub(crate) fn bytes_height(structure: &Structure, look: &Look) -> Option<f32> {
+pub(crate) fn bytes_height(walk: &Walk<'_>, look: &Look) -> Option<f32> {
     let heading = if look.titles { look.text * 2.2 } else { 0.0 };
-    match structure {
-        Structure::Kd(_) => Some(heading + kd::height(look)),
+    match walk.structure {
+        Structure::Kd(_) => Some(heading + kd::height(walk.layout, look)),
         Structure::HashedGrid(grid) => Some(heading + hash::height(grid, look)),
         _ => None,
     }
