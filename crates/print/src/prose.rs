@@ -1,7 +1,7 @@
 //! Markdown set in a column: words wrapped, bold, code, formulas.
 
 use glam::Vec2;
-use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, TextMergeStream};
 use raystep_figure::{Anchor, Face, Figure, Ink, Role, fonts};
 
 use crate::formula::extent;
@@ -23,7 +23,8 @@ pub fn prose(markdown: &str, width: f32, size: f32, face: Face, role: Role) -> F
         indent: 0.0,
     };
     let (mut bold, mut italic, mut fenced) = (0, 0, false);
-    for event in Parser::new_ext(markdown, Options::ENABLE_MATH) {
+    // The parser cuts a text at brackets that might have begun a link.
+    for event in TextMergeStream::new(Parser::new_ext(markdown, Options::ENABLE_MATH)) {
         match event {
             Event::Start(Tag::Strong) => bold += 1,
             Event::End(TagEnd::Strong) => bold -= 1,
@@ -79,6 +80,9 @@ const GAP: f32 = 0.6;
 
 /// Signs that stay with what they relate.
 const RELATIONS: [&str; 8] = ["=", "<", ">", "≤", "≥", "←", "·", "/"];
+
+/// Words that stay with the number behind them.
+const KINDS: [&str; 5] = ["node", "cell", "primitive", "slide", "step"];
 
 /// What is never broken.
 #[derive(Clone)]
@@ -174,7 +178,9 @@ impl Setter {
         let mut before = "";
         for (index, part) in text.split([' ', '\n']).enumerate() {
             let interval = before.starts_with('[') && before.ends_with(',');
-            if index > 0 && (interval || RELATIONS.contains(&part) || RELATIONS.contains(&before)) {
+            let named = KINDS.contains(&before.to_lowercase().as_str())
+                && part.starts_with(|letter: char| letter.is_ascii_digit());
+            if index > 0 && (interval || named || RELATIONS.contains(&part) || RELATIONS.contains(&before)) {
                 // An equation is not torn apart, nor is an interval.
                 self.piece(Piece::space(self.plain, self.size));
             } else if index > 0 {

@@ -1,6 +1,6 @@
 //! The text of a beat, read once: paragraphs of runs, formulas on lines of their own, items of lists.
 
-use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
+use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd, TextMergeStream};
 
 /// A piece of text that stands by itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,7 +37,7 @@ pub(crate) fn blocks(markdown: &str) -> Vec<Block> {
     let mut blocks = Vec::new();
     let mut runs: Vec<Run> = Vec::new();
     let (mut strong, mut emphasis, mut item, mut code) = (0, 0, false, None::<String>);
-    for event in Parser::new_ext(markdown, Options::ENABLE_MATH) {
+    for event in TextMergeStream::new(Parser::new_ext(markdown, Options::ENABLE_MATH)) {
         let look = match (strong > 0, emphasis > 0) {
             (true, _) => RunLook::Strong,
             (_, true) => RunLook::Emphasis,

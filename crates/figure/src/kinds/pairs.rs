@@ -28,7 +28,7 @@ const SIGNS: &[(Role, &str)] = &[
     (Role::Live, "what is left, or the first one's shadow"),
     (Role::Here, "this step"),
     (Role::Plane, "plane"),
-    (Role::Tick, "number of this step; drag the object here"),
+    (Role::Tick, "number of this step"),
     (Role::Hit, "they meet"),
     (Role::Best, "where they meet"),
     (Role::Missed, "apart"),

@@ -13,6 +13,20 @@ impl Build<'_> {
         &self.changes[..count]
     }
 
+    /// How many primitives come only once the structure is built.
+    pub(crate) fn only_inserted(&self) -> u64 {
+        let mut seen = Vec::new();
+        let mut only = 0;
+        for Changed { change, .. } in self.changes {
+            let prim = change.prim();
+            if !seen.contains(&prim) {
+                seen.push(prim);
+                only += u64::from(matches!(change, Change::Insert(_)));
+            }
+        }
+        only
+    }
+
     /// The change that a step belongs to, if the structure is built already.
     pub(crate) fn change(&self, moment: &GrowMoment) -> Option<&Changed> {
         self.begun(moment).last()

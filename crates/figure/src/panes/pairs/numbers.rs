@@ -39,6 +39,12 @@ impl Row {
     }
 }
 
+/// What stands at points and under the axis, in letters of the pane.
+const SMALL: f32 = 0.9;
+
+/// The smallest letters, in those of the pane: of more rows than that only the last ones stand there.
+const SMALLEST: f32 = 0.55;
+
 /// The line of numbers of this step; of what cuts a ray, all cuts so far.
 pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
@@ -50,8 +56,8 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         write(&mut figure, Role::Quiet, None, at, says, look.text, Face::Regular, Anchor::Start);
         return figure;
     }
-    let u = look.text;
-    // Closer together rather than not at all.
+    // Closer together and in smaller letters rather than not at all.
+    let u = (look.text).min((size.y - top) / (rows.len() as f32 * 1.75 + 2.6)).max(look.text * SMALLEST);
     let room = size.y - top - u * 2.6;
     let high = (room / rows.len() as f32).clamp(u * 1.75, u * 2.3);
     let fit = ((room / high + 0.01) as usize).max(1);
@@ -86,9 +92,9 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         for (role, value, name) in row.points.iter().filter(|(_, value, _)| axis.shows(*value)) {
             let center = Vec2::new(place(*value), y);
             figure.add(*role, None, Ink::Circle { center, radius: u * 0.35 });
-            let half = text_width(name, Face::Regular, look.small()) * 0.5;
+            let half = text_width(name, Face::Regular, u * SMALL) * 0.5;
             let at = Vec2::new(center.x.clamp(axis.left + half, axis.right - half), y - u * 0.95);
-            write(&mut figure, *role, None, at, name, look.small(), Face::Regular, Anchor::Middle);
+            write(&mut figure, *role, None, at, name, u * SMALL, Face::Regular, Anchor::Middle);
         }
     }
     let bottom = top + high * rows.len() as f32 + u * 0.4;
@@ -97,7 +103,7 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         let x = place(mark);
         figure.add(Role::Edge, None, line(Vec2::new(x, bottom - u * 0.25), Vec2::new(x, bottom + u * 0.25)));
         let at = Vec2::new(x, bottom + u * 1.0);
-        write(&mut figure, Role::Quiet, None, at, &number(mark), look.small(), Face::Regular, Anchor::Middle);
+        write(&mut figure, Role::Quiet, None, at, &number(mark), u * SMALL, Face::Regular, Anchor::Middle);
     }
     figure
 }
@@ -152,7 +158,7 @@ fn cut(tried: &Tried<'_>, index: usize, trial: &Trial) -> Option<Row> {
             Some(row.point(Role::Tick, t1, named("t1", t1)).point(Role::Tick, t2, named("t2", t2)))
         }
         Step::Probe(Probe::Narrow { t1, t2, t_near, t_far, empty, .. }) => {
-            Some(narrowed(Row::new("left"), role, [t1, t2], [t_near, t_far], empty))
+            Some(narrowed(Row::new("cut, left"), role, [t1, t2], [t_near, t_far], empty))
         }
         Step::Slab(Visit::Narrow { axis, t1, t2, t_near, t_far, empty, .. }) => {
             Some(narrowed(Row::new(axis.name()), role, [t1, t2], [t_near, t_far], empty))

@@ -105,7 +105,7 @@ impl Drawing<'_> {
                 self.title(Role::Missed, Place::Prim(prim), format!("{prim} missed"));
             }
             Some(Visit::Skip { prim }) => {
-                self.title(Role::Missed, Place::Prim(prim), format!("{prim} known"));
+                self.title(Role::Missed, Place::Prim(prim), format!("{prim} skipped"));
             }
             _ => {}
         }

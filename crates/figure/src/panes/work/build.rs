@@ -3,10 +3,11 @@
 use glam::Vec2;
 use raystep_accel::{Change, Primitives};
 
+use super::loud::{loud, rest};
 use crate::moments::{Build, GrowMoment};
-use crate::page::{Anchor, Figure, Look, block, line, wrapped, write};
+use crate::page::{Anchor, Figure, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::{VolumeName, counted, whole};
+use crate::words::{VolumeName, counted};
 
 /// The references stored so far as the one loud number, beside the primitives there are; the rest in words.
 pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
@@ -17,7 +18,8 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
         changes(&mut figure, build, moment, top, look);
         return figure;
     }
-    let all = build.prims.len() as u64;
+    // What is inserted once the tree stands is not there yet.
+    let all = build.prims.len() as u64 - build.only_inserted();
     let tally = &moment.tally;
 
     // Before anything is stored: how many primitives the box holds.
@@ -34,14 +36,7 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
             ),
         )
     };
-    let loud = u * 2.6;
-    let mut y = top + loud * 0.5;
-    let digits = whole(count);
-    let base = Vec2::new(left, y);
-    write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
-    let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
-    write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
-    y += loud * 0.5 + u * 0.6;
+    let mut y = loud(&mut figure, count, &says, top, look) + u * 0.6;
 
     // Primitives as the upper bar, what refers to them as the lower.
     let width = size.x - 2.0 * left;
@@ -63,11 +58,7 @@ pub fn work_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &
         y += u * 0.9;
     }
 
-    for says in wrapped(&words(build, moment), width, u) {
-        y += u * 0.4;
-        write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
-        y += u * 1.2;
-    }
+    rest(&mut figure, &words(build, moment), y, look);
     figure
 }
 
@@ -117,17 +108,28 @@ fn words(build: &Build<'_>, moment: &GrowMoment) -> Vec<String> {
         (tally.joined, "pair merged", "pairs merged"),
         (tally.leaves, "leaf", "leaves"),
         (moment.waiting.len() as u64, "node waits", "nodes wait"),
-        // A primitive and a cell: each pair is looked at once.
-        (tally.rasterised, "time a box meets a cell", "times a box meets a cell"),
         (tally.pruned, "time its primitive does not reach it", "times its primitive does not reach it"),
     ];
     let rest = rest.into_iter().filter(|(count, ..)| *count > 0).map(|(count, one, many)| counted(count, one, many));
-    weighed(build, moment).into_iter().chain(rest).collect()
+    weighed(build, moment).into_iter().chain(met(build, moment)).chain(rest).collect()
 }
 
 /// How many planes, or ways to share out, were weighed: `15 planes weighed`.
 pub(crate) fn weighed(build: &Build<'_>, moment: &GrowMoment) -> Option<String> {
-    let (name, kept, cut) = ("weigh", moment.tally.weighed, VolumeName::of(build.structure).cut);
+    let cut = VolumeName::of(build.structure).cut;
+    let says = [format!("{cut} weighed"), format!("{cut}s weighed")];
+    at_least(build, moment, "weigh", moment.tally.weighed, &says)
+}
+
+/// How many times a primitive's box met a cell: each pair is looked at once.
+fn met(build: &Build<'_>, moment: &GrowMoment) -> Option<String> {
+    let says = ["time a box meets a cell", "times a box meets a cell"].map(str::to_owned);
+    at_least(build, moment, "rasterise", moment.tally.rasterised, &says)
+}
+
+/// A count of events of one name, of which only the first ones may be kept: so many `kept`, or more.
+fn at_least(build: &Build<'_>, moment: &GrowMoment, name: &str, kept: u64, one_many: &[String; 2]) -> Option<String> {
+    let [one, many] = one_many;
     let lost = build.lost.get(name).copied().unwrap_or(0);
     let ahead = build.events.get(moment.step..).unwrap_or_default();
     let (count, exact) = match ahead {
@@ -135,6 +137,6 @@ pub(crate) fn weighed(build: &Build<'_>, moment: &GrowMoment) -> Option<String> 
         // They are lost only after the last one that was kept.
         _ => (kept, lost == 0 || ahead.iter().any(|event| event.name() == name)),
     };
-    let says = counted(count, &format!("{cut} weighed"), &format!("{cut}s weighed"));
+    let says = counted(count, one, many);
     (count > 0).then(|| if exact { says } else { format!("at least {says}") })
 }

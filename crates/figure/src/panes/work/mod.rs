@@ -1,6 +1,7 @@
 //! How much the walk has done so far, against testing everything.
 
 mod build;
+mod loud;
 
 use glam::Vec2;
 use raystep_accel::{Cost, Primitives, Prims, Structure};
@@ -9,9 +10,10 @@ pub(crate) use build::weighed;
 pub use build::work_of_build;
 
 use crate::moments::{Moment, Walk};
-use crate::page::{Anchor, Figure, Look, block, wrapped, write};
-use crate::theme::{Face, Role, text_width};
-use crate::words::{VolumeName, counted, whole};
+use crate::page::{Anchor, Figure, Look, block, write};
+use crate::theme::{Face, Role};
+use crate::words::{VolumeName, counted};
+use loud::{loud, rest};
 
 /// Where only the box is tested, its test is the work.
 fn tests_box_only(structure: &Structure) -> bool {
@@ -45,16 +47,8 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let volume = VolumeName::of(walk.structure);
     let (tests, all, one, many) = of_all(walk.structure, walk.prims, &moment.cost);
 
-    // The one loud number.
-    let loud = u * 2.6;
-    let mut y = top + loud * 0.5;
-    let digits = whole(tests);
-    let base = Vec2::new(left, y);
-    write(&mut figure, Role::Missed, None, base, &digits, loud, Face::Bold, Anchor::Start);
-    let after = base + Vec2::new(text_width(&digits, Face::Bold, loud) + u * 0.6, loud * 0.14);
     let says = format!("of {} tested", counted(all, one, many));
-    write(&mut figure, Role::Text, None, after, &says, u * 1.1, Face::Regular, Anchor::Start);
-    y += loud * 0.5 + u * 0.6;
+    let mut y = loud(&mut figure, tests, &says, top, look) + u * 0.6;
 
     // The same as a bar; with another walk beside it, a bar each.
     let bars = std::iter::once(("", tests)).chain(beside);
@@ -75,12 +69,8 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
         y += height + u * 0.8;
     }
 
-    let rest = if only_box { Vec::new() } else { sentence(moment, volume) };
-    for says in wrapped(&rest, size.x - 2.0 * left, u) {
-        y += u * 0.4;
-        write(&mut figure, Role::Quiet, None, Vec2::new(left, y), &says, u, Face::Regular, Anchor::Start);
-        y += u * 1.2;
-    }
+    let done = if only_box { Vec::new() } else { sentence(moment, volume) };
+    rest(&mut figure, &done, y, look);
     figure
 }
 
