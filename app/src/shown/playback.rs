@@ -103,13 +103,7 @@ impl Playback {
         };
         let film = Film::new(&reel(&play, &nodes, None));
         let reached = reached(&play.tape);
-        // Only walks go wrong, those of packets in their own way.
-        let made_here = |mistake: &Mistake| match play.tape.plays() {
-            Plays::Walk => !mistake.is_of_packets(),
-            Plays::Packet => mistake.is_of_packets(),
-            Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs => false,
-        };
-        let mistakes = Mistake::of_kind(rule.kind()).filter(made_here).collect();
+        let mistakes = mistakes(rule.kind(), play.tape.plays());
         let (kind, posed) = (Beside::Nothing, Vec::new());
         let instead = None;
         let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached, instead };
@@ -344,6 +338,17 @@ impl Playback {
         posed.dedup_by_key(|posed| posed.step);
         posed
     }
+}
+
+/// What can be done wrong where such things are played in a structure of this kind: only walks go wrong, those of packets
+/// in their own way.
+pub(crate) fn mistakes(kind: &str, plays: Plays) -> Vec<Mistake> {
+    let made_here = |mistake: &Mistake| match plays {
+        Plays::Walk => !mistake.is_of_packets(),
+        Plays::Packet => mistake.is_of_packets(),
+        Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs => false,
+    };
+    Mistake::of_kind(kind).filter(made_here).collect()
 }
 
 /// A beat that tells why a node is divided as it is says nothing of one that is cut by hand.
