@@ -19,9 +19,16 @@ const FILTERS: &str = "pad=ceil(iw/2)*2:ceil(ih/2)*2,fps=25,scale=out_color_matr
 const COLORS: [&str; 8] =
     ["-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"];
 
+/// Whether the program lies where programs are looked for.
+pub(crate) fn has_ffmpeg() -> bool {
+    let names = [FFMPEG.to_owned(), format!("{FFMPEG}{}", std::env::consts::EXE_SUFFIX)];
+    let folders = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&folders).any(|folder| names.iter().any(|name| folder.join(name).is_file()))
+}
+
 /// Whether a video can be written, before anything is drawn.
 pub(super) fn ready(order: &Order) -> Result<(), Fault> {
-    if !matches!(order.format, Format::Mp4 | Format::Webm) {
+    if !order.format.is_video() {
         return Ok(());
     }
     let ending = order.format.ending();
