@@ -83,9 +83,11 @@ impl Playback {
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
         let mut play = raystep_lesson::Built { scene, structure, told }.play(ray, beats)?;
         play.layout = slide.layout;
-        // Beats that speak of another of the slide's rays are silent on this one.
+        // Beats that speak of another of the slide's rays are silent on this one. Those that name none speak of whichever
+        // walks, also of one that was drawn.
         if let RayChoice::Named(index) = view.ray
             && let Some(this) = stage.rays.get(index)
+            && slide.beats.iter().any(|beat| beat.ray.is_some())
         {
             for (beat, at) in play.beats.iter_mut().enumerate() {
                 if slide.ray_of(stage, beat).is_some_and(|ray| ray.name != this.name) {
