@@ -77,6 +77,11 @@ impl Format {
         matches!(self, Format::Apng | Format::Gif | Format::Mp4 | Format::Webm)
     }
 
+    /// Whether ffmpeg writes it.
+    pub(crate) fn is_video(self) -> bool {
+        matches!(self, Format::Mp4 | Format::Webm)
+    }
+
     /// Whether it stays sharp at any size.
     pub(super) fn is_sharp(self) -> bool {
         matches!(self, Format::Svg | Format::Pdf)
@@ -85,6 +90,13 @@ impl Format {
 
 /// How long a film shows a step if nobody says so.
 pub(crate) const STEP_MILLIS: u16 = 900;
+
+/// How many milliseconds a film shows a step, from 20 to 20000, as it is written.
+pub(crate) fn delay(text: &str) -> Result<u16, String> {
+    const ALLOWED: std::ops::RangeInclusive<u16> = 20..=20000;
+    let millis = text.trim().parse().ok().filter(|millis| ALLOWED.contains(millis));
+    millis.ok_or_else(|| format!("write a whole number of milliseconds from {} to {}", ALLOWED.start(), ALLOWED.end()))
+}
 
 impl Order {
     /// The usual order: outlines on a ground, nothing cut off.

@@ -11,9 +11,24 @@ use crate::fault::Fault;
 /// The program.
 const FFMPEG: &str = "ffmpeg";
 
+/// Programs skip in a film with few pictures a second, and WebM forgets how long the last one stays; what repeats costs
+/// next to nothing. A cropped picture may have an odd side.
+const FILTERS: &str = "pad=ceil(iw/2)*2:ceil(ih/2)*2,fps=25,scale=out_color_matrix=bt709:out_range=tv";
+
+/// Which colours its numbers mean: otherwise programs guess, by how large the picture is.
+const COLORS: [&str; 8] =
+    ["-color_range", "tv", "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709"];
+
+/// Whether the program lies where programs are looked for.
+pub(crate) fn has_ffmpeg() -> bool {
+    let names = [FFMPEG.to_owned(), format!("{FFMPEG}{}", std::env::consts::EXE_SUFFIX)];
+    let folders = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&folders).any(|folder| names.iter().any(|name| folder.join(name).is_file()))
+}
+
 /// Whether a video can be written, before anything is drawn.
 pub(super) fn ready(order: &Order) -> Result<(), Fault> {
-    if !matches!(order.format, Format::Mp4 | Format::Webm) {
+    if !order.format.is_video() {
         return Ok(());
     }
     let ending = order.format.ending();
@@ -68,9 +83,7 @@ impl Encoder {
         let mut command = Command::new(FFMPEG);
         command.args(["-loglevel", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24"]);
         command.args(["-video_size", &format!("{width}x{height}"), "-framerate", &format!("1000/{}", order.delay)]);
-        // Programs skip in a film with few pictures a second; what repeats costs next to nothing. A cropped picture may
-        // have an odd side.
-        command.args(["-i", "-", "-r", "25", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2"]);
+        command.args(["-i", "-", "-vf", FILTERS]).args(COLORS);
         // Nothing in the file tells when it was written, or by whom.
         command.args(["-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact", "-pix_fmt", "yuv420p"]);
         command.args(match order.format {

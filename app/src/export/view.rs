@@ -135,7 +135,8 @@ impl Piece {
         })
     }
 
-    fn all() -> impl Iterator<Item = Piece> {
+    /// All that there are.
+    pub(crate) fn all() -> impl Iterator<Item = Piece> {
         let views = View::value_variants().iter().copied().filter(|view| *view != View::Plate);
         [Piece::Title, Piece::Text, Piece::Legend].into_iter().chain(views.map(Piece::View))
     }

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use glam::Vec2;
-use raystep_accel::{HandCut, PrimId};
+use raystep_accel::{HandCut, PrimId, Primitives};
 use raystep_scene::{Part, Scene};
 
 /// The most primitives of a scene that can be taken in the hand: all of it is built anew while they move.
@@ -34,6 +34,31 @@ impl OwnScene {
         let mut moved = before.map_or_else(BTreeSet::new, |before| before.moved.clone());
         moved.insert(prim);
         Some(OwnScene { scene: Arc::new(scene), moved })
+    }
+
+    /// A scene with shapes where these numbers say, and a sentence for each that cannot be there.
+    pub(crate) fn restored(scene: &Scene, shapes: &[(u32, Vec<f32>)]) -> (Option<OwnScene>, Vec<String>) {
+        if !scene.flat || scene.prims.len() > MOST {
+            return (None, vec![format!("{}: shapes are moved in flat scenes of at most {MOST}", scene.title)]);
+        }
+        let (mut scene, mut moved, mut wrong) = (scene.clone(), BTreeSet::new(), Vec::new());
+        for (prim, numbers) in shapes {
+            match scene.with_numbers(PrimId(*prim), numbers) {
+                Ok(with) => {
+                    scene = with;
+                    moved.insert(PrimId(*prim));
+                }
+                Err(why) => wrong.push(format!("shape={prim}: {why}")),
+            }
+        }
+        scene.name.push_str(OWN);
+        let own = (!moved.is_empty()).then(|| OwnScene { scene: Arc::new(scene), moved });
+        (own, wrong)
+    }
+
+    /// Where the shapes lie that were moved, in numbers.
+    pub(crate) fn shapes(&self) -> Vec<(u32, Vec<f32>)> {
+        self.moved.iter().filter_map(|prim| Some((prim.0, self.scene.numbers(*prim)?))).collect()
     }
 
     /// What was moved, in words: `3`, `3 and 5`, `1, 3 and 5`, or how many.

@@ -83,9 +83,11 @@ impl Playback {
         let beats = if view.example.is_some() { &[][..] } else { &slide.beats };
         let mut play = raystep_lesson::Built { scene, structure, told }.play(ray, beats)?;
         play.layout = slide.layout;
-        // Beats that speak of another of the slide's rays are silent on this one.
+        // Beats that speak of another of the slide's rays are silent on this one. Those that name none speak of whichever
+        // walks, also of one that was drawn.
         if let RayChoice::Named(index) = view.ray
             && let Some(this) = stage.rays.get(index)
+            && slide.beats.iter().any(|beat| beat.ray.is_some())
         {
             for (beat, at) in play.beats.iter_mut().enumerate() {
                 if slide.ray_of(stage, beat).is_some_and(|ray| ray.name != this.name) {
@@ -103,13 +105,7 @@ impl Playback {
         };
         let film = Film::new(&reel(&play, &nodes, None));
         let reached = reached(&play.tape);
-        // Only walks go wrong, those of packets in their own way.
-        let made_here = |mistake: &Mistake| match play.tape.plays() {
-            Plays::Walk => !mistake.is_of_packets(),
-            Plays::Packet => mistake.is_of_packets(),
-            Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs => false,
-        };
-        let mistakes = Mistake::of_kind(rule.kind()).filter(made_here).collect();
+        let mistakes = mistakes(rule.kind(), play.tape.plays());
         let (kind, posed) = (Beside::Nothing, Vec::new());
         let instead = None;
         let mut playback = Playback { view, play, rule, nodes, posed, mistakes, kind, seconds, film, reached, instead };
@@ -344,6 +340,17 @@ impl Playback {
         posed.dedup_by_key(|posed| posed.step);
         posed
     }
+}
+
+/// What can be done wrong where such things are played in a structure of this kind: only walks go wrong, those of packets
+/// in their own way.
+pub(crate) fn mistakes(kind: &str, plays: Plays) -> Vec<Mistake> {
+    let made_here = |mistake: &Mistake| match plays {
+        Plays::Walk => !mistake.is_of_packets(),
+        Plays::Packet => mistake.is_of_packets(),
+        Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs => false,
+    };
+    Mistake::of_kind(kind).filter(made_here).collect()
 }
 
 /// A beat that tells why a node is divided as it is says nothing of one that is cut by hand.

@@ -543,6 +543,12 @@ impl App {
                 self.state.renew(*library);
             }
             News::Written(sentence) => self.say(ui, sentence),
+            // A class sees no dialog.
+            News::Unwritten(fault) if self.state.present => self.complain(format!("Nothing was written: {fault}.")),
+            News::Unwritten(fault) => {
+                files::say(&fault.to_string());
+                self.overlay.wrote(Err(fault));
+            }
             News::Failed(sentence) => {
                 self.reopens = None;
                 self.complain(sentence);

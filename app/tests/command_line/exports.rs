@@ -131,6 +131,17 @@ fn films_hold_all_steps_of_the_grain() {
         assert_eq!(&first[4..8], b"ftyp");
         assert!(first == only(&folder, &video).1, "the same to the byte");
     }
+    // Every picture stays as long as it says, also the last one: four pictures, the last three times as long.
+    for format in ["mp4", "webm"] {
+        let (name, _) = match Command::new("ffprobe").arg("-version").stdout(Stdio::null()).status() {
+            Ok(_) => only(&folder, &[&call[..], &["--format", format, "--steps", "0..3", "--delay", "400"]].concat()),
+            Err(_) => continue,
+        };
+        let shown =
+            ["-v", "error", "-count_frames", "-of", "csv=p=0", "-show_entries", "stream=nb_read_frames,color_space"];
+        let told = Command::new("ffprobe").args(shown).arg(&name).current_dir(folder.join("out")).output().unwrap();
+        assert_eq!(text(&told.stdout).trim(), "bt709,60", "{name}: {}", text(&told.stderr));
+    }
     // Where there is no ffmpeg nothing is begun.
     let lonely = Command::new(env!("CARGO_BIN_EXE_raystep"))
         .args([&["export", "--out", "lonely"], &video[..]].concat())

@@ -89,19 +89,132 @@ fn the_dialog_writes_the_same_bytes_as_the_command_line() {
     assert!(read(&by_window) == read(&by_command), "{name} differs");
 }
 
-#[test]
-fn what_cannot_be_exported_is_said_in_the_dialog() {
-    let mut harness = window("5/33");
+/// Opens the dialog.
+fn dialog(slide: &str) -> Window {
+    let mut harness = window(slide);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
     harness.run_steps(3);
-    harness.get_by_role_and_label(egui::accesskit::Role::TextInput, "Size").focus();
+    harness
+}
+
+/// Presses a button of the dialog.
+fn choose(harness: &mut Window, name: &str) {
+    let roles = [egui::accesskit::Role::Button, egui::accesskit::Role::CheckBox];
+    let found = roles.into_iter().find_map(|role| harness.query_by_role_and_label(role, name));
+    found.unwrap_or_else(|| panic!("there is no {name}")).click();
+    harness.run_steps(2);
+}
+
+/// Types into a field of the dialog, instead of what stands in it.
+fn fill(harness: &mut Window, name: &str, text: &str) {
+    harness.get_by_role_and_label(egui::accesskit::Role::TextInput, name).focus();
     harness.run_steps(2);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    harness.event(egui::Event::Text("huge".to_owned()));
+    harness.event(egui::Event::Text(text.to_owned()));
     harness.run_steps(2);
-    harness.get_by_label("Write").click();
-    harness.run_steps(3);
-    assert!(harness.query_by_label_contains("write two numbers").is_some());
+}
+
+#[test]
+fn every_choice_writes_what_the_command_line_writes() {
+    let check = |name: &str, slide: &str, chosen: &[&str], filled: &[(&str, &str)], arguments: &str| {
+        let (by_window, by_command) = (folder(&format!("chosen-{name}")), folder(&format!("asked-{name}")));
+        let mut harness = dialog(slide);
+        let step = harness.state().state.view.step;
+        chosen.iter().for_each(|chosen| choose(&mut harness, chosen));
+        filled.iter().for_each(|(name, text)| fill(&mut harness, name, text));
+        fill(&mut harness, "Folder", &by_window.to_string_lossy());
+        choose(&mut harness, "Write");
+        let stage = harness.state().state.view.stage.name();
+        let step = format!("{step}..{step}");
+        let here = ["--steps", step.as_str()];
+        let arguments: Vec<&str> = arguments.split(' ').collect();
+        let says = |word: &str| arguments.contains(&word);
+        let here = if says("--steps") || says("--beats") || says("json") { &[][..] } else { &here[..] };
+        let all = [&["export", "--slide", slide, "--stage", stage][..], &arguments, here, &["--out"]].concat();
+        let output = Command::new(env!("CARGO_BIN_EXE_raystep")).args(&all).arg(&by_command).output().unwrap();
+        assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+        let mut files: Vec<_> = by_command.read_dir().unwrap().map(|file| file.unwrap().file_name()).collect();
+        files.sort();
+        assert!(!files.is_empty(), "{name}");
+        until(&mut harness, |_| files.iter().all(|file| by_window.join(file).is_file()));
+        for file in &files {
+            let read = |folder: &Path| std::fs::read(folder.join(file)).unwrap();
+            assert!(read(&by_window) == read(&by_command), "{name}: {} differs", file.display());
+        }
+        assert_eq!(by_window.read_dir().unwrap().count(), files.len(), "{name}");
+    };
+    check(
+        "tree",
+        "5/33",
+        &["SVG", "View tree", "Letters as text, faces in the file", "no ground", "cut margins off", "Theme dark"],
+        &[("Size", "640x400")],
+        "--view tree --format svg --text real --transparent --crop --theme dark --size 640x400",
+    );
+    check(
+        "space",
+        "5/33",
+        &["PDF", "View space", "Legend on", "1280×800"],
+        &[],
+        "--view space --format pdf --legend on --size 1280x800",
+    );
+    check(
+        "panes",
+        "5/33",
+        &["View own plate", "Pane text", "Pane stack", "Pane t", "steps"],
+        &[("First and last step", "3..5"), ("Size", "640x400")],
+        "--panes title,space,stack,t --steps 3..5 --size 640x400",
+    );
+    check(
+        "film",
+        "5/33",
+        &["GIF", "View space", "steps", "Stops at visits"],
+        &[("First and last step", "0..12"), ("Milliseconds of each step", "300"), ("Size", "320x200")],
+        "--format gif --view space --steps 0..12 --grain visit --delay 300 --size 320x200",
+    );
+    check("json", "5/33", &["JSON"], &[], "--format json");
+    check("beats", "2/12", &["all beats", "View listing"], &[], "--beats --view listing");
+}
+
+#[test]
+fn what_makes_no_sense_is_greyed_and_says_why() {
+    let says = |slide: &str, chosen: &[&str], greyed: &str| {
+        let mut harness = dialog(slide);
+        chosen.iter().for_each(|chosen| choose(&mut harness, chosen));
+        assert!(harness.query_by_label_contains(greyed).is_some(), "{slide}: {greyed}");
+    };
+    says("2/12", &[], "View tree: This structure has no tree.");
+    says("5/33", &[], "View chart: There is no chart here.");
+    says("5/33", &[], "Pane stack: Choose own plate as the view.");
+    says("5/33", &["View tree"], "Legend on: Plates and space have a legend, other views have none.");
+    says("5/33", &["PDF"], "Letters as text, faces named: A PDF file has text anyhow.");
+    says("5/33", &["GIF"], "): A film holds many steps.");
+    says("5/33", &["JSON"], "View tree: A JSON file holds the walk, no picture.");
+}
+
+#[test]
+fn what_cannot_be_exported_is_said_in_the_dialog() {
+    let check = |chosen: &[&str], filled: &[(&str, &str)], says: &str| {
+        let mut harness = dialog("5/33");
+        chosen.iter().for_each(|chosen| choose(&mut harness, chosen));
+        filled.iter().for_each(|(name, text)| fill(&mut harness, name, text));
+        choose(&mut harness, "Write");
+        until_said(&mut harness, says);
+    };
+    check(&[], &[("Size", "huge")], "Size: write two numbers from 16 to 16384");
+    check(&["steps"], &[("First and last step", "9..3")], "Steps: step 9 comes after step 3");
+    check(&["steps"], &[("First and last step", "all")], "Steps: write the first and the last step, as in 3..9");
+    check(&["GIF"], &[("Milliseconds of each step", "5")], "Each step: write a whole number of milliseconds from 20");
+    check(&["View own plate", "Pane title", "Pane text", "Pane space"], &[], "Choose what stands on the plate.");
+    check(&[], &[("Folder", "")], "Write the folder that the files shall go to.");
+    // What is found out while it is written is said there, too.
+    let taken = folder("taken").join("file");
+    std::fs::write(&taken, "x").unwrap();
+    check(&[], &[("Folder", &taken.to_string_lossy())], "it is no folder: name another one");
+}
+
+/// Waits for a sentence.
+fn until_said(harness: &mut Window, says: &str) {
+    window::until(harness, |window| window.query_by_label_contains(says).is_some());
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod keyboard;
 mod last;
 mod layout;
 mod lecture;
+mod links;
 mod looks;
 mod pictures;
 mod present;

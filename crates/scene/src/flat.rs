@@ -64,11 +64,16 @@ impl TryFrom<Vec<f32>> for Corner {
         let &[x, y] = &numbers[..] else {
             return Err(format!("a point of the plane is [x, y]; found {} numbers", numbers.len()));
         };
-        if x.abs() <= FURTHEST && y.abs() <= FURTHEST {
-            Ok(Corner(Vec2::new(x, y)))
-        } else {
-            Err(format!("[{x}, {y}]: coordinates are numbers from -{FURTHEST} to {FURTHEST}"))
-        }
+        place(x, y).map(Corner)
+    }
+}
+
+/// A point where a shape may lie.
+pub(crate) fn place(x: f32, y: f32) -> Result<Vec2, String> {
+    if x.abs() <= FURTHEST && y.abs() <= FURTHEST {
+        Ok(Vec2::new(x, y))
+    } else {
+        Err(format!("[{x}, {y}]: coordinates are numbers from -{FURTHEST} to {FURTHEST}"))
     }
 }
 

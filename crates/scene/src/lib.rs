@@ -8,6 +8,7 @@ mod decimal;
 mod error;
 mod flat;
 mod hand;
+mod numbers;
 mod obj;
 mod outdoors;
 mod scene;

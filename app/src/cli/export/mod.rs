@@ -17,7 +17,9 @@ use raystep_print::Lettering;
 pub(super) use chosen::no_slide;
 
 use super::lessons::Lessons;
-use crate::export::{Format, Order, Piece, Session, Size, View, Which, jobs, pictures, write};
+use crate::export::{
+    Format, Order, Piece, STEP_MILLIS, Session, Size, View, Which, delay, jobs, pictures, span, write,
+};
 use crate::fault::Fault;
 use crate::files;
 
@@ -40,7 +42,7 @@ pub struct ExportArguments {
     #[arg(long, value_parser = ["flat", "solid"])]
     stage: Option<String>,
     /// These steps, as in 3..9; both ends are drawn.
-    #[arg(long, value_name = "A..B", value_parser = steps, conflicts_with = "beats")]
+    #[arg(long, value_name = "A..B", value_parser = span, conflicts_with = "beats")]
     steps: Option<RangeInclusive<usize>>,
     /// The step of every beat; this is what is drawn if no steps are named. Films hold all steps.
     #[arg(long)]
@@ -74,7 +76,7 @@ pub struct ExportArguments {
     #[arg(long)]
     transparent: bool,
     /// How many milliseconds a film shows a step; twice as long a beat, three times as long the last one.
-    #[arg(long, value_name = "MS", default_value = "900", value_parser = clap::value_parser!(u16).range(20..=20000))]
+    #[arg(long, value_name = "MS", default_value_t = STEP_MILLIS, value_parser = delay)]
     delay: u16,
     /// The colours.
     #[arg(long, default_value = "light", value_parser = ["light", "dark", "projector", "print"])]
@@ -178,18 +180,4 @@ pub(super) fn bar(count: usize) -> ProgressBar {
     }
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} pictures, {eta} left");
     ProgressBar::new(count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
-}
-
-/// `3..9` or `5`.
-fn steps(text: &str) -> Result<RangeInclusive<usize>, String> {
-    let number = |text: &str| text.trim().parse::<usize>().ok();
-    let range = match text.split_once("..") {
-        Some((first, last)) => number(first).zip(number(last.trim_start_matches('='))),
-        None => number(text).map(|only| (only, only)),
-    };
-    let (first, last) = range.ok_or("write the first and the last step, as in 3..9, or one step")?;
-    if first > last {
-        return Err(format!("step {first} comes after step {last}: write the smaller one first"));
-    }
-    Ok(first..=last)
 }

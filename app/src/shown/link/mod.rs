@@ -5,12 +5,14 @@ mod tests;
 mod text;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Grain, Ray, Rule};
+use raystep_accel::{Grain, HandCut, Interval, Mistake, Ray, Rule};
 use raystep_figure::{Camera, Depth};
-use raystep_lesson::{Library, Slide, Stage, StageKind};
+use raystep_lesson::{Column, Library, Plays, Slide, Stage, StageKind};
 
-use super::beside::{Beside, Rivals};
+use super::beside::{Beside, Pace, Rivals};
 use super::command::QUARTERS;
+use super::own::{OwnScene, Tried};
+use super::playback::mistakes;
 use super::state::State;
 use super::view::{RayChoice, View};
 
@@ -29,14 +31,28 @@ pub struct Link {
     pub step: Option<usize>,
     /// Parameters of the structure, numbers of a meter and bodies of pairs that differ from the slide's own.
     pub set: Vec<(String, String)>,
+    /// Shapes of the slide's scene that were moved by hand: which, and where they lie in numbers.
+    pub shapes: Vec<(u32, Vec<f32>)>,
+    /// The cut that is tried at this step.
+    pub tried: Option<HandCut>,
+    /// The mistake whose own small scene and ray are shown instead of the slide's.
+    pub example: Option<Mistake>,
     /// Where it is seen from, and the aspect of the picture that this was chosen in.
     pub camera: Option<Camera>,
     /// The aspect of the picture.
     pub aspect: f32,
     /// How many boxes of a tree are drawn in space.
     pub depth: Option<Depth>,
+    /// The part of the ray that the ruler shows.
+    pub part: Option<Interval>,
     /// The kinds of structures beside.
     pub beside: Option<Rivals>,
+    /// The mistake that is made beside instead.
+    pub mistake: Option<Mistake>,
+    /// How what stands beside keeps in step.
+    pub pace: Pace,
+    /// What a heat map counts that stands where space does.
+    pub heat: Option<Column>,
     /// Where the mesh lies that is shown instead of the slide's scene.
     pub mesh: Option<String>,
     /// Where playing and the arrow keys stop.
@@ -58,10 +74,17 @@ impl Default for Link {
             own: None,
             step: None,
             set: Vec::new(),
+            shapes: Vec::new(),
+            tried: None,
+            example: None,
             camera: None,
             aspect: ASPECT,
             depth: None,
+            part: None,
             beside: None,
+            mistake: None,
+            pace: Pace::Event,
+            heat: None,
             mesh: None,
             grain: Grain::Decision,
             speed: QUARTERS,
@@ -82,8 +105,15 @@ impl Link {
             Beside::Abreast(rivals) => Some(rivals),
             Beside::Nothing | Beside::Mistake(_) => None,
         };
+        let mistake = match (state.beside, state.playback()) {
+            (Beside::Mistake(index), Some(playback)) => playback.mistakes.get(index).copied(),
+            _ => None,
+        };
         Link {
             beside,
+            mistake,
+            pace: state.pace,
+            heat: state.heat(),
             mesh,
             aspect: if state.view.camera.is_some() { aspect } else { ASPECT },
             grain: state.grain,
@@ -102,10 +132,10 @@ impl Link {
             RayChoice::Named(index) => stage.and_then(|stage| stage.rays.get(index)).map(|ray| ray.name.clone()),
             RayChoice::Own(_) => None,
         };
-        // The small scene of a mistake goes with the mistake.
-        let is_own = view.example.is_none();
+        // The small scene of a mistake has a ray that goes with it.
+        let given = view.example.map(|mistake| mistake.example().ray);
         let own = match view.ray {
-            RayChoice::Own(ray) if is_own => Some(ray),
+            RayChoice::Own(ray) if given != Some(ray) => Some(ray),
             _ => None,
         };
         Link {
@@ -113,10 +143,14 @@ impl Link {
             stage: Some(view.stage),
             ray,
             own,
-            step: Some(if is_own { view.step } else { 0 }),
+            step: Some(view.step),
             set: view.settings.clone(),
-            camera: view.camera.filter(|_| is_own),
+            shapes: view.own.as_ref().map(OwnScene::shapes).unwrap_or_default(),
+            tried: view.tried.map(|tried| tried.cut),
+            example: view.example,
+            camera: view.camera,
             depth: view.depth,
+            part: view.part,
             ..Link::default()
         }
     }
@@ -149,7 +183,9 @@ impl Link {
                 return (None, wrong);
             }
         };
-        let ray = match (self.own, &self.ray) {
+        let made_here = |mistake: &Mistake| not_made(found, stage, *mistake).is_none();
+        let example = self.example.filter(|_| self.mesh.is_none()).filter(made_here);
+        let ray = match (self.own.or(example.map(|mistake| mistake.example().ray)), &self.ray) {
             (Some(own), _) => RayChoice::Own(own),
             (None, Some(name)) => {
                 let index = stage.and_then(|stage| stage.rays.iter().position(|ray| ray.name == *name));
@@ -160,7 +196,10 @@ impl Link {
             }
             (None, None) => RayChoice::Named(0),
         };
-        let mut rule = stage.and_then(|stage| stage.plan.rule(kind == StageKind::Flat).ok());
+        let mut rule = match example {
+            Some(mistake) => Some(mistake.example().rule),
+            None => stage.and_then(|stage| stage.plan.rule(kind == StageKind::Flat).ok()),
+        };
         let mut settings = Vec::new();
         for (key, value) in &self.set {
             match set(stage, rule.as_mut(), key, value) {
@@ -168,19 +207,42 @@ impl Link {
                 Err(why) => wrong.push(why),
             }
         }
-        let (camera, depth, step) = (self.camera, self.depth, self.step.unwrap_or(0));
+        let (camera, depth, part, step) = (self.camera, self.depth, self.part, self.step.unwrap_or(0));
+        // The small scene of a mistake is flat, whatever the slide's is.
+        let seen = if example.is_some() { StageKind::Flat } else { kind };
         let flat = |camera: &Camera| matches!(camera, Camera::Flat { .. });
-        if camera.as_ref().is_some_and(|camera| flat(camera) != (kind == StageKind::Flat)) {
-            wrong.push(format!("the camera is not one of a {} stage", kind.name()));
+        if camera.as_ref().is_some_and(|camera| flat(camera) != (seen == StageKind::Flat)) {
+            wrong.push(format!("the camera is not one of a {} stage", seen.name()));
         }
-        let camera = camera.filter(|camera| flat(camera) == (kind == StageKind::Flat));
-        (Some(View { ray, settings, camera, depth, step, ..View::of_slide(place, kind) }), wrong)
+        let camera = camera.filter(|camera| flat(camera) == (seen == StageKind::Flat));
+        let own = self.own_scene(stage.filter(|_| self.mesh.is_none() && self.example.is_none()), &mut wrong);
+        let tried = self.tried.map(|cut| Tried { step, cut });
+        wrong
+            .extend(self.example.into_iter().chain(self.mistake).filter_map(|mistake| not_made(found, stage, mistake)));
+        let view =
+            View { ray, settings, camera, depth, part, own, tried, example, step, ..View::of_slide(place, kind) };
+        (Some(view), wrong)
+    }
+
+    /// The stage's scene with the shapes that were moved.
+    fn own_scene(&self, stage: Option<&Stage>, wrong: &mut Vec<String>) -> Option<OwnScene> {
+        if self.shapes.is_empty() {
+            return None;
+        }
+        let Some(scene) = stage.and_then(|stage| stage.scenes.named(&stage.scene).ok()) else {
+            wrong.push("shapes are moved in the slide's own scene, and in no other".to_owned());
+            return None;
+        };
+        let (own, why) = OwnScene::restored(&scene, &self.shapes);
+        wrong.extend(why);
+        own
     }
 
     /// Opens the place in a window, with its mesh if that has been read; says what is not there.
     pub fn open(&self, state: &mut State, mesh: Option<std::sync::Arc<raystep_scene::Scene>>) -> Vec<String> {
-        let (view, wrong) = self.view(&state.library);
+        let (view, mut wrong) = self.view(&state.library);
         let Some(view) = view else { return wrong };
+        let (beside, heat) = (self.stands_beside(state, &view, &mut wrong), self.heat_of(state, &view, &mut wrong));
         // Without the mesh its ray and its step mean nothing.
         let lost = self.mesh.is_some() && mesh.is_none();
         let view = if lost { View::of_slide(view.slide, view.stage) } else { View { mesh, ..view } };
@@ -189,9 +251,52 @@ impl Link {
             None if !lost => state.arrive_at(view),
             _ => state.reopen(view),
         }
-        state.compare_all(self.beside.unwrap_or_default());
+        state.accompany(beside, self.pace, heat);
         wrong
     }
+
+    /// What stands beside the walk of a view.
+    fn stands_beside(&self, state: &State, view: &View, wrong: &mut Vec<String>) -> Beside {
+        let rivals = self.beside.unwrap_or_default();
+        if let Some(mistake) = self.mistake {
+            if rivals.count() > 0 {
+                wrong.push("either structures stand beside, or a mistake".to_owned());
+            }
+            let slide = state.library.slides.get(view.slide);
+            let stage = slide.and_then(|slide| slide.stage(view.stage).or(slide.stages.first()));
+            let known = slide.zip(stage).map(|(slide, stage)| mistakes(&stage.plan.kind, slide.plays));
+            let index = known.and_then(|known| known.iter().position(|other| *other == mistake));
+            return index.map_or(Beside::Nothing, Beside::Mistake);
+        }
+        match rivals.kinds().next() {
+            None => Beside::Nothing,
+            Some(_) if rivals.count() > 1 => Beside::Abreast(rivals),
+            Some(only) => Beside::Structure(only),
+        }
+    }
+
+    /// What a heat map counts in a view, if one can stand there.
+    fn heat_of(&self, state: &State, view: &View, wrong: &mut Vec<String>) -> Option<Column> {
+        let of = self.heat?;
+        let plays = state.library.slides.get(view.slide).map(|slide| slide.plays);
+        let solid = view.stage == StageKind::Solid && view.example.is_none();
+        let hot = solid && matches!(plays, Some(Plays::Walk | Plays::Packet | Plays::Build));
+        if !hot {
+            wrong.push("a heat map needs a solid scene and a structure".to_owned());
+        }
+        Some(of).filter(|_| hot)
+    }
+}
+
+/// Why a mistake cannot be made on a slide; nothing if it can.
+fn not_made(slide: &Slide, stage: Option<&Stage>, mistake: Mistake) -> Option<String> {
+    let known = stage.map(|stage| mistakes(&stage.plan.kind, slide.plays)).unwrap_or_default();
+    if known.contains(&mistake) {
+        return None;
+    }
+    let names: Vec<&str> = known.iter().map(|mistake| mistake.name()).collect();
+    let there = if names.is_empty() { "there are none".to_owned() } else { format!("there are {}", names.join(", ")) };
+    Some(format!("slide {} has no mistake \"{}\"; {there}", slide.id(), mistake.name()))
 }
 
 /// Sets a parameter or a number, or says why that cannot be.

@@ -1,9 +1,10 @@
 //! Links: whatever a window shows is found again by its link.
 
 use proptest::prelude::*;
-use raystep_accel::{Grain, Ray, Rule};
+use raystep_accel::{Axis, Grain, NodeId, PrimId, Primitives, Ray, Rule};
 use raystep_figure::{Camera, Depth};
 use raystep_lesson::{Library, StageKind};
+use raystep_scene::Scene;
 
 use super::*;
 
@@ -32,6 +33,30 @@ fn solid() -> impl Strategy<Value = Camera> {
     camera.prop_map(|(eye, target, fov_degrees)| Camera::Solid { eye, target, up: Vec3::Z, fov_degrees })
 }
 
+/// Shapes that were moved, each once.
+fn shapes() -> impl Strategy<Value = Vec<(u32, Vec<f32>)>> {
+    let numbers = proptest::collection::vec(number(), 3..9);
+    proptest::collection::btree_map(0..600_u32, numbers, 0..4).prop_map(|shapes| shapes.into_iter().collect())
+}
+
+fn cut() -> impl Strategy<Value = HandCut> {
+    (0..99_u32, proptest::sample::select(Axis::ALL.to_vec()), number()).prop_map(|(node, axis, at)| HandCut {
+        node: NodeId(node),
+        axis,
+        at,
+    })
+}
+
+fn part() -> impl Strategy<Value = Interval> {
+    (number(), 1e-3_f32..1e3)
+        .prop_map(|(near, long)| Interval::new(near, near + long))
+        .prop_filter("too short", |part| part.near < part.far)
+}
+
+fn mistake() -> impl Strategy<Value = Mistake> {
+    proptest::sample::select(Mistake::ALL.to_vec())
+}
+
 /// A link with anything in it that a link can hold.
 fn any_link() -> impl Strategy<Value = Link> {
     let text = "[ -~äπ→]{1,12}";
@@ -43,19 +68,28 @@ fn any_link() -> impl Strategy<Value = Link> {
         proptest::option::of(own()),
         proptest::option::of(0..MOST_STEPS),
         proptest::sample::subsequence(SETTINGS.to_vec(), 0..=SETTINGS.len()),
+        shapes(),
+        proptest::option::of(cut()),
+        proptest::option::of(mistake()),
         proptest::option::of(prop_oneof![flat(), solid()].prop_filter("sees nothing", looks)),
     );
     let look = (
         prop_oneof![Just(ASPECT), 0.01_f32..100.0],
         proptest::option::of(prop_oneof![Just(Depth::Path), (1..=64_u32).prop_map(Depth::Down)]),
+        proptest::option::of(part()),
         proptest::option::of(kinds.prop_map(Rivals::of)),
+        (
+            proptest::option::of(mistake()),
+            proptest::sample::select(vec![Pace::Event, Pace::T]),
+            proptest::option::of(proptest::sample::select(Column::COUNTS.to_vec())),
+        ),
         proptest::option::of(text),
         proptest::sample::select(vec![Grain::Arithmetic, Grain::Decision, Grain::Visit]),
         1..=9 * QUARTERS,
         any::<[bool; 2]>(),
     );
-    (place, look).prop_map(|((slide, stage, ray, own, step, set, camera), look)| {
-        let (aspect, depth, beside, mesh, grain, speed, [present, by_hand]) = look;
+    (place, look).prop_map(|((slide, stage, ray, own, step, set, shapes, tried, example, camera), look)| {
+        let (aspect, depth, part, beside, (mistake, pace, heat), mesh, grain, speed, [present, by_hand]) = look;
         Link {
             slide: if slide.trim().is_empty() { "5/33".to_owned() } else { slide },
             stage,
@@ -63,10 +97,17 @@ fn any_link() -> impl Strategy<Value = Link> {
             own,
             step,
             set: set.into_iter().map(|(key, value)| (key.to_owned(), value.to_owned())).collect(),
+            shapes,
+            tried,
+            example,
             camera,
             aspect,
             depth,
+            part,
             beside,
+            mistake,
+            pace,
+            heat,
             mesh,
             grain,
             speed,
@@ -93,6 +134,76 @@ proptest! {
         prop_assert_eq!(text.parse::<Link>(), Ok(link.clone()), "{}", text);
         prop_assert_eq!(format!(" https://a.b/page?c=d#{text}\n").parse::<Link>(), Ok(link));
     }
+}
+
+/// Every flat stage of the lecture whose shapes can be moved, with its scene.
+fn movable(library: &Library) -> Vec<(usize, std::sync::Arc<Scene>)> {
+    let stages = library.slides.iter().enumerate().filter_map(|(place, slide)| {
+        let stage = slide.stage(StageKind::Flat)?;
+        let scene = stage.scenes.named(&stage.scene).ok()?;
+        (!scene.parts().is_empty() && scene.prims.len() <= crate::shown::own::MOST).then_some((place, scene))
+    });
+    stages.collect()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_was_moved_by_hand_lies_there_again(
+        stage in any::<proptest::sample::Index>(),
+        moves in proptest::collection::vec((any::<proptest::sample::Index>(), -3.0_f32..3.0, -3.0_f32..3.0), 1..6),
+    ) {
+        static LIBRARY: std::sync::LazyLock<Library> = std::sync::LazyLock::new(Library::embedded);
+        let stages = movable(&LIBRARY);
+        let (place, scene) = stage.get(&stages);
+        let mut own: Option<OwnScene> = None;
+        for (part, x, y) in moves {
+            let now = own.as_ref().map_or(scene, |own| &own.scene).clone();
+            let parts = now.parts();
+            let (prim, part, at) = *part.get(&parts);
+            own = OwnScene::of(&now, own.as_ref(), prim, part, [at, at + Vec2::new(x, y)]).or(own);
+        }
+        prop_assume!(own.is_some());
+        let view = View { own, step: 2, ..View::of_slide(*place, StageKind::Flat) };
+        let link = Link::of_view(&view, &LIBRARY);
+        let text = link.to_string();
+        let (found, wrong) = text.parse::<Link>().unwrap().view(&LIBRARY);
+        prop_assert!(wrong.is_empty(), "{text}: {wrong:?}");
+        let (found, own) = (found.unwrap().own.unwrap(), view.own.unwrap());
+        prop_assert_eq!(&found.moved, &own.moved);
+        for prim in (0..own.scene.prims.len() as u32).map(PrimId) {
+            prop_assert_eq!(found.scene.prims.shape(prim), own.scene.prims.shape(prim), "{}: {}", text, prim);
+        }
+        prop_assert_eq!((&found.scene.name, found.scene.view), (&own.scene.name, own.scene.view));
+        prop_assert!(text.len() < 60 + 90 * own.moved.len(), "{text}");
+    }
+}
+
+#[test]
+fn links_of_before_are_read() {
+    let old = "5/33?stage=flat&ray=both%20children&step=13&set=max_depth:3&set=cut:0:x%3D2.09&camera=4,2,1.5&aspect=1.4&\
+               levels=2&beside=grid,bvh&grain=visit&speed=0.5&present=yes&hand=yes";
+    let link = old.parse::<Link>().unwrap();
+    let kept = Link {
+        slide: "5/33".to_owned(),
+        stage: Some(StageKind::Flat),
+        ray: Some("both children".to_owned()),
+        step: Some(13),
+        set: vec![("max_depth".to_owned(), "3".to_owned()), ("cut".to_owned(), "0:x=2.09".to_owned())],
+        camera: Some(Camera::Flat { center: Vec2::new(4.0, 2.0), half_height: 1.5 }),
+        aspect: 1.4,
+        depth: Some(Depth::Down(2)),
+        beside: Some(Rivals::of(["grid", "bvh"])),
+        grain: Grain::Visit,
+        speed: 2,
+        present: true,
+        by_hand: true,
+        ..Link::default()
+    };
+    assert_eq!(link, kept);
+    // What is new in them says nothing unless it is there.
+    assert_eq!(link.to_string(), old.replace("%3D", "="));
 }
 
 #[test]
@@ -159,6 +270,21 @@ fn every_wrong_link_gets_a_sentence() {
     check("5/33?camera=1,2", "camera=1,2: three numbers are needed");
     check("5/33?camera=0,0,nan", "camera=0,0,nan: three numbers are needed");
     check("5/33?aspect=0", "aspect=0: a number from 0.01 to 100");
+    check("5/33?shape=1", "shape=1: a shape is written shape=number:x,y,…");
+    check("5/33?shape=a:1,2", "shape=a:1,2: the number of the shape stands first");
+    check("5/33?shape=1:1,x", "shape=1:1,x: the numbers of a shape have commas between them");
+    check("5/33?shape=1:1,2,3&shape=1:1,2,3", "shape=1:1,2,3: this shape lies elsewhere already");
+    check("5/33?shape=99:1,2,3", "shape=99: there is no shape 99; the last one is");
+    check("5/33?shape=0:1,2", "shape=0: 0 is a disc: x and y of its middle and its radius");
+    check("5/33?stage=solid&shape=0:1,2,1", "The Utah teapot");
+    check("5/33?example=kd-any-hit&shape=0:1,2,1", "shapes are moved in the slide's own scene, and in no other");
+    check("5/33?try=0", "try=0: a cut is written node:axis=place, as in 0:x=2.09");
+    check("5/33?part=3,1", "part=3,1: two numbers are needed, the smaller t first");
+    check("5/33?pace=fast", "pace=fast: there are step and t");
+    check("5/33?mistake=none", "mistake=none: there are slab-no-swap, slab-strict");
+    check("5/33?example=none", "example=none: there are slab-no-swap, slab-strict");
+    check("5/33?mistake=slab-strict", "slide 5/33 has no mistake \"slab-strict\"; there are kd-left-first, kd-any-hit");
+    check("5/33?heat=time", "heat=time: there are tests, visits, boxes");
     check("5/33?levels=0", "levels=0: path, or a number from 1 to 64");
     check("5/33?beside=kdd", "beside=kdd: there are list, grid");
     check("5/33?grain=fine", "grain=fine: there are arithmetic, decision and visit");

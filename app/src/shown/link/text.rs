@@ -4,17 +4,25 @@ use std::fmt::{self, Write};
 use std::str::FromStr;
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
-use raystep_accel::{Grain, Ray, Rule};
+use raystep_accel::{Grain, HandCut, Interval, Mistake, Ray, Rule};
 use raystep_figure::Depth;
-use raystep_lesson::StageKind;
+use raystep_lesson::{Column, StageKind};
 
 use super::{ASPECT, Link, camera, numbers};
-use crate::shown::beside::Rivals;
+use crate::shown::beside::{Pace, Rivals};
 use crate::shown::command::QUARTERS;
+use crate::shown::own::MOST as MOST_SHAPES;
 
 /// What stands in a link as it is; everything else would end it, or mean something else in it.
-const PLAIN: &AsciiSet =
-    &NON_ALPHANUMERIC.remove(b'-').remove(b'_').remove(b'.').remove(b',').remove(b':').remove(b'/').remove(b'~');
+const PLAIN: &AsciiSet = &NON_ALPHANUMERIC
+    .remove(b'-')
+    .remove(b'_')
+    .remove(b'.')
+    .remove(b',')
+    .remove(b':')
+    .remove(b'/')
+    .remove(b'~')
+    .remove(b'=');
 
 /// Letters of a link, at most.
 const LONGEST: usize = 1 << 16;
@@ -24,11 +32,13 @@ const QUOTED: usize = 60;
 const MOST_STEPS: usize = 1 << 40;
 /// Things that are set, at most.
 const MOST_SET: usize = 256;
+/// Numbers of a shape, at most.
+const MOST_NUMBERS: usize = 2048;
 
 const GRAINS: [Grain; 3] = [Grain::Arithmetic, Grain::Decision, Grain::Visit];
-const KEYS: [&str; 14] = [
-    "stage", "ray", "own", "step", "set", "camera", "aspect", "levels", "beside", "mesh", "grain", "speed", "present",
-    "hand",
+const KEYS: [&str; 21] = [
+    "stage", "ray", "own", "step", "set", "shape", "try", "example", "camera", "aspect", "levels", "part", "beside",
+    "mistake", "pace", "heat", "mesh", "grain", "speed", "present", "hand",
 ];
 
 impl fmt::Display for Link {
@@ -42,6 +52,11 @@ impl fmt::Display for Link {
         for (key, value) in &self.set {
             add("set", Some(format!("{key}:{value}")));
         }
+        for (prim, numbers) in &self.shapes {
+            add("shape", Some(format!("{prim}:{}", listed(numbers))));
+        }
+        add("try", self.tried.map(|cut| cut.to_string()));
+        add("example", self.example.map(|mistake| mistake.name().to_owned()));
         add("camera", self.camera.map(|camera| listed(&numbers(&camera))));
         add("aspect", (self.aspect != ASPECT).then(|| self.aspect.to_string()));
         add(
@@ -51,7 +66,11 @@ impl fmt::Display for Link {
                 Depth::Down(level) => level.to_string(),
             }),
         );
+        add("part", self.part.map(|part| listed(&[part.near, part.far])));
         add("beside", self.beside.map(|rivals| rivals.kinds().collect::<Vec<_>>().join(",")));
+        add("mistake", self.mistake.map(|mistake| mistake.name().to_owned()));
+        add("pace", (self.pace == Pace::T).then(|| "t".to_owned()));
+        add("heat", self.heat.map(|of| of.name().to_owned()));
         add("mesh", self.mesh.clone());
         add("grain", (self.grain != Grain::Decision).then(|| self.grain.word().to_owned()));
         add("speed", (self.speed != QUARTERS).then(|| (f32::from(self.speed) / f32::from(QUARTERS)).to_string()));
@@ -128,10 +147,43 @@ impl Link {
                 }
                 self.set.push((key.to_owned(), value.to_owned()));
             }
+            "shape" => {
+                let (prim, numbers) = value.split_once(':').ok_or("a shape is written shape=number:x,y,…")?;
+                let prim =
+                    prim.trim().parse().map_err(|_| "the number of the shape stands first, as in 3:2.5,1,0.5")?;
+                let numbers = floats(numbers, MOST_NUMBERS).ok_or("the numbers of a shape have commas between them")?;
+                if self.shapes.iter().any(|(other, _)| *other == prim) {
+                    return Err("this shape lies elsewhere already".to_owned());
+                }
+                if self.shapes.len() == MOST_SHAPES {
+                    return Err(format!("at most {MOST_SHAPES} shapes are moved"));
+                }
+                self.shapes.push((prim, numbers));
+            }
+            "try" => {
+                self.tried = Some(cut(&value).ok_or("a cut is written node:axis=place, as in 0:x=2.09")?);
+            }
+            "example" => self.example = Some(mistake(&value)?),
+            "mistake" => self.mistake = Some(mistake(&value)?),
+            "part" => {
+                const NEEDED: &str = "two numbers are needed, the smaller t first";
+                let ends = floats(&value, 2).filter(|ends| ends.len() == 2 && ends[0] < ends[1]).ok_or(NEEDED)?;
+                self.part = Some(Interval::new(ends[0], ends[1]));
+            }
+            "pace" => {
+                let paces = [("step", Pace::Event), ("t", Pace::T)];
+                let known = paces.into_iter().find(|(name, _)| *name == value);
+                self.pace = known.ok_or("there are step and t")?.1;
+            }
+            "heat" => {
+                let known = Column::COUNTS.into_iter().find(|of| of.name() == value);
+                self.heat =
+                    Some(known.ok_or_else(|| format!("there are {}", Column::COUNTS.map(Column::name).join(", ")))?);
+            }
             "camera" => {
                 const NEEDED: &str = "three numbers are needed (the middle, and half the height) or ten (eye, target, \
                                       up, degrees), with which something is seen";
-                self.camera = Some(floats(&value).as_deref().and_then(camera).ok_or(NEEDED)?);
+                self.camera = Some(floats(&value, 16).as_deref().and_then(camera).ok_or(NEEDED)?);
             }
             "aspect" => {
                 let aspect = value.parse().ok().filter(|aspect| (0.01..=100.0).contains(aspect));
@@ -199,6 +251,20 @@ fn flag(value: &str) -> Result<bool, String> {
     }
 }
 
+fn mistake(name: &str) -> Result<Mistake, String> {
+    let known = || Mistake::ALL.map(Mistake::name).join(", ");
+    let named = Mistake::ALL.into_iter().find(|mistake| mistake.name() == name);
+    named.ok_or_else(|| format!("there are {}", known()))
+}
+
+/// A cut as a rule spells it.
+fn cut(text: &str) -> Option<HandCut> {
+    let mut rule = Rule::default_for("kd").ok()?;
+    rule.set("cut", text).ok()?;
+    let mut cuts = rule.by_hand()?.cuts().collect::<Vec<_>>().into_iter();
+    cuts.next().filter(|_| cuts.next().is_none())
+}
+
 /// The kinds of structures beside: one, or several with commas between them.
 fn rivals(text: &str) -> Option<Rivals> {
     let known = |word: &str| Rule::KINDS.into_iter().find(|kind| *kind == word.trim());
@@ -206,9 +272,10 @@ fn rivals(text: &str) -> Option<Rivals> {
     kinds.filter(|kinds| kinds.len() <= Rivals::MOST).map(Rivals::of)
 }
 
-fn floats(text: &str) -> Option<Vec<f32>> {
+/// Numbers with commas between them, at most so many.
+fn floats(text: &str, most: usize) -> Option<Vec<f32>> {
     let mut numbers = text.split(',').map(|number| number.trim().parse::<f32>().ok().filter(|number| !number.is_nan()));
-    numbers.by_ref().take(16).collect::<Option<Vec<f32>>>().filter(|_| numbers.next().is_none())
+    numbers.by_ref().take(most).collect::<Option<Vec<f32>>>().filter(|_| numbers.next().is_none())
 }
 
 fn listed(numbers: &[f32]) -> String {
@@ -225,7 +292,7 @@ fn of_ray(ray: &Ray) -> Vec<f32> {
 }
 
 fn ray(text: &str) -> Result<Ray, String> {
-    let (ray, range) = match floats(text).as_deref() {
+    let (ray, range) = match floats(text, 16).as_deref() {
         Some(&[ox, oy, oz, dx, dy, dz, ref range @ ..]) => {
             (Ray::new([ox, oy, oz].into(), [dx, dy, dz].into()), range.to_vec())
         }

@@ -23,7 +23,7 @@ pub(crate) struct Overlay {
     /// The page of keys: of the study, or of what differs before a class.
     help: Option<bool>,
     best: bool,
-    export: Option<export::Form>,
+    export: export::Dialog,
     open: Option<open::Form>,
 }
 
@@ -52,7 +52,7 @@ pub(crate) enum Asked {
 impl Overlay {
     /// Whether a dialog has the keys.
     pub(crate) fn is_open(&self) -> bool {
-        self.palette.is_some() || self.help.is_some() || self.best || self.export.is_some() || self.open.is_some()
+        self.palette.is_some() || self.help.is_some() || self.best || self.export.is_open() || self.open.is_some()
     }
 
     /// Opens the palette.
@@ -72,7 +72,7 @@ impl Overlay {
 
     /// Opens the dialog that writes files.
     pub(crate) fn export(&mut self, state: &State, theme: &'static Theme) {
-        self.export = Some(export::Form::of(state, theme));
+        self.export.open(state, theme);
     }
 
     /// Opens the dialog that opens a mesh.
@@ -90,16 +90,14 @@ impl Overlay {
 
     /// A folder was chosen to write to.
     pub(crate) fn chose_folder(&mut self, folder: &Path) {
-        if let Some(form) = &mut self.export {
-            form.set_folder(folder);
-        }
+        self.export.set_folder(folder);
     }
 
-    /// What was to be written is being written, or cannot be.
+    /// What was to be written is being written, or cannot be: the dialog says why.
     pub(crate) fn wrote(&mut self, written: Result<(), Fault>) {
-        match (written, &mut self.export) {
-            (Err(fault), Some(form)) => form.refuse(&fault),
-            _ => self.export = None,
+        match written {
+            Err(fault) => self.export.refuse(&fault),
+            Ok(()) => self.export.close(),
         }
     }
 
@@ -131,10 +129,10 @@ impl Overlay {
             self.best = false;
             asked.push(Asked::Judged);
         }
-        match self.export.as_mut().and_then(|form| form.show(ui, state, theme)) {
+        match self.export.show(ui, state, theme) {
             Some(export::Asked::Folder) => asked.push(Asked::ChooseFolder),
             Some(export::Asked::Write(wish)) => asked.push(Asked::Write(wish)),
-            Some(export::Asked::Close) => self.export = None,
+            Some(export::Asked::Close) => self.export.close(),
             None => {}
         }
         match self.open.as_mut().and_then(|form| form.show(ui, theme)) {

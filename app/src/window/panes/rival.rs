@@ -32,13 +32,23 @@ pub(super) fn choice(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<As
             asked.extend(several(ui, state, rivals).map(Asked::Abreast));
         }
         Beside::Structure(kind) => asked.extend(structures(ui, state, kind).map(Asked::Compare)),
-        Beside::Mistake(index) => {
-            let mistakes = state.playback().map_or(&[][..], |playback| &playback.mistakes);
-            let title = mistakes.get(index).map_or("", |mistake| mistake.title());
-            ui.add(egui::Label::new(RichText::new(title).font(font(Face::Bold, 13.5))).truncate());
+        Beside::Mistake(_) => {
+            ui.add(egui::Label::new(RichText::new(title(state)).font(font(Face::Bold, 13.5))).truncate());
         }
         Beside::Nothing => {}
     });
+}
+
+/// What the second picture shows, in words: a structure, or the mistake that is made in it.
+pub(super) fn title(state: &State) -> &'static str {
+    match state.beside {
+        Beside::Structure(kind) => kind_name(kind),
+        Beside::Mistake(index) => {
+            let mistakes = state.playback().map_or(&[][..], |playback| &playback.mistakes);
+            mistakes.get(index).map_or("", |mistake| mistake.title())
+        }
+        Beside::Nothing | Beside::Abreast(_) => "",
+    }
 }
 
 /// The structures that this one can be compared with.

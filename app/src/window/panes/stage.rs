@@ -33,30 +33,70 @@ use crate::window::look::visuals::line;
 pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut Vec<Asked>) -> Option<Place> {
     let rect = ui.available_rect_before_wrap();
     if page.state.beside == Beside::Nothing || page.state.heat().is_some() {
-        return stage(ui, page, kept, rect, true, 1.0, asked);
+        return alone(ui, page, kept, rect, true, 1.0, asked);
     }
+    together(ui, page, kept, rect, 1.0, asked)
+}
+
+/// The stage before a class, lines and letters `scale` times as large as usual.
+pub(super) fn stage(
+    ui: &mut Ui,
+    page: Page<'_>,
+    kept: &mut Kept,
+    rect: Rect,
+    signs: bool,
+    scale: f32,
+    asked: &mut Vec<Asked>,
+) -> Option<Place> {
+    let single = page.state.beside == Beside::Nothing || page.state.heat().is_some();
+    match single || page.state.playback().is_none() {
+        true => alone(ui, page, kept, rect, signs, scale, asked),
+        false => together(ui, page, kept, rect, scale, asked),
+    }
+}
+
+/// The walk and what stands beside it, each below its name.
+fn together(
+    ui: &mut Ui,
+    page: Page<'_>,
+    kept: &mut Kept,
+    rect: Rect,
+    scale: f32,
+    asked: &mut Vec<Asked>,
+) -> Option<Place> {
+    let high = STRIP * scale;
     if matches!(page.state.beside, Beside::Abreast(_)) {
-        let (name, picture) = strip(rect, STRIP);
-        rival::choice(ui, page, name, asked);
+        let picture = if page.state.present {
+            rect
+        } else {
+            let (name, picture) = strip(rect, high);
+            rival::choice(ui, page, name, asked);
+            picture
+        };
         match page.beside {
-            Some(walks) => abreast::show(ui, page, kept, walks, picture),
+            Some(walks) => abreast::show(ui, page, kept, walks, picture, scale),
             None => waiting(ui, page, picture),
         }
         return None;
     }
-    let (left, right) = halves(page.state, rect);
-    let (name, picture) = strip(left, STRIP);
+    let (left, right) = halves(page.state, rect, high);
+    let (name, picture) = strip(left, high);
     let mut under = None;
     if let Some(playback) = page.state.playback() {
-        label(ui, page, name, kind_name(playback.rule.kind()));
-        under = stage(ui, page, kept, picture, false, 1.0, asked);
+        label(ui, page, name, kind_name(playback.rule.kind()), scale);
+        under = alone(ui, page, kept, picture, false, scale, asked);
         let so_far = kept.pictures.as_ref().and_then(|pictures| playback.cost_at(&pictures.instant));
-        bill(ui, page, picture, playback, so_far);
+        bill(ui, page, picture, playback, so_far, scale);
     }
-    let (name, picture) = strip(right, STRIP);
-    rival::choice(ui, page, name, asked);
+    let (name, picture) = strip(right, high);
+    if page.state.present {
+        // A class chooses nothing.
+        label(ui, page, name, rival::title(page.state), scale);
+    } else {
+        rival::choice(ui, page, name, asked);
+    }
     match page.beside {
-        Some(beside) => under = second(ui, page, kept, picture, beside).or(under),
+        Some(beside) => under = second(ui, page, kept, picture, beside, scale).or(under),
         None => waiting(ui, page, picture),
     }
     if right.left() > rect.left() {
@@ -68,12 +108,12 @@ pub(super) fn stages(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, asked: &mut V
 }
 
 /// Two pictures side by side, or one over the other where that makes them larger.
-fn halves(state: &State, rect: Rect) -> (Rect, Rect) {
+fn halves(state: &State, rect: Rect, strip: f32) -> (Rect, Rect) {
     let extent = state.playback().map_or(glam::Vec3::ONE, |playback| playback.play.structure.bounds().extent());
     // In space it depends on the camera how wide a scene looks: about as wide as high.
     let flat = state.playback().is_some_and(|playback| playback.play.scene.flat);
     let shape = if flat { vec2(extent.x, extent.y) } else { vec2(1.0, 1.0) };
-    let fits = |width: f32, height: f32| (width / shape.x.max(1e-9)).min((height - STRIP) / shape.y.max(1e-9));
+    let fits = |width: f32, height: f32| (width / shape.x.max(1e-9)).min((height - strip) / shape.y.max(1e-9));
     if fits(rect.width() * 0.5, rect.height()) >= fits(rect.width(), rect.height() * 0.5) {
         rect.split_left_right_at_fraction(0.5)
     } else {
@@ -103,13 +143,17 @@ fn strip(rect: Rect, height: f32) -> (Rect, Rect) {
     )
 }
 
-fn label(ui: &Ui, page: Page<'_>, rect: Rect, text: &str) {
-    let at = pos2(rect.left() + 14.0, rect.center().y);
-    caption(ui.painter(), at, Align2::LEFT_CENTER, text, Face::Bold, 13.5, Role::Text, page.theme);
+/// A name over a picture, set smaller where it is long.
+fn label(ui: &Ui, page: Page<'_>, rect: Rect, text: &str, scale: f32) {
+    let (indent, size) = (14.0 * scale, 13.5 * scale);
+    let room = rect.width() - 2.0 * indent;
+    let size = size * (room / raystep_figure::text_width(text, Face::Bold, size).max(1.0)).min(1.0);
+    let at = pos2(rect.left() + indent, rect.center().y);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, text, Face::Bold, size, Role::Text, page.theme);
 }
 
 /// The picture of the walk, with the legend under it; lines and letters `scale` times as large as usual.
-pub(super) fn stage(
+fn alone(
     ui: &mut Ui,
     page: Page<'_>,
     kept: &mut Kept,
@@ -183,13 +227,20 @@ pub(super) fn stage(
 }
 
 /// Another walk of the same ray, at the same step.
-fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc<Playback>) -> Option<Place> {
+fn second(
+    ui: &mut Ui,
+    page: Page<'_>,
+    kept: &mut Kept,
+    rect: Rect,
+    beside: &Arc<Playback>,
+    scale: f32,
+) -> Option<Place> {
     let sight = &mut kept.sight;
     let shown = Drawn::of(sight.beside.take(), beside, page.state.beside_step(beside), page.state.depth());
     let space = &shown.space;
     let camera = sight.camera(page.state, space, glam_size(rect));
     let solid = !space.flat && sight.solid_beside.is_there();
-    let mut figure = drawn(space, beside, &camera, glam_size(rect), solid);
+    let mut figure = scaled(drawn(space, beside, &camera, glam_size(rect) / scale, solid), scale);
     if verdict(page.state, beside).is_some_and(|(_, role)| role == Role::Wrong) {
         // A hit that is not the answer does not look like one.
         for mark in figure.marks.iter_mut().filter(|mark| matches!(mark.role, Role::Hit | Role::Best)) {
@@ -218,13 +269,13 @@ fn second(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, beside: &Arc
     };
     let mut none = None;
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
-    bill(ui, page, rect, beside, shown.cost);
+    bill(ui, page, rect, beside, shown.cost, scale);
     sight.beside = Some(shown);
     happened.hovered
 }
 
 /// What a walk has cost so far, at the foot of its picture.
-fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<Cost>) {
+fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<Cost>, scale: f32) {
     let Some(cost) = cost else { return };
     let structure = &*playback.play.structure;
     let (tests, of) = raystep_figure::tested(structure, &playback.play.scene.prims, &cost);
@@ -246,18 +297,22 @@ fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<C
         says.push(format!("built in {} ms", raystep_figure::number(playback.seconds * 1000.0)));
     }
     // What has no room beside the other picture's is left out, the last first.
-    let wide = |says: &[String]| raystep_figure::text_width(&says.join(" · "), Face::Regular, 12.5);
-    while says.len() > 1 && wide(&says) > rect.width() - 28.0 {
+    let (indent, size) = (14.0 * scale, 12.5 * scale);
+    let wide = |says: &[String]| raystep_figure::text_width(&says.join(" · "), Face::Regular, size);
+    while says.len() > 1 && wide(&says) > rect.width() - 2.0 * indent {
         says.pop();
     }
     // In space the lowest line tells which boxes are drawn.
-    let line = if playback.play.scene.flat { -16.0 } else { -38.0 };
-    let at = rect.left_bottom() + vec2(14.0, line);
+    let line = if playback.play.scene.flat || page.state.present { -16.0 } else { -38.0 };
+    let at = rect.left_bottom() + vec2(indent, line * scale);
     let says = says.join(" · ");
-    caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, page.theme);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, size, Role::Quiet, page.theme);
     if let Some((verdict, role)) = verdict(page.state, playback).filter(|_| over) {
-        let at = at - vec2(0.0, 20.0);
-        caption(ui.painter(), at, Align2::LEFT_CENTER, &verdict, Face::Bold, 13.5, role, page.theme);
+        let size = 13.5 * scale;
+        let room = rect.width() - 2.0 * indent;
+        let size = size * (room / raystep_figure::text_width(&verdict, Face::Bold, size).max(1.0)).min(1.0);
+        let at = at - vec2(0.0, 20.0 * scale);
+        caption(ui.painter(), at, Align2::LEFT_CENTER, &verdict, Face::Bold, size, role, page.theme);
     }
 }
 

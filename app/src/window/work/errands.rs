@@ -22,8 +22,10 @@ pub(crate) enum News {
     Chosen(PathBuf),
     /// A mesh was read; a ray through its middle, and where it lies.
     Mesh(Arc<Scene>, Ray, PathBuf),
-    /// Pictures were written, or a sentence why not.
+    /// Pictures were written: a sentence.
     Written(String),
+    /// Pictures could not be written.
+    Unwritten(Fault),
     /// A folder was chosen to write to.
     Folder(PathBuf),
     /// A picture for the clipboard.

@@ -120,7 +120,7 @@ pub(crate) fn write(errands: &mut Errands, window: Window, wish: Wish) {
     let task = Task::new(format!("Writing to {}", wish.folder.display()), "pictures");
     errands.run(task, move |task| match window.write(&wish, task) {
         Ok(sentence) => News::Written(sentence),
-        Err(fault) => News::Failed(format!("Nothing was written: {fault}.")),
+        Err(fault) => News::Unwritten(fault),
     });
 }
 

@@ -63,6 +63,10 @@ impl Second {
             found(state, index, &shows);
         }
         let wrong = self.arrive(state);
+        // What stands beside another slide is made of that one's walk.
+        if state.leaves() {
+            return wrong;
+        }
         // Only flat scenes are shown more than twice.
         if let (Beside::Abreast(rivals), Some(playback)) = (state.beside, state.playback())
             && !playback.play.scene.flat
