@@ -152,12 +152,7 @@ impl Growing<'_> {
         }
         // Nothing parts them: half of them here, half of them there.
         let half = count / 2;
-        let around = |references: &[Reference]| {
-            let mut bounds = Box4::EMPTY;
-            references.iter().for_each(|reference| bounds.add(reference));
-            bounds
-        };
-        let bounds = [around(&references[..half]), around(&references[half..count])];
+        let bounds = [Box4::around(&references[..half]), Box4::around(&references[half..count])];
         Halves::with_room(references, [half, count - half], bounds)
     }
 }

@@ -76,6 +76,15 @@ impl Box4 {
         Box4 { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
+    /// The box around references.
+    pub(crate) fn around(references: &[Reference]) -> Box4 {
+        let mut bounds = Box4::EMPTY;
+        for reference in references {
+            bounds.add(reference);
+        }
+        bounds
+    }
+
     /// What both have in common.
     #[inline]
     pub(crate) fn common(&self, other: &Box4) -> Box4 {

@@ -91,7 +91,7 @@ impl<'a> Spatial<'a> {
     /// The margin of the parts of a triangle, if it can be split.
     fn margin(&self, prim: u32) -> Option<f32> {
         let triangle = self.mesh.triangle(PrimId(prim));
-        let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(|corner| corner.as_dvec3());
+        let [a, b, c] = [triangle.a, triangle.b, triangle.c].map(glam::Vec3::as_dvec3);
         let (ab, ac) = (b - a, c - a);
         let longest = ab.length().max(ac.length()).max((c - b).length());
         let height = ab.cross(ac).length() / longest;
@@ -118,7 +118,7 @@ impl<'a> Spatial<'a> {
         }
         let count = references.len();
         let plane = self.best_plane(references).filter(|plane| plane.cost < cost)?;
-        let parts = self.split(references, plane, most - count);
+        let parts = self.split(references, &plane, most - count);
         let own_cost = |part: &[Reference], bounds: &Box4| bounds.area() * part.len() as f32;
         let [left, right] = &parts.bounds;
         let is_better = own_cost(&parts.left, left) + own_cost(&parts.right, right) < cost;
@@ -133,8 +133,7 @@ impl<'a> Spatial<'a> {
     }
 
     fn best_plane(&self, references: &[Reference]) -> Option<Plane> {
-        let mut all = Box4::EMPTY;
-        references.iter().for_each(|reference| all.add(reference));
+        let all = Box4::around(references);
         let (from, extent) = (all.low, all.high - all.low);
         let mut best: Option<Plane> = None;
         for axis in 0..3 {
@@ -231,8 +230,8 @@ impl<'a> Spatial<'a> {
 
     /// Sorts references to both sides of a plane, and splits those on both where that costs less than to leave them whole,
     /// up to `spare` of them.
-    fn split(&self, references: &[Reference], plane: Plane, mut spare: usize) -> Parts {
-        let Plane { axis, at, bounds: [mut left_box, mut right_box], counts: [on_left, on_right], .. } = plane;
+    fn split(&self, references: &[Reference], plane: &Plane, mut spare: usize) -> Parts {
+        let Plane { axis, at, bounds: [mut left_box, mut right_box], counts: [on_left, on_right], .. } = *plane;
         let (mut on_left, mut on_right) = (on_left as f32, on_right as f32);
         let (mut left, mut right) = (Vec::with_capacity(references.len()), Vec::with_capacity(references.len()));
         for reference in references {
@@ -263,12 +262,7 @@ impl<'a> Spatial<'a> {
                 right.push(Reference::new(&above, reference.prim()));
             }
         }
-        let around = |part: &[Reference]| {
-            let mut bounds = Box4::EMPTY;
-            part.iter().for_each(|reference| bounds.add(reference));
-            bounds
-        };
-        let bounds = [around(&left), around(&right)];
+        let bounds = [Box4::around(&left), Box4::around(&right)];
         Parts { left, right, bounds }
     }
 }
