@@ -36,6 +36,8 @@ const HOUSES: &[(&str, &[&str])] = &[
         "crates/fast/src",
         &[
             "lanes",
+            "pages",
+            "stack",
             "judge",
             "leaf",
             "build",

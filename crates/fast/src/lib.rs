@@ -9,6 +9,8 @@
 //! | room | slides | what it holds |
 //! |---|---|---|
 //! | `lanes` | 59 | several numbers to one instruction: AVX-512, AVX2, and what every machine has |
+//! | `pages` | | arrays in large pages |
+//! | `stack` | 59 | what waits while a walk goes down |
 //! | `judge` | | what may be ruled out, and what decides about the rest |
 //! | `leaf` | 59 | four triangles in three cache lines, tested at once |
 //! | `build` | 53-54 | trees of two children by binned surface area, on all threads |
@@ -36,7 +38,9 @@ mod kinds;
 mod lanes;
 mod leaf;
 mod packet;
+mod pages;
 mod race;
+mod stack;
 
 pub use build::Settings;
 pub use bvh2::{Below, Bvh2};

@@ -5,6 +5,7 @@ mod peers;
 mod rays;
 mod referee;
 mod scenes;
+mod threads;
 
 use cpu_time::ThreadTime;
 use peers::Peer;
@@ -17,10 +18,12 @@ struct Options {
     rounds: usize,
     scenes: Vec<&'static str>,
     only: Vec<String>,
+    /// Whether builds on one thread and on two are to be timed, and nothing else.
+    threads: bool,
 }
 
 fn options() -> Options {
-    let mut options = Options { rays: 1 << 20, rounds: 7, scenes: scenes::NAMES.to_vec(), only: Vec::new() };
+    let mut options = Options { rays: 1 << 20, rounds: 7, scenes: scenes::NAMES.to_vec(), only: Vec::new(), threads: false };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let mut value = || words.next().unwrap_or_else(|| usage(&word));
@@ -33,6 +36,7 @@ fn options() -> Options {
                     scenes::NAMES.into_iter().filter(|name| names.split(',').any(|own| own == *name)).collect();
             }
             "--only" => options.only = value().split(',').map(str::to_owned).collect(),
+            "--threads" => options.threads = true,
             _ => usage(&word),
         }
     }
@@ -40,7 +44,7 @@ fn options() -> Options {
 }
 
 fn usage(what: &str) -> ! {
-    eprintln!("{what}\nraystep-peers [--rays N] [--rounds N] [--scenes teapot,million,stadium] [--only PART,PART]");
+    eprintln!("{what}\nraystep-peers [--rays N] [--rounds N] [--scenes teapot,million,stadium] [--only PART,PART] [--threads]");
     std::process::exit(2)
 }
 
@@ -55,6 +59,9 @@ struct Built {
 
 fn main() {
     let options = options();
+    if options.threads {
+        return threads::race(options.rounds);
+    }
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
     pool.install(|| {
         for name in &options.scenes {

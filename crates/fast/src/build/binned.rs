@@ -3,7 +3,10 @@
 
 use glam::Vec4;
 
+use raystep_accel::Mesh;
+
 use super::reference::{Box4, Reference};
+use super::spatial::{Parts, Spatial};
 use super::{Knot, Settings, Tree};
 
 /// The most bins along an axis, where many triangles are to be split.
@@ -18,20 +21,36 @@ const WORTH_A_THREAD: usize = 4096;
 /// halvings that are left.
 const DEEPEST: u32 = 64;
 
-/// Builds it.
-pub(crate) fn build(mut references: Vec<Reference>, bounds: Box4, settings: &Settings) -> Tree {
+/// Builds it; with settings that ask for it, nodes are also split in space.
+pub(crate) fn build(mesh: &Mesh, mut references: Vec<Reference>, bounds: Box4, settings: &Settings) -> Tree {
+    let count = references.len();
+    let spatial = if settings.splits > 0 { Spatial::of(mesh, &bounds) } else { None };
+    if spatial.is_some() {
+        references.resize(count + count * settings.splits as usize / 100, Reference::NONE);
+    }
     let mut pairs = vec![[Knot::EMPTY; 2]; references.len().saturating_sub(1)];
-    let leaf = settings.leaf.clamp(1, 4) as usize;
-    let growing = Growing { leaf };
+    let growing = Growing { leaf: settings.leaf.clamp(1, 4) as usize, spatial };
     let mut root = Knot::EMPTY;
+    let place = Place { first: 0, pair: 0, depth: 0 };
     let depth =
-        if references.is_empty() { 0 } else { growing.grow(&mut root, &bounds, &mut references, 0, &mut pairs, 0, 0) };
+        if count == 0 { 0 } else { growing.grow(&mut root, &bounds, &mut references, count, &mut pairs, place) };
     let prims = references.iter().map(Reference::prim).collect();
-    Tree { root, pairs, prims, depth }
+    Tree { root, pairs, prims, depth, parted: growing.spatial.is_some() }
 }
 
-struct Growing {
+struct Growing<'a> {
     leaf: usize,
+    spatial: Option<Spatial<'a>>,
+}
+
+/// Where a node stands.
+#[derive(Clone, Copy)]
+struct Place {
+    /// The number of its first reference, among all.
+    first: u32,
+    /// The number of its children's pair, among all.
+    pair: u32,
+    depth: u32,
 }
 
 /// Where a node is split.
@@ -39,6 +58,7 @@ struct Split {
     axis: usize,
     /// The first bin that belongs to the right.
     bin: u32,
+    cost: f32,
     bounds: [Box4; 2],
 }
 
@@ -67,69 +87,122 @@ impl Bins {
     }
 }
 
-impl Growing {
-    /// Makes the node over some references, the first of which is number `first` of all; its children and all below
-    /// them go into `pairs`, the first of which is number `pair` of all. Returns the number of levels.
+impl Growing<'_> {
+    /// Makes the node over `count` references; behind them there is room for more, for what is split in space. Its children
+    /// and all below them go into `pairs`. Returns the number of levels.
     fn grow(
         &self,
         knot: &mut Knot,
         bounds: &Box4,
         references: &mut [Reference],
-        first: u32,
+        count: usize,
         pairs: &mut [[Knot; 2]],
-        pair: u32,
-        depth: u32,
+        Place { first, pair, depth }: Place,
     ) -> u32 {
-        if references.len() <= self.leaf {
-            *knot = Knot::leaf(bounds.aabb(), first, references.len() as u32);
+        if count <= self.leaf {
+            let bounds = self.spatial.as_ref().map_or(*bounds, |spatial| {
+                let widened = references[..count].iter().map(|reference| spatial.widened(reference));
+                widened.fold(Box4::EMPTY, |all, own| all.union(&own))
+            });
+            *knot = Knot::leaf(bounds.aabb(), first, count as u32);
             return 1;
         }
-        let (middle, [left_bounds, right_bounds]) = part(references, depth);
-        *knot = Knot::inner(bounds.aabb(), pair);
+        let Halves { counts: [on_left, on_right], middle, bounds: [left_bounds, right_bounds] } =
+            self.halve(references, count, depth);
         let (left_references, right_references) = references.split_at_mut(middle);
-        // A node of n references has at most n − 1 pairs below it: one for its children, the others for theirs.
+        // With room for n references there is room for n − 1 pairs: one for the children, the others for theirs.
         let Some(([children], below)) = pairs.split_first_chunk_mut::<1>() else { return 1 };
         let (left_pairs, right_pairs) = below.split_at_mut(middle - 1);
-        let (left_pair, right_pair) = (pair + 1, pair + middle as u32);
+        let left_place = Place { first, pair: pair + 1, depth: depth + 1 };
+        let right_place = Place { first: first + middle as u32, pair: pair + middle as u32, depth: depth + 1 };
         let [left, right] = children;
-        let worth_it = left_references.len().min(right_references.len()) >= WORTH_A_THREAD;
-        let mut grow_left = || self.grow(left, &left_bounds, left_references, first, left_pairs, left_pair, depth + 1);
-        let right_first = first + middle as u32;
-        let mut grow_right =
-            || self.grow(right, &right_bounds, right_references, right_first, right_pairs, right_pair, depth + 1);
+        let worth_it = on_left.min(on_right) >= WORTH_A_THREAD;
+        let mut grow_left = || self.grow(left, &left_bounds, left_references, on_left, left_pairs, left_place);
+        let mut grow_right = || self.grow(right, &right_bounds, right_references, on_right, right_pairs, right_place);
         let (left_depth, right_depth) =
             if worth_it { rayon::join(grow_left, grow_right) } else { (grow_left(), grow_right()) };
+        let bounds = match &self.spatial {
+            Some(_) => left.bounds.union(right.bounds),
+            None => bounds.aabb(),
+        };
+        *knot = Knot::inner(bounds, pair);
         1 + left_depth.max(right_depth)
+    }
+
+    /// Sorts references into two parts.
+    fn halve(&self, references: &mut [Reference], count: usize, depth: u32) -> Halves {
+        let spare = references.len() - count;
+        let (own, bounds) = match object_split(&references[..count], depth) {
+            Some((bins, split)) => {
+                if let Some(spatial) = self.spatial.as_ref().filter(|_| spare > 0) {
+                    let [left, right] = &split.bounds;
+                    let parts = spatial.parts(&references[..count], &left.common(right), split.cost, references.len());
+                    if let Some(parts) = parts {
+                        return Halves::of_parts(references, &parts);
+                    }
+                }
+                let own =
+                    partition(&mut references[..count], |reference| bins.of(reference)[split.axis & 3] < split.bin);
+                (own, split.bounds)
+            }
+            None => (0, [Box4::EMPTY; 2]),
+        };
+        if 0 < own && own < count {
+            return Halves::with_room(references, [own, count - own], bounds);
+        }
+        // Nothing parts them: half of them here, half of them there.
+        let half = count / 2;
+        let bounds = [Box4::around(&references[..half]), Box4::around(&references[half..count])];
+        Halves::with_room(references, [half, count - half], bounds)
     }
 }
 
-/// Sorts references into two parts: where the second begins, and the boxes around both.
-fn part(references: &mut [Reference], depth: u32) -> (usize, [Box4; 2]) {
-    if depth < DEEPEST {
-        let mut middles = Box4::EMPTY;
-        for reference in references.iter() {
-            middles.add_point(reference.middle());
-        }
-        let few = references.len() <= FEW;
-        let bins = Bins::over(&middles, if few { FEW_BINS } else { BINS });
-        let split = if few { best_split::<FEW_BINS>(references, &bins) } else { best_split::<BINS>(references, &bins) };
-        if let Some(Split { axis, bin, bounds }) = split {
-            let middle = partition(references, |reference| bins.of(reference)[axis & 3] < bin);
-            if 0 < middle && middle < references.len() {
-                return (middle, bounds);
-            }
-        }
+/// A node in two parts, each with room behind it.
+struct Halves {
+    counts: [usize; 2],
+    /// Where the second part begins.
+    middle: usize,
+    bounds: [Box4; 2],
+}
+
+impl Halves {
+    /// Where the second part of so many begins if both have room according to their numbers.
+    fn middle(all: usize, [on_left, on_right]: [usize; 2]) -> usize {
+        let count = on_left + on_right;
+        on_left + ((all - count) as u64 * on_left as u64 / count as u64) as usize
     }
-    // Nothing parts them: half of them here, half of them there.
-    let middle = references.len() / 2;
-    let around = |references: &[Reference]| {
-        let mut bounds = Box4::EMPTY;
-        for reference in references {
-            bounds.add(reference);
+
+    /// Of parts that stand side by side.
+    fn with_room(references: &mut [Reference], counts: [usize; 2], bounds: [Box4; 2]) -> Halves {
+        let middle = Halves::middle(references.len(), counts);
+        if middle != counts[0] {
+            references.copy_within(counts[0]..counts[0] + counts[1], middle);
         }
-        bounds
-    };
-    (middle, [around(&references[..middle]), around(&references[middle..])])
+        Halves { counts, middle, bounds }
+    }
+
+    fn of_parts(references: &mut [Reference], parts: &Parts) -> Halves {
+        let counts = [parts.left.len(), parts.right.len()];
+        let middle = Halves::middle(references.len(), counts);
+        references[..counts[0]].copy_from_slice(&parts.left);
+        references[middle..middle + counts[1]].copy_from_slice(&parts.right);
+        Halves { counts, middle, bounds: parts.bounds }
+    }
+}
+
+/// The best split by triangles of a node, if any plane between bins parts them.
+fn object_split(references: &[Reference], depth: u32) -> Option<(Bins, Split)> {
+    if depth >= DEEPEST {
+        return None;
+    }
+    let mut middles = Box4::EMPTY;
+    for reference in references {
+        middles.add_point(reference.middle());
+    }
+    let few = references.len() <= FEW;
+    let bins = Bins::over(&middles, if few { FEW_BINS } else { BINS });
+    let split = if few { best_split::<FEW_BINS>(references, &bins) } else { best_split::<BINS>(references, &bins) };
+    split.map(|split| (bins, split))
 }
 
 /// The best plane between bins, if any lies between references.
@@ -171,7 +244,7 @@ fn best_split<const N: usize>(references: &[Reference], bins: &Bins) -> Option<S
             let cost = left.area() * count as f32 + right_costs[bin];
             if cost < least {
                 least = cost;
-                best = Some(Split { axis, bin: bin as u32, bounds: [left, rights[bin]] });
+                best = Some(Split { axis, bin: bin as u32, cost, bounds: [left, rights[bin]] });
             }
         }
     }

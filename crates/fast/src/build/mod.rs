@@ -4,6 +4,7 @@ mod binned;
 mod reference;
 mod reinsertion;
 mod settings;
+mod spatial;
 mod tree;
 
 pub use settings::Settings;
@@ -17,7 +18,7 @@ pub(crate) const DEEPEST: u32 = 127;
 /// The tree over a mesh that the settings ask for.
 pub(crate) fn tree(mesh: &Mesh, settings: &Settings) -> Tree {
     let (references, bounds) = reference::references(mesh);
-    let built = binned::build(references, bounds, settings);
+    let built = binned::build(mesh, references, bounds, settings);
     if settings.reinsertions == 0 {
         return built;
     }

@@ -23,7 +23,19 @@ impl Reference {
 
     #[inline]
     pub(crate) fn prim(&self) -> u32 {
-        self.low.w.to_bits() - FIRST
+        self.low.w.to_bits().wrapping_sub(FIRST)
+    }
+
+    /// What stands where there is none.
+    pub(crate) const NONE: Reference = Reference { low: Vec4::ONE, high: Vec4::ONE };
+
+    pub(crate) fn bounds(&self) -> Aabb {
+        self.box4().aabb()
+    }
+
+    #[inline]
+    pub(crate) fn box4(&self) -> Box4 {
+        Box4 { low: self.low, high: self.high }
     }
 
     /// Twice its middle; the last lane means nothing.
@@ -62,6 +74,21 @@ impl Box4 {
     #[inline]
     pub(crate) fn union(&self, other: &Box4) -> Box4 {
         Box4 { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// The box around references.
+    pub(crate) fn around(references: &[Reference]) -> Box4 {
+        let mut bounds = Box4::EMPTY;
+        for reference in references {
+            bounds.add(reference);
+        }
+        bounds
+    }
+
+    /// What both have in common.
+    #[inline]
+    pub(crate) fn common(&self, other: &Box4) -> Box4 {
+        Box4 { low: self.low.max(other.low), high: self.high.min(other.high) }
     }
 
     /// Half its surface; not negative.

@@ -88,12 +88,23 @@ impl Loose {
             let bounds = self.boxes[node].aabb();
             match self.children[node] {
                 LEAF => super::Knot::leaf(bounds, self.leaves[node].0, self.leaves[node].1),
-                first => super::Knot::inner(bounds, (first - 1) / 2),
+                _ => super::Knot::inner(bounds, 0),
             }
         };
-        tree.root = knot(0);
-        for (pair, knots) in tree.pairs.iter_mut().enumerate() {
-            *knots = [knot(2 * pair + 1), knot(2 * pair + 2)];
+        // In the order in which a tree has them: below a node first what is on the left, then what is on the right.
+        let (mut next, mut waiting) = (0, vec![(0, None)]);
+        while let Some((node, place)) = waiting.pop() {
+            let mut own = knot(node);
+            if self.children[node] != LEAF {
+                let first = self.children[node] as usize;
+                own = super::Knot::inner(own.bounds, next as u32);
+                waiting.extend([(first + 1, Some((next, 1))), (first, Some((next, 0)))]);
+                next += 1;
+            }
+            match place {
+                None => tree.root = own,
+                Some((pair, side)) => tree.pairs[pair][side] = own,
+            }
         }
         tree.depth = tree.measured_depth();
     }

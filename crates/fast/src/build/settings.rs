@@ -7,13 +7,16 @@ pub struct Settings {
     pub leaf: u32,
     /// How often nodes are taken out of the tree and put back where they cost least.
     pub reinsertions: u32,
+    /// By how many hundredths references may become more than triangles, because nodes are split in space and triangles
+    /// on both sides belong to both; 0 splits by triangles only.
+    pub splits: u32,
 }
 
 impl Settings {
     /// Built as fast as can be.
-    pub const QUICK: Settings = Settings { leaf: 4, reinsertions: 0 };
+    pub const QUICK: Settings = Settings { leaf: 4, reinsertions: 0, splits: 0 };
     /// Built with all pains.
-    pub const DEAR: Settings = Settings { leaf: 1, reinsertions: 4 };
+    pub const DEAR: Settings = Settings { leaf: 1, reinsertions: 4, splits: 60 };
 }
 
 impl Default for Settings {

@@ -7,12 +7,15 @@ use raystep_accel::Aabb;
 pub(crate) struct Tree {
     /// The box around everything; empty if there is nothing.
     pub(crate) root: Knot,
-    /// Children side by side. Some pairs may be unused.
+    /// Children side by side: a node's own pair, then those below its left child, then those below its right one. Some may
+    /// be unused.
     pub(crate) pairs: Vec<[Knot; 2]>,
     /// The triangles of the leaves.
     pub(crate) prims: Vec<u32>,
     /// The most nodes on the way from the root to a leaf.
     pub(crate) depth: u32,
+    /// Whether leaves may hold parts of triangles only, so that their boxes do not enclose those.
+    pub(crate) parted: bool,
 }
 
 /// A node.
@@ -60,10 +63,16 @@ impl Tree {
         &self.prims[knot.first as usize..][..knot.count as usize]
     }
 
-    /// The triangles of all leaves below a node.
+    /// The triangles of all leaves below a node, each once.
     pub(crate) fn all_prims(&self, knot: &Knot, found: &mut Vec<u32>) {
         match self.children(knot) {
-            None => found.extend_from_slice(self.leaf_prims(knot)),
+            None => {
+                for prim in self.leaf_prims(knot) {
+                    if !self.parted || !found.contains(prim) {
+                        found.push(*prim);
+                    }
+                }
+            }
             Some(children) => children.iter().for_each(|child| self.all_prims(child, found)),
         }
     }

@@ -11,16 +11,19 @@ use crate::build::{Settings, tree};
 use crate::fast::{Fast, Question};
 use crate::judge::{Count, NotOrdinary};
 use crate::lanes::{Isa, dispatch};
-use crate::leaf::Four;
+use crate::leaf::{Four, any_ray};
+use crate::pages::Pages;
 use node::Node;
 pub use parts::Below;
 
 /// A hierarchy of boxes with two children to a node.
 #[derive(Clone, Debug)]
 pub struct Bvh2 {
-    nodes: Vec<Node>,
-    leaves: Vec<Four>,
+    nodes: Pages<Node>,
+    leaves: Pages<Four>,
     reach: f32,
+    /// Whether leaves hold parts of triangles.
+    parted: bool,
     isa: Isa,
 }
 
@@ -29,7 +32,23 @@ impl Bvh2 {
     pub fn build(mesh: &Mesh, settings: &Settings) -> Bvh2 {
         let tree = tree(mesh, settings);
         let (nodes, leaves) = node::nodes(&tree, mesh);
-        Bvh2 { nodes, leaves, reach: tree.reach(), isa: Isa::best() }
+        Bvh2 {
+            nodes: Pages::of(&nodes),
+            leaves: Pages::of(&leaves),
+            reach: tree.reach(),
+            parted: tree.parted,
+            isa: Isa::best(),
+        }
+    }
+
+    /// Walks any ray, with the textbook's own tests.
+    fn careful(&self, ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
+        // Boxes of parts are wide enough for ordinary rays only.
+        if self.parted {
+            any_ray(&self.leaves, ray, want, count)
+        } else {
+            walk::careful(&self.nodes, &self.leaves, ray, want, count)
+        }
     }
 
     /// The same with other instructions.
@@ -41,13 +60,12 @@ impl Bvh2 {
 
 impl Fast for Bvh2 {
     fn walk(&self, ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
-        let walked = walk::STACK.with_borrow_mut(|stack| {
-            dispatch!(self.isa, walk::walk(&self.nodes, &self.leaves, ray, self.reach, want, stack, count))
+        let Self { nodes, leaves, reach, isa, .. } = self;
+        let walked = walk::STACK.with_borrow_mut(|stack| match want {
+            Want::Nearest => dispatch!(isa, walk::walk::<false>(nodes, leaves, ray, *reach, stack, count)),
+            Want::Any => dispatch!(isa, walk::walk::<true>(nodes, leaves, ray, *reach, stack, count)),
         });
-        match walked {
-            Ok(hit) => hit,
-            Err(NotOrdinary) => walk::careful(&self.nodes, &self.leaves, ray, want, count),
-        }
+        walked.unwrap_or_else(|NotOrdinary| self.careful(ray, want, count))
     }
 
     fn ask_some<T>(&self, rays: &[Ray], answers: &mut [T], question: impl Question<T>) {
@@ -61,7 +79,7 @@ impl Fast for Bvh2 {
             done += ordinary;
             // One that is not ordinary.
             if let (Some(ray), Some(answer)) = (rays.get(ordinary), answers.get_mut(ordinary)) {
-                *answer = question.answer(walk::careful(&self.nodes, &self.leaves, ray, question.want(), &mut ()));
+                *answer = question.answer(self.careful(ray, question.want(), &mut ()));
                 done += 1;
             }
         }

@@ -1,22 +1,25 @@
 //! A node in one cache line.
 
+use bytemuck::{Pod, Zeroable};
 use raystep_accel::{Aabb, Mesh};
 
 use crate::build::{Knot, Tree};
 use crate::leaf::Four;
 
 /// Both children of a node.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
     /// For each axis the lower planes of both children, then the upper ones.
     pub(crate) planes: [[f32; 4]; 3],
     /// Where the children are.
     pub(crate) children: [Child; 2],
+    spare: [u32; 2],
 }
 
 /// A child: the number of an inner node, or that of a leaf.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(transparent)]
 pub(crate) struct Child(u32);
 
 impl Child {
@@ -31,6 +34,18 @@ impl Child {
     pub(crate) fn leaf(leaf: usize) -> Child {
         assert!(leaf < Child::LEAF as usize, "more leaves than can be told apart");
         Child(leaf as u32 | Child::LEAF)
+    }
+
+    /// As one number, for a stack.
+    #[inline(always)]
+    pub(crate) fn number(self) -> u32 {
+        self.0
+    }
+
+    /// The child of such a number.
+    #[inline(always)]
+    pub(crate) fn numbered(number: u32) -> Child {
+        Child(number)
     }
 
     #[inline(always)]
@@ -48,6 +63,7 @@ impl Node {
     const EMPTY: Node = Node {
         planes: [[f32::INFINITY, f32::INFINITY, f32::NEG_INFINITY, f32::NEG_INFINITY]; 3],
         children: [Child::ROOT; 2],
+        spare: [0; 2],
     };
 
     fn set(&mut self, side: usize, bounds: &Aabb, child: Child) {

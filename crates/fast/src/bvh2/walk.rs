@@ -10,19 +10,11 @@ use crate::judge::{Count, Nearest, NotOrdinary, Shot, careful as judge};
 use crate::lanes::stamped;
 use crate::leaf::Four;
 
-/// What waits: a child, and where the ray enters its box. No tree is deeper than it is high.
-pub(super) struct Stack {
-    children: [Child; HIGH],
-    nears: [f32; HIGH],
-}
-
-/// A power of two, so that a place in it is found without a branch; more than the levels of any tree.
-const HIGH: usize = 128;
+/// Room for more than the levels of any tree: no tree is deeper than it is high.
+pub(super) type Stack = crate::stack::Stack<128>;
 
 thread_local! {
-    /// Kept from ray to ray, as clearing it would take longer than many a walk.
-    pub(super) static STACK: RefCell<Stack> =
-        const { RefCell::new(Stack { children: [Child::ROOT; HIGH], nears: [0.0; HIGH] }) };
+    pub(super) static STACK: RefCell<Stack> = const { RefCell::new(Stack::EMPTY) };
 }
 
 macro_rules! walk {
@@ -43,7 +35,11 @@ macro_rules! walk {
             stack: &mut Stack,
         ) -> usize {
             for (at, (ray, answer)) in rays.iter().zip(answers).enumerate() {
-                match walk(nodes, leaves, ray, reach, question.want(), stack, &mut ()) {
+                let walked = match question.want() {
+                    Want::Nearest => walk::<false>(nodes, leaves, ray, reach, stack, &mut ()),
+                    Want::Any => walk::<true>(nodes, leaves, ray, reach, stack, &mut ()),
+                };
+                match walked {
                     Ok(found) => *answer = question.answer(found),
                     Err(NotOrdinary) => return at,
                 }
@@ -54,12 +50,11 @@ macro_rules! walk {
         /// Walks an ordinary ray.
         $(#[$features])*
         #[inline]
-        pub(in crate::bvh2) fn walk(
+        pub(in crate::bvh2) fn walk<const ANY: bool>(
             nodes: &[Node],
             leaves: &[Four],
             ray: &Ray,
             reach: f32,
-            want: Want,
             stack: &mut Stack,
             count: &mut impl Count,
         ) -> Result<Option<Hit>, NotOrdinary> {
@@ -90,41 +85,24 @@ macro_rules! walk {
                     if met == 3 {
                         let right_first = near[1] < near[0];
                         let (first, second) = if right_first { (right, left) } else { (left, right) };
-                        stack.children[high % HIGH] = second;
-                        stack.nears[high % HIGH] = if right_first { near[0] } else { near[1] };
+                        stack.put(high, second.number(), if right_first { near[0] } else { near[1] });
                         high += 1;
                         here = first;
                     } else if met == 0 {
                         // Take the next node from the stack that may hold something nearer.
-                        loop {
-                            if high == 0 {
-                                break 'walk;
-                            }
-                            high -= 1;
-                            if stack.nears[high % HIGH] <= best.t {
-                                here = stack.children[high % HIGH];
-                                break;
-                            }
-                        }
+                        let Some(next) = stack.take(&mut high, best.t) else { break 'walk };
+                        here = Child::numbered(next);
                     } else {
                         here = if met == 1 { left } else { right };
                     }
                 }
                 leaf::meet(&leaves[here.index()], shot, &mut best, count);
-                if want == Want::Any && best.is_some() {
+                if ANY && best.is_some() {
                     break;
                 }
                 range = load4(&[t_min, t_min, -best.t, -best.t]);
-                loop {
-                    if high == 0 {
-                        break 'walk;
-                    }
-                    high -= 1;
-                    if stack.nears[high % HIGH] <= best.t {
-                        here = stack.children[high % HIGH];
-                        break;
-                    }
-                }
+                let Some(next) = stack.take(&mut high, best.t) else { break };
+                here = Child::numbered(next);
             }
             Ok(best.hit())
         }

@@ -10,15 +10,18 @@ use crate::build::{Settings, tree};
 use crate::fast::{Fast, Question};
 use crate::judge::{Count, NotOrdinary};
 use crate::lanes::{Isa, dispatch};
-use crate::leaf::Four;
+use crate::leaf::{Four, any_ray};
+use crate::pages::Pages;
 pub(crate) use node::{LEAF, Node, octant};
 
 /// A hierarchy of boxes with up to eight children to a node.
 #[derive(Clone, Debug)]
 pub struct Bvh8 {
-    nodes: Vec<Node>,
-    leaves: Vec<Four>,
+    nodes: Pages<Node>,
+    leaves: Pages<Four>,
     reach: f32,
+    /// Whether leaves hold parts of triangles.
+    parted: bool,
     isa: Isa,
 }
 
@@ -27,12 +30,22 @@ impl Bvh8 {
     pub fn build(mesh: &Mesh, settings: &Settings) -> Bvh8 {
         let tree = tree(mesh, settings);
         let (nodes, leaves) = collapse::nodes(&tree, mesh);
-        Bvh8 { nodes, leaves, reach: tree.reach(), isa: Isa::best() }
+        Bvh8 { nodes, leaves, reach: tree.reach(), parted: tree.parted, isa: Isa::best() }
     }
 
     /// Its nodes, its leaves, and the largest coordinate: for walks of other rooms.
     pub(crate) fn parts(&self) -> (&[Node], &[Four], f32) {
         (&self.nodes, &self.leaves, self.reach)
+    }
+
+    /// Walks any ray, with the textbook's own tests.
+    fn careful(&self, ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
+        // Boxes of parts are wide enough for ordinary rays only.
+        if self.parted {
+            any_ray(&self.leaves, ray, want, count)
+        } else {
+            walk::careful(&self.nodes, &self.leaves, ray, want, count)
+        }
     }
 
     /// The same with other instructions.
@@ -44,13 +57,12 @@ impl Bvh8 {
 
 impl Fast for Bvh8 {
     fn walk(&self, ray: &Ray, want: Want, count: &mut impl Count) -> Option<Hit> {
-        let walked = walk::STACK.with_borrow_mut(|stack| {
-            dispatch!(self.isa, walk::walk(&self.nodes, &self.leaves, ray, self.reach, want, stack, count))
+        let Self { nodes, leaves, reach, isa, .. } = self;
+        let walked = walk::STACK.with_borrow_mut(|stack| match want {
+            Want::Nearest => dispatch!(isa, walk::walk::<false>(nodes, leaves, ray, *reach, stack, count)),
+            Want::Any => dispatch!(isa, walk::walk::<true>(nodes, leaves, ray, *reach, stack, count)),
         });
-        match walked {
-            Ok(hit) => hit,
-            Err(NotOrdinary) => walk::careful(&self.nodes, &self.leaves, ray, want, count),
-        }
+        walked.unwrap_or_else(|NotOrdinary| self.careful(ray, want, count))
     }
 
     fn ask_some<T>(&self, rays: &[Ray], answers: &mut [T], question: impl Question<T>) {
@@ -64,7 +76,7 @@ impl Fast for Bvh8 {
             done += ordinary;
             // One that is not ordinary.
             if let (Some(ray), Some(answer)) = (rays.get(ordinary), answers.get_mut(ordinary)) {
-                *answer = question.answer(walk::careful(&self.nodes, &self.leaves, ray, question.want(), &mut ()));
+                *answer = question.answer(self.careful(ray, question.want(), &mut ()));
                 done += 1;
             }
         }

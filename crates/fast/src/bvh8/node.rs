@@ -1,10 +1,11 @@
 //! A node in four cache lines.
 
+use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
 use raystep_accel::Aabb;
 
 /// Up to eight children; a lane for each, those that are nodes before those that are leaves.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(crate) struct Node {
     /// The lower and upper planes across x, y and z. Two more rows, of which the walk knows nothing, hold the rest, so that

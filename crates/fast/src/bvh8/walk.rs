@@ -10,19 +10,11 @@ use crate::judge::{Count, Nearest, NotOrdinary, Shot, careful as judge};
 use crate::lanes::stamped;
 use crate::leaf::Four;
 
-/// What waits: children, and where the ray enters their boxes.
-pub(super) struct Stack {
-    children: [u32; HIGH],
-    nears: [f32; HIGH],
-}
-
 /// Room for seven children of each level of the deepest tree, and for a node's eight.
-const HIGH: usize = 1024;
+pub(super) type Stack = crate::stack::Stack<1024>;
 
 thread_local! {
-    /// Kept from ray to ray, as clearing it would take longer than many a walk.
-    pub(super) static STACK: RefCell<Stack> =
-        const { RefCell::new(Stack { children: [0; HIGH], nears: [0.0; HIGH] }) };
+    pub(super) static STACK: RefCell<Stack> = const { RefCell::new(Stack::EMPTY) };
 }
 
 macro_rules! walk {
@@ -43,7 +35,11 @@ macro_rules! walk {
             stack: &mut Stack,
         ) -> usize {
             for (at, (ray, answer)) in rays.iter().zip(answers).enumerate() {
-                match walk(nodes, leaves, ray, reach, question.want(), stack, &mut ()) {
+                let walked = match question.want() {
+                    Want::Nearest => walk::<false>(nodes, leaves, ray, reach, stack, &mut ()),
+                    Want::Any => walk::<true>(nodes, leaves, ray, reach, stack, &mut ()),
+                };
+                match walked {
                     Ok(found) => *answer = question.answer(found),
                     Err(NotOrdinary) => return at,
                 }
@@ -54,12 +50,11 @@ macro_rules! walk {
         /// Walks an ordinary ray to its nearest hit, or to any.
         $(#[$features])*
         #[inline]
-        pub(in crate::bvh8) fn walk(
+        pub(in crate::bvh8) fn walk<const ANY: bool>(
             nodes: &[Node],
             leaves: &[Four],
             ray: &Ray,
             reach: f32,
-            want: Want,
             stack: &mut Stack,
             count: &mut impl Count,
         ) -> Result<Option<Hit>, NotOrdinary> {
@@ -101,8 +96,7 @@ macro_rules! walk {
                             let is_behind = node.before(octant, turned, first) >> last & 1 == 1;
                             let (next, waits) = if is_behind { (last, first) } else { (first, last) };
                             here = node.child(next);
-                            stack.children[high % HIGH] = node.child(waits);
-                            stack.nears[high % HIGH] = nears[waits as usize & 7];
+                            stack.put(high, node.child(waits), nears[waits as usize & 7]);
                             high += 1;
                         } else {
                             // Several: each waits where its rank puts it, the nearest at the top; and that is next.
@@ -112,41 +106,24 @@ macro_rules! walk {
                                 let lane = left.trailing_zeros();
                                 left &= left - 1;
                                 let before = node.before(octant, turned, lane) & met & !(1 << lane);
-                                let place = (high - before.count_ones() as usize) % HIGH;
-                                stack.children[place] = node.child(lane);
-                                stack.nears[place] = nears[lane as usize & 7];
+                                let place = high - before.count_ones() as usize;
+                                stack.put(place, node.child(lane), nears[lane as usize & 7]);
                             }
-                            here = stack.children[high % HIGH];
+                            here = stack.child(high);
                         }
                     } else {
                         // Take the next child from the stack that may hold something nearer.
-                        loop {
-                            if high == 0 {
-                                break 'walk;
-                            }
-                            high -= 1;
-                            if stack.nears[high % HIGH] <= best.t {
-                                here = stack.children[high % HIGH];
-                                break;
-                            }
-                        }
+                        let Some(next) = stack.take(&mut high, best.t) else { break 'walk };
+                        here = next;
                     }
                 }
                 leaf::meet(&leaves[(here & !LEAF) as usize], shot, &mut best, count);
-                if want == Want::Any && best.is_some() {
+                if ANY && best.is_some() {
                     break;
                 }
                 t_max = splat8(best.t);
-                loop {
-                    if high == 0 {
-                        break 'walk;
-                    }
-                    high -= 1;
-                    if stack.nears[high % HIGH] <= best.t {
-                        here = stack.children[high % HIGH];
-                        break;
-                    }
-                }
+                let Some(next) = stack.take(&mut high, best.t) else { break };
+                here = next;
             }
             Ok(best.hit())
         }

@@ -33,7 +33,7 @@ impl Upper {
         let corners = met.iter().flat_map(|id| [boxes[*id as usize].min, boxes[*id as usize].max]);
         let triangles = (0..met.len() as u32).map(|n| [2 * n, 2 * n + 1, 2 * n]);
         let mesh = Mesh { corners: corners.collect(), triangles: triangles.collect() };
-        let built = tree(&mesh, &Settings { leaf: 1, reinsertions: 2 });
+        let built = tree(&mesh, &Settings { leaf: 1, reinsertions: 2, splits: 0 });
         let mut upper = Upper { nodes: Vec::new(), reach: built.reach(), root: None };
         if !met.is_empty() {
             let root = upper.add(&built, &built.root, &met);

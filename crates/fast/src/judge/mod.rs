@@ -43,6 +43,21 @@
 //!
 //! A triangle is ruled out where one area is surely negative and another surely positive. `accel` rejects it then.
 //!
+//! # How far: heights within (g + |τ|)·(8·M + 32·u·|area|) + 2⁻¹²⁰ of τ·|area| do not tell
+//!
+//! M is the margin of areas above, and area the sum of the three that lanes computed. The height u·A_z + v·B_z + w·C_z is
+//! t·D times the area, each with its sign. A triangle that `accel` accepts in front of `t_max` has a t of at most `t_max`;
+//! τ is `t_max`·D, rounded. Say a for `accel`'s area, and h for its height, turned so that h = t·D·|a|.
+//!
+//! `accel`'s three areas have one sign, so their sum without signs is |a|; the lanes' differ by M each. Lanes find the
+//! height with an error of M on each area, u·g on each z, and three roundings: at most g·(3.1·M + 4.5·u·|a|); and the area
+//! with 3·M + 3.2·u·(|a| + 3·M). `accel` rounds t once and moves it by 16·u at most: t·D·|a| differs from h by 17.2·u·|h| ≤
+//! 17.3·u·g·|a|. So the lanes' height is at most τ·|area| + |τ|·(3.2·M + 5·u·|area|) + g·(3.2·M + 22·u·|area|), if both areas
+//! have the same sign. If not, they are 3.2·M at most, and so the lanes' height is no more than 6.4·g·M from zero. What
+//! stands above covers both, with some roundings of its own; 2⁻¹²⁰ covers products that underflow, and none of an accepted
+//! triangle overflows: its height is at most 2¹²⁵, and where a limit is infinite, it rules out nothing. What lies before
+//! `t_min` is ruled out likewise.
+//!
 //! # Packets
 //!
 //! Rays with one origin whose directions have the same signs enter a slab between where the rays of the least and of the
@@ -85,6 +100,12 @@ pub(crate) const AREA: f32 = 64.0 * UNIT;
 pub(crate) const FAR_AREA: f32 = 1024.0 * UNIT * UNIT;
 /// ... and this.
 pub(crate) const LEAST_AREA: f32 = f32::from_bits((127 - 100) << 23);
+/// What the height errs by, times the distance: so many margins of the area ...
+pub(crate) const AREAS: f32 = 8.0;
+/// ... this part of the area ...
+pub(crate) const PART: f32 = 32.0 * UNIT;
+/// ... and this.
+pub(crate) const LEAST_HEIGHT: f32 = f32::from_bits((127 - 120) << 23);
 /// The same of an area that was found as a product of a direction and a normal: so much of g·x times the direction ...
 pub(crate) const BEAM_AREA: f32 = 32.0 * UNIT;
 /// ... and of g².

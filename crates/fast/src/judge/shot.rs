@@ -26,6 +26,10 @@ pub struct Shot<'a> {
     pub o: [f32; 3],
     /// One over the direction along these axes.
     pub sorted_r: [f32; 3],
+    /// How far the ray runs along the last of these axes while t grows by one, and which way: 1 or −1.
+    pub pace: f32,
+    /// See `pace`.
+    pub way: f32,
     /// How far the ray runs along the first two of these axes while it runs one along the last.
     pub shear: [f32; 2],
 }
@@ -86,6 +90,8 @@ impl<'a> Shot<'a> {
             axes,
             o: [o[i], o[j], o[k]],
             sorted_r: [r[i], r[j], r[k]],
+            pace: largest,
+            way: 1f32.copysign(d[k]),
             shear: [d[i] * r[k], d[j] * r[k]],
         })
     }

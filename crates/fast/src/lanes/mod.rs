@@ -9,6 +9,8 @@ pub(crate) mod avx2;
 pub(crate) mod avx512;
 mod isa;
 pub(crate) mod portable;
+#[cfg(target_arch = "x86_64")]
+mod registers;
 
 pub use isa::Isa;
 
@@ -31,15 +33,15 @@ macro_rules! stamped {
 
 /// Calls the stamped function that is meant for the set of instructions `$isa`.
 macro_rules! dispatch {
-    ($isa:expr, $room:ident :: $walk:ident ($($argument:expr),* $(,)?)) => {
+    ($isa:expr, $room:ident :: $walk:ident $(::<$($kind:tt),*>)? ($($argument:expr),* $(,)?)) => {
         match $isa.which() {
             #[cfg(target_arch = "x86_64")]
             #[allow(unsafe_code, reason = "an `Isa` of this kind is only made where the machine was asked and has all of these instructions")]
-            crate::lanes::Which::Avx512 => unsafe { $room::avx512::$walk($($argument),*) },
+            crate::lanes::Which::Avx512 => unsafe { $room::avx512::$walk $(::<$($kind),*>)? ($($argument),*) },
             #[cfg(target_arch = "x86_64")]
             #[allow(unsafe_code, reason = "an `Isa` of this kind is only made where the machine was asked and has all of these instructions")]
-            crate::lanes::Which::Avx2 => unsafe { $room::avx2::$walk($($argument),*) },
-            crate::lanes::Which::Portable => $room::portable::$walk($($argument),*),
+            crate::lanes::Which::Avx2 => unsafe { $room::avx2::$walk $(::<$($kind),*>)? ($($argument),*) },
+            crate::lanes::Which::Portable => $room::portable::$walk $(::<$($kind),*>)? ($($argument),*),
         }
     };
 }

@@ -38,8 +38,10 @@ ops! {
     fn splat4(x: f32) -> F4 { [x; 4] }
     fn load4(x: &[f32; 4]) -> F4 { *x }
     fn array4(x: F4) -> [f32; 4] { x }
+    fn add4(a: F4, b: F4) -> F4 { from_fn(|i| a[i] + b[i]) }
     fn sub4(a: F4, b: F4) -> F4 { from_fn(|i| a[i] - b[i]) }
     fn mul4(a: F4, b: F4) -> F4 { from_fn(|i| a[i] * b[i]) }
+    fn div4(a: F4, b: F4) -> F4 { from_fn(|i| a[i] / b[i]) }
     fn min4(a: F4, b: F4) -> F4 { from_fn(|i| lesser(a[i], b[i])) }
     fn max4(a: F4, b: F4) -> F4 { from_fn(|i| greater(a[i], b[i])) }
     /// a·b + c, fused or not.
@@ -47,6 +49,8 @@ ops! {
     /// c − a·b, fused or not.
     fn sub_product4(a: F4, b: F4, c: F4) -> F4 { from_fn(|i| c[i] - a[i] * b[i]) }
     fn abs4(a: F4) -> F4 { from_fn(|i| a[i].abs()) }
+    /// With the other sign in lanes where `by` has a minus.
+    fn flipped4(a: F4, by: F4) -> F4 { from_fn(|i| f32::from_bits(a[i].to_bits() ^ by[i].to_bits() & (1 << 31))) }
     fn negated4(a: F4) -> F4 { from_fn(|i| -a[i]) }
     /// In which lanes a ≤ b.
     fn at_most4(a: F4, b: F4) -> u32 { bits::<4>(|i| a[i] <= b[i]) }
@@ -88,8 +92,6 @@ ops! {
     /// The least and the greatest of all lanes.
     fn least8(a: F8) -> f32 { a.into_iter().fold(f32::INFINITY, lesser) }
     fn most8(a: F8) -> f32 { a.into_iter().fold(f32::NEG_INFINITY, greater) }
-    fn load_d4(x: &[f64; 4]) -> D4 { *x }
-    fn array_d4(x: D4) -> [f64; 4] { x }
     fn splats4(x: [f32; 3]) -> [F4; 3] { [splat4(x[0]), splat4(x[1]), splat4(x[2])] }
     fn splats8(x: [f32; 3]) -> [F8; 3] { [splat8(x[0]), splat8(x[1]), splat8(x[2])] }
     /// In which lanes the sign is a minus.

@@ -1,6 +1,8 @@
 //! A ray and four triangles: ruled out in single precision, judged in double.
 
-use crate::judge::{AREA, Count, EDGE_ON, FAR_AREA, INWARD, LEAST_AREA, LEAST_T, Nearest, Shot, accept};
+use crate::judge::{
+    AREA, AREAS, Count, EDGE_ON, FAR_AREA, INWARD, LEAST_AREA, LEAST_HEIGHT, LEAST_T, Nearest, PART, Shot, accept,
+};
 use crate::lanes::stamped;
 use crate::leaf::Four;
 
@@ -14,17 +16,17 @@ macro_rules! meet {
         #[inline]
         pub(crate) fn meet(four: &Four, shot: &Shot<'_>, best: &mut Nearest, count: &mut impl Count) {
             count.triangles(four.count());
-            let left = left(four, shot);
+            let left = left(four, shot, best.t);
             if left != 0 {
                 count.judged(left.count_ones());
                 judge(four, shot, left, best);
             }
         }
 
-        /// In which lanes the triangle cannot be ruled out. The proof stands in `judge`.
+        /// In which lanes the triangle cannot be ruled out: it may be met, up to `t_max`. The proof stands in `judge`.
         $(#[$features])*
         #[inline]
-        pub(crate) fn left(four: &Four, shot: &Shot<'_>) -> u32 {
+        pub(crate) fn left(four: &Four, shot: &Shot<'_>, t_max: f32) -> u32 {
             let [x, y, z] = shot.axes.map(|axis| &four.rows[axis & 3]);
             let [o_x, o_y, o_z] = splats4(shot.o);
             let (shear_x, shear_y) = (splat4(shot.shear[0]), splat4(shot.shear[1]));
@@ -48,7 +50,22 @@ macro_rules! meet {
             // Inside, unless one of them is surely negative and another surely positive.
             let least = min4(min4(u, v), w);
             let most = max4(max4(u, v), w);
-            at_most4(negated4(margin), least) | at_most4(most, margin)
+            let inside = at_most4(negated4(margin), least) | at_most4(most, margin);
+            if inside == 0 {
+                return 0;
+            }
+            // How far along the ray, times the area: surely not before it begins, nor beyond what counts.
+            let area = add4(add4(u, v), w);
+            let height = add_product4(u, a_z, add_product4(v, b_z, mul4(w, c_z)));
+            let height = mul4(flipped4(height, area), splat4(shot.way));
+            let area = abs4(area);
+            let doubt = add_product4(splat4(PART), area, mul4(splat4(AREAS), margin));
+            let (from, to) = (shot.ray.t_min * shot.pace, t_max * shot.pace);
+            let before = add_product4(doubt, add4(far, splat4(from.abs())), splat4(LEAST_HEIGHT));
+            let beyond = add_product4(doubt, add4(far, splat4(to.abs())), splat4(LEAST_HEIGHT));
+            let before = sub4(mul4(splat4(from), area), before);
+            let beyond = add_product4(splat4(to), area, beyond);
+            inside & !at_most4(height, before) & !at_most4(beyond, height)
         }
 
         /// Judges the triangles in some lanes as `Triangle::meet` of `accel` does: its operations, in its order.

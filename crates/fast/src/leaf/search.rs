@@ -74,7 +74,7 @@ fn search(pairs: u64, seed: u64) -> [u64; 3] {
             let Some(ray) = ray(random, &mesh, number) else { continue };
             let Ok(shot) = Shot::new(&ray, reach) else { continue };
             for isa in Isa::all() {
-                let left = dispatch!(isa, meet::left(&four, &shot));
+                let left = dispatch!(isa, meet::left(&four, &shot, ray.t_max));
                 let mut nearest = Nearest::before(ray.t_max);
                 dispatch!(isa, meet::judge(&four, &shot, 15, &mut nearest));
                 let mut right = Nearest::before(ray.t_max);
@@ -83,6 +83,16 @@ fn search(pairs: u64, seed: u64) -> [u64; 3] {
                     if let Some(t) = found {
                         right.offer(t, prim);
                         assert!(left >> prim & 1 == 1, "ruled out in {isa}: {ray:?} {:?}", mesh.triangle(PrimId(prim)));
+                        // Nor where the ray ends there, or begins.
+                        let ends = dispatch!(isa, meet::left(&four, &shot, t));
+                        let from = ray.within(t, ray.t_max).expect("a range");
+                        let shot_from = Shot::new(&from, reach).expect("as ordinary as before");
+                        let begins = dispatch!(isa, meet::left(&four, &shot_from, ray.t_max));
+                        assert!(
+                            (ends & begins) >> prim & 1 == 1,
+                            "{isa}: {t} {ray:?} {:?}",
+                            mesh.triangle(PrimId(prim))
+                        );
                         enclosed(&shot, &mesh, PrimId(prim), t);
                         hits += 1;
                     }

@@ -8,10 +8,9 @@ use crate::judge::NONE;
 pub(super) struct Beam<const G: usize> {
     /// The origin.
     pub(super) o: [f32; 3],
-    /// The directions, an axis after the other, and one over them.
+    /// The directions, an axis after the other. None counts as more than it is: see [`Shot`](crate::judge::Shot).
     pub(super) d: [[[f32; 8]; 3]; G],
-    pub(super) r: [[[f32; 8]; 3]; G],
-    /// The least and the greatest of these.
+    /// The least and the greatest of one over them.
     pub(super) extreme: [[f32; 3]; 2],
     /// Whether the rays run down each axis.
     pub(super) down: [bool; 3],
@@ -19,10 +18,6 @@ pub(super) struct Beam<const G: usize> {
     pub(super) axes: [usize; 3],
     /// The largest component of all directions.
     pub(super) largest: f32,
-    /// Whether no component counts as more than it is.
-    pub(super) steep: bool,
-    /// How far the rays run along the first two of these axes while they run one along the last; and so far along that.
-    pub(super) shear: [[[[f64; 4]; 3]; 2]; G],
     /// The least t that counts.
     pub(super) t_min: [[f32; 8]; G],
 }

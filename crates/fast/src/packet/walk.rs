@@ -15,18 +15,11 @@ use crate::judge::{
 use crate::lanes::stamped;
 use crate::leaf::Four;
 
-/// What waits: children, and where the first ray enters their boxes.
-pub(super) struct Stack {
-    children: [u32; HIGH],
-    nears: [f32; HIGH],
-}
-
 /// Room for seven children of each level of the deepest tree.
-const HIGH: usize = 1024;
+pub(super) type Stack = crate::stack::Stack<1024>;
 
 thread_local! {
-    pub(super) static STACK: RefCell<Stack> =
-        const { RefCell::new(Stack { children: [0; HIGH], nears: [0.0; HIGH] }) };
+    pub(super) static STACK: RefCell<Stack> = const { RefCell::new(Stack::EMPTY) };
 }
 
 macro_rules! walk {
@@ -60,13 +53,10 @@ macro_rules! walk {
             let mut beam = Beam {
                 o,
                 d: [[[0.0; 8]; 3]; G],
-                r: [[[0.0; 8]; 3]; G],
                 extreme: [[0.0; 3]; 2],
                 down,
                 axes,
                 largest: 0.0,
-                shear: [[[[0.0; 4]; 3]; 2]; G],
-                steep: true,
                 t_min: [[0.0; 8]; G],
             };
             let mut alike = true;
@@ -95,23 +85,14 @@ macro_rules! walk {
                     1 => at_most8(size, sy) & below8(sx, sy) == all,
                     _ => below8(max8(sx, sy), sz) == all,
                 };
+                // No component counts as more than it is.
+                let least = mul8(size, splat8(1.0 / POWER_30));
+                alike &= (at_most8(least, sx) & at_most8(least, sy) & at_most8(least, sz)) == all;
                 longest = max8(longest, size);
                 shortest = min8(shortest, size);
-                let least = mul8(size, splat8(1.0 / POWER_30));
-                beam.steep &= (at_most8(least, sx) & at_most8(least, sy) & at_most8(least, sz)) == all;
-                for (axis, size) in [sx, sy, sz].into_iter().enumerate() {
-                    let r = div8(splat8(if down[axis] { -1.0 } else { 1.0 }), max8(size, least));
-                    low[axis] = min8(low[axis], r);
-                    high[axis] = max8(high[axis], r);
-                    beam.r[group][axis] = array8(r);
-                }
-                for half in 0..2 {
-                    let d_z = double4(half4(&d[axes[2]], half));
-                    beam.shear[group][half] = [
-                        array_d4(div_d4(double4(half4(&d[axes[0]], half)), d_z)),
-                        array_d4(div_d4(double4(half4(&d[axes[1]], half)), d_z)),
-                        array_d4(d_z),
-                    ];
+                for (axis, d) in [x, y, z].into_iter().enumerate() {
+                    low[axis] = min8(low[axis], d);
+                    high[axis] = max8(high[axis], d);
                 }
                 beam.d[group] = d;
             }
@@ -122,10 +103,11 @@ macro_rules! walk {
             if !(STRAIGHT.contains(&beam.largest) && STRAIGHT.contains(&least8(shortest))) {
                 return None;
             }
-            beam.extreme = [
-                [least8(low[0]), least8(low[1]), least8(low[2])],
-                [most8(high[0]), most8(high[1]), most8(high[2])],
-            ];
+            // One over the greatest component of one sign is the least.
+            let (x, y, z) = (most8(high[0]), most8(high[1]), most8(high[2]));
+            let (u, v, w) = (least8(low[0]), least8(low[1]), least8(low[2]));
+            let [x, y, z, _, u, v, w, _] = array8(div8(splat8(1.0), load8(&[x, y, z, 1.0, u, v, w, 1.0])));
+            beam.extreme = [[x, y, z], [u, v, w]];
             Some(beam)
         }
 
@@ -209,16 +191,8 @@ macro_rules! walk {
                     let far = min8(min8(far_x, far_y), min8(far_z, splat8(furthest)));
                     let met = at_most8(near, far);
                     if met == 0 {
-                        loop {
-                            if waiting == 0 {
-                                break 'walk;
-                            }
-                            waiting -= 1;
-                            if stack.nears[waiting % HIGH] <= furthest {
-                                here = stack.children[waiting % HIGH];
-                                break;
-                            }
-                        }
+                        let Some(next) = stack.take(&mut waiting, furthest) else { break 'walk };
+                        here = next;
                     } else if met & (met - 1) == 0 {
                         here = node.child(met.trailing_zeros());
                     } else {
@@ -229,26 +203,16 @@ macro_rules! walk {
                             let lane = left.trailing_zeros();
                             left &= left - 1;
                             let before = node.before(octant, turned, lane) & met & !(1 << lane);
-                            let place = (waiting - before.count_ones() as usize) % HIGH;
-                            stack.children[place] = node.child(lane);
-                            stack.nears[place] = nears[lane as usize & 7];
+                            stack.put(waiting - before.count_ones() as usize, node.child(lane), nears[lane as usize & 7]);
                         }
-                        here = stack.children[waiting % HIGH];
+                        here = stack.child(waiting);
                     }
                 }
                 if meet(&leaves[(here & !LEAF) as usize], &beam, rays, &mut found) {
                     furthest = last_t(&found);
                 }
-                loop {
-                    if waiting == 0 {
-                        break 'walk;
-                    }
-                    waiting -= 1;
-                    if stack.nears[waiting % HIGH] <= furthest {
-                        here = stack.children[waiting % HIGH];
-                        break;
-                    }
-                }
+                let Some(next) = stack.take(&mut waiting, furthest) else { break };
+                here = next;
             }
             Some(found)
         }
@@ -292,24 +256,22 @@ macro_rules! walk {
                 ];
                 let margin = splat8(margins[lane]);
                 let minus = splat8(-margins[lane]);
+                let mut left = [0; G];
                 for group in 0..G {
                     let [x, y, z] = [load8(&beam.d[group][0]), load8(&beam.d[group][1]), load8(&beam.d[group][2])];
                     let u = add_product8(u[0], x, add_product8(u[1], y, mul8(u[2], z)));
                     let v = add_product8(v[0], x, add_product8(v[1], y, mul8(v[2], z)));
                     let w = add_product8(w[0], x, add_product8(w[1], y, mul8(w[2], z)));
-                    let left = at_most8(minus, min8(min8(u, v), w)) | at_most8(max8(max8(u, v), w), margin);
-                    for half in 0..2 {
-                        let left = left >> (4 * half) & 15;
-                        if left != 0 {
-                            any |= judge(four, lane, beam, rays, group, half, left, found);
-                        }
-                    }
+                    left[group] = at_most8(minus, min8(min8(u, v), w)) | at_most8(max8(max8(u, v), w), margin);
+                }
+                if left != [0; G] {
+                    any |= judge(four, lane, beam, rays, left, found);
                 }
             }
             any
         }
 
-        /// Judges a triangle for some of four rays as `Triangle::meet` of `accel` does: its operations, in its order.
+        /// Judges a triangle for some rays of each group as `Triangle::meet` of `accel` does: its operations, in its order.
         $(#[$features])*
         #[inline]
         fn judge<const G: usize>(
@@ -317,9 +279,7 @@ macro_rules! walk {
             lane: usize,
             beam: &Beam<G>,
             rays: &[Ray],
-            group: usize,
-            half: usize,
-            left: u32,
+            left: [u32; G],
             found: &mut Found<G>,
         ) -> bool {
             let triangle = four.triangle(lane);
@@ -330,65 +290,69 @@ macro_rules! walk {
                 DVec3::new(p[i], p[j], p[k])
             };
             let (a, b, c) = (sorted(triangle.a), sorted(triangle.b), sorted(triangle.c));
-            let [shear_x, shear_y, d_z] = &beam.shear[group][half & 1];
-            let (shear_x, shear_y, d_z) = (load_d4(shear_x), load_d4(shear_y), load_d4(d_z));
-            let sheared = |p: DVec3| {
-                let z = splat_d4(p.z);
-                (sub_d4(splat_d4(p.x), mul_d4(shear_x, z)), sub_d4(splat_d4(p.y), mul_d4(shear_y, z)))
-            };
-            let ((a_x, a_y), (b_x, b_y), (c_x, c_y)) = (sheared(a), sheared(b), sheared(c));
-            let u = sub_d4(mul_d4(c_x, b_y), mul_d4(c_y, b_x));
-            let v = sub_d4(mul_d4(a_x, c_y), mul_d4(a_y, c_x));
-            let w = sub_d4(mul_d4(b_x, a_y), mul_d4(b_y, a_x));
-            let zero = splat_d4(0.0);
-            let outside = below_d4(min_d4(min_d4(u, v), w), zero) & below_d4(zero, max_d4(max_d4(u, v), w));
-            let area = add_d4(add_d4(u, v), w);
-            let most_x = max_d4(max_d4(abs_d4(a_x), abs_d4(b_x)), abs_d4(c_x));
-            let most_y = max_d4(max_d4(abs_d4(a_y), abs_d4(b_y)), abs_d4(c_y));
             let most_z = a.z.abs().max(b.z.abs()).max(c.z.abs());
-            let limit = mul_d4(splat_d4(EDGE_ON * most_z), max_d4(most_x, most_y));
-            let mut met_lanes = left & !outside & !at_most_d4(abs_d4(area), limit);
-            if met_lanes == 0 {
-                return false;
-            }
-            let height = add_d4(
-                add_d4(mul_d4(u, splat_d4(a.z)), mul_d4(v, splat_d4(b.z))),
-                mul_d4(w, splat_d4(c.z)),
-            );
-            let met = single4(div_d4(div_d4(height, area), d_z));
-            // Where the meeting surely lies in the interval of the triangle's own box, it is the hit.
-            let sure = if beam.steep {
-                let bounds = triangle.bounds();
+            let bounds = triangle.bounds();
+            let prim = four.prim(lane);
+            let zero = splat_d4(0.0);
+            let mut any = false;
+            for half in 0..2 * G {
+                let (group, half) = (half / 2, half % 2);
+                let left = left[group] >> (4 * half) & 15;
+                if left == 0 {
+                    continue;
+                }
+                let d_z = double4(half4(&beam.d[group][k], half));
+                let shear_x = div_d4(double4(half4(&beam.d[group][i], half)), d_z);
+                let shear_y = div_d4(double4(half4(&beam.d[group][j], half)), d_z);
+                let sheared = |p: DVec3| {
+                    let z = splat_d4(p.z);
+                    (sub_d4(splat_d4(p.x), mul_d4(shear_x, z)), sub_d4(splat_d4(p.y), mul_d4(shear_y, z)))
+                };
+                let ((a_x, a_y), (b_x, b_y), (c_x, c_y)) = (sheared(a), sheared(b), sheared(c));
+                let u = sub_d4(mul_d4(c_x, b_y), mul_d4(c_y, b_x));
+                let v = sub_d4(mul_d4(a_x, c_y), mul_d4(a_y, c_x));
+                let w = sub_d4(mul_d4(b_x, a_y), mul_d4(b_y, a_x));
+                let outside = below_d4(min_d4(min_d4(u, v), w), zero) & below_d4(zero, max_d4(max_d4(u, v), w));
+                let area = add_d4(add_d4(u, v), w);
+                let most_x = max_d4(max_d4(abs_d4(a_x), abs_d4(b_x)), abs_d4(c_x));
+                let most_y = max_d4(max_d4(abs_d4(a_y), abs_d4(b_y)), abs_d4(c_y));
+                let limit = mul_d4(splat_d4(EDGE_ON * most_z), max_d4(most_x, most_y));
+                let mut met_lanes = left & !outside & !at_most_d4(abs_d4(area), limit);
+                if met_lanes == 0 {
+                    continue;
+                }
+                let height = add_d4(
+                    add_d4(mul_d4(u, splat_d4(a.z)), mul_d4(v, splat_d4(b.z))),
+                    mul_d4(w, splat_d4(c.z)),
+                );
+                let met = single4(div_d4(div_d4(height, area), d_z));
+                // Where the meeting surely lies in the interval of the triangle's own box, it is the hit.
                 let (mut low, mut high) = (splat4(f32::NEG_INFINITY), splat4(f32::INFINITY));
                 for axis in 0..3 {
                     let (near, far) = (bounds.min[axis] - beam.o[axis], bounds.max[axis] - beam.o[axis]);
                     let (near, far) = if beam.down[axis] { (far, near) } else { (near, far) };
-                    let r = half4(&beam.r[group][axis], half);
+                    let r = div4(splat4(1.0), half4(&beam.d[group][axis], half));
                     low = max4(low, mul4(splat4(near), r));
                     high = min4(high, mul4(splat4(far), r));
                 }
                 let slack = splat4(INWARD);
-                let met = load4(&met);
-                at_most4(sub_product4(abs4(low), slack, low), met)
-                    & at_most4(met, add_product4(abs4(high), slack, high))
-                    & at_most4(splat4(LEAST_T), abs4(met))
-            } else {
-                0
-            };
-            let prim = four.prim(lane);
-            let mut any = false;
-            while met_lanes != 0 {
-                let i = met_lanes.trailing_zeros() as usize & 3;
-                met_lanes &= met_lanes - 1;
-                let at = (4 * half + i) & 7;
-                let mut best = Nearest::of(found.t[group][at], found.prims[group][at]);
-                if sure >> i & 1 == 0 {
-                    accept(&triangle, prim, met[i], &rays[8 * group + at], &mut best);
-                } else if beam.t_min[group][at] <= met[i] {
-                    best.offer(met[i], prim);
+                let met_4 = load4(&met);
+                let sure = at_most4(sub_product4(abs4(low), slack, low), met_4)
+                    & at_most4(met_4, add_product4(abs4(high), slack, high))
+                    & at_most4(splat4(LEAST_T), abs4(met_4));
+                while met_lanes != 0 {
+                    let i = met_lanes.trailing_zeros() as usize & 3;
+                    met_lanes &= met_lanes - 1;
+                    let at = (4 * half + i) & 7;
+                    let mut best = Nearest::of(found.t[group][at], found.prims[group][at]);
+                    if sure >> i & 1 == 0 {
+                        accept(&triangle, prim, met[i], &rays[8 * group + at], &mut best);
+                    } else if beam.t_min[group][at] <= met[i] {
+                        best.offer(met[i], prim);
+                    }
+                    (found.t[group][at], found.prims[group][at]) = best.parts();
+                    any |= best.parts().1 == prim;
                 }
-                (found.t[group][at], found.prims[group][at]) = best.parts();
-                any |= best.parts().1 == prim;
             }
             any
         }
