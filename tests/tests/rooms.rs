@@ -61,6 +61,7 @@ const HOUSES: &[(&str, &[&str])] = &[
             "reading",
             "files",
             "report",
+            "clock",
             "shown",
             "rating",
             "export",
