@@ -4,6 +4,7 @@
 #![warn(clippy::print_stderr, clippy::print_stdout)]
 
 pub mod cli;
+mod clock;
 mod export;
 mod fault;
 mod fields;

@@ -63,6 +63,7 @@ const HOUSES: &[(&str, &[&str])] = &[
             "reading",
             "files",
             "report",
+            "clock",
             "shown",
             "rating",
             "export",

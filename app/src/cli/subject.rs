@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use raystep_accel::{Rule, RuleError};
+use raystep_fast::FastKind;
 use raystep_scene::Scene;
 
 use super::spelt;
@@ -19,7 +20,8 @@ pub(crate) struct Subject {
     /// A mesh to read.
     #[arg(long, value_name = "FILE.obj")]
     pub(super) mesh: Option<PathBuf>,
-    /// list, grid, nested-grid, hashed-grid, kd, octree, bsp or bvh.
+    /// list, grid, nested-grid, hashed-grid, kd, octree, bsp or bvh; a heat map is also made of fast-grid, fast-kd,
+    /// fast-bvh2, fast-bvh8.
     #[arg(long, value_name = "KIND")]
     structure: String,
     /// A parameter of the structure; may be repeated.
@@ -33,6 +35,17 @@ impl Subject {
         match &self.mesh {
             Some(path) => mesh(path),
             None => named(self.scene.as_deref().unwrap_or_default()),
+        }
+    }
+
+    /// The structure of the last chapter that is named, if one is; it has no parameters.
+    pub(super) fn fast(&self) -> Result<Option<FastKind>, Fault> {
+        let fast = FastKind::named(&self.structure);
+        match (fast, self.rule.first()) {
+            (Some(_), Some(rule)) => {
+                Err(Fault::new(format!("--rule {rule}: {} has no parameters: leave --rule out", self.structure)))
+            }
+            _ => Ok(fast),
         }
     }
 

@@ -12,7 +12,7 @@ use super::names::{of_own_scene, of_slide, slug};
 use crate::fault::Fault;
 use crate::shown::all_nodes::AllNodes;
 use crate::shown::camera::{self, Seen};
-use crate::shown::heat::Wish;
+use crate::shown::heat::{Walked, Wish};
 use crate::shown::kind_name::kind_name;
 use crate::shown::reel::pane;
 
@@ -137,7 +137,7 @@ impl<'a> Ground<'a> {
         let Built { structure, scene, .. } = &self.built;
         let wish = Wish {
             scene: scene.clone(),
-            structures: vec![(kind_name(self.rule.kind()).to_owned(), structure.clone())],
+            structures: vec![(kind_name(self.rule.kind()).to_owned(), Walked::Textbook(structure.clone()))],
             of: Column::Tests,
             camera: self.camera(shown, size),
             size,

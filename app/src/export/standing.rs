@@ -2,12 +2,13 @@
 
 use std::sync::Arc;
 
-use raystep_accel::Rule;
+use raystep_accel::{Cancelled, Rule};
 use raystep_figure::Pane;
 use raystep_lesson::{Built, Care, Library, Plays, Slide, Stage, Tape};
 use raystep_scene::Scene;
 
 use super::ground::{Changes, Ground};
+use crate::clock::Clock;
 use crate::fault::Fault;
 use crate::shown::all_nodes::AllNodes;
 use crate::shown::camera::Seen;
@@ -16,16 +17,18 @@ use crate::shown::kind_name::kind_name;
 impl<'a> Ground<'a> {
     /// A stage as its slide has it.
     pub(crate) fn of_stage(library: &'a Library, slide: &'a Slide, stage: &'a Stage) -> Result<Ground<'a>, Fault> {
-        Ground::of_changed_stage(library, slide, stage, Vec::new(), None)
+        Ground::of_changed_stage(library, slide, stage, Vec::new(), None, false)
     }
 
-    /// A stage with other parameters of its structure, keys and values, perhaps seen from elsewhere.
+    /// A stage with other parameters of its structure, keys and values, perhaps seen from elsewhere, and perhaps with times
+    /// of this machine.
     pub(crate) fn of_changed_stage(
         library: &'a Library,
         slide: &'a Slide,
         stage: &'a Stage,
         settings: Vec<(String, String)>,
         seen: Option<(String, Seen)>,
+        times: bool,
     ) -> Result<Ground<'a>, Fault> {
         let wrong = |error: &dyn std::fmt::Display| Fault::new(format!("{}: {error}", slide.file));
         let scene = stage.scenes.named(&stage.scene).map_err(|error| wrong(&error))?;
@@ -38,7 +41,8 @@ impl<'a> Ground<'a> {
         }
         let (structure, told) = Tape::record(slide.plays, Some(stage), &scene, &rule, Care::Full, &mut ())
             .map_err(|error| wrong(&error))?;
-        let told = told.map(|told| told.moved(&settings));
+        let told = told.map(|told| measured(told.moved(&settings), &scene, times)).transpose();
+        let told = told.map_err(|error| wrong(&error))?;
         let nodes = Arc::new(AllNodes::of(&structure, told.as_ref()));
         let built = Built { scene, structure: Arc::new(structure), told };
         let (settings, seen) = with_camera(settings, seen);
@@ -77,6 +81,13 @@ impl<'a> Ground<'a> {
         (ground.listing, ground.show) = (listing(&rule, builds).to_owned(), show);
         Ok(ground)
     }
+}
+
+/// A board on which all is measured that is to be, also where its meter was moved.
+fn measured(told: Tape, scene: &Scene, times: bool) -> Result<Tape, Cancelled> {
+    let Tape::Board(filled) = told else { return Ok(told) };
+    let filled = filled.filled(scene, Care::Full, &mut ())?;
+    Ok(Tape::Board(if times { filled.timed(scene, &Clock::new(&|| true))? } else { filled }))
 }
 
 /// The camera stands among what differs.

@@ -41,6 +41,12 @@ impl Rating {
             cuts: f32::NAN,
             vain: f32::NAN,
             alive: f32::NAN,
+            speed: (1.0 / rated.ray_us) as f32,
+            time: rated.ray_us as f32,
+            build: rated.build_ms as f32,
+            share: f32::NAN,
+            seconds: f32::NAN,
+            timed: true,
         };
         let events = rated.iter().enumerate().map(event).collect();
         Rating { panels, events, names: rated.iter().map(|rated| rated.name.clone()).collect() }

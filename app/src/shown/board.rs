@@ -7,7 +7,7 @@ use raystep_figure::{
     Board, Camera, Chart, Curve, Drawn, Fact, Given, Image, Knob, Map, Maps, Meter, Panel, Picture, Pictures, Role,
     Row, Scale, Symbol, Table, VolumeName, forms_of, number, told, whole,
 };
-use raystep_lesson::{BoardTape, Cell, Column, Measured, Numbers, Stroke};
+use raystep_lesson::{BoardTape, Cell, Column, Measured, Numbers, Stroke, Timed};
 use raystep_scene::View;
 
 /// How many points a law is drawn through.
@@ -131,27 +131,46 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
             Column::Printed | Column::Nodes | Column::Bytes => Role::Text,
             Column::Total => Role::Quiet,
             Column::Computed | Column::Visits | Column::Boxes | Column::Cuts | Column::Alive => Role::Value,
-            Column::Content | Column::Area => Role::Text,
+            Column::Speed | Column::Time | Column::Share | Column::Picture => Role::Here,
+            Column::Spread | Column::Build => Role::Quiet,
+            Column::Content | Column::Area | Column::After => Role::Text,
+            Column::Before => Role::Quiet,
             Column::Tests | Column::Vain => Role::Missed,
         },
-        given: matches!(column, Column::Printed | Column::Total),
+        given: matches!(column, Column::Printed | Column::Total | Column::Before),
     });
     let rows = table.rows.iter().enumerate().map(|(place, row)| {
         let entry = entry(filled, panel, place);
         let measured = filled.measured.get(entry).copied().flatten();
+        let timing = filled.timed.get(entry).and_then(Option::as_ref);
+        let is_built = row.plan.is_some() || row.fast.is_some();
+        let first = table.columns.iter().map(|(column, _)| *column).find(|column| column.is_timed());
         let cell = |(column, _): &(Column, String)| match row.cells.iter().find(|(own, _)| own == column) {
             Some((_, Cell::Text(text))) => text.clone(),
             Some((_, Cell::Value(formula, unit))) => {
                 let value = digits(formula.at(0.0, &filled.numbers));
                 if unit.is_empty() { value } else { format!("{value} {unit}") }
             }
+            None if column.is_timed() => match timing {
+                Some(Ok(timed)) => timed_here(*column, timed),
+                Some(Err(_)) => "\u{2013}".to_owned(),
+                None if !is_built => String::new(),
+                None if filled.is_clocked => "\u{2026}".to_owned(),
+                None if first == Some(*column) => ELSEWHERE.to_owned(),
+                None => "\u{2013}".to_owned(),
+            },
             None => match filled.appraised.get(entry).and_then(Option::as_ref) {
                 Some(appraised) => around(*column, appraised),
                 None => measured.map_or_else(String::new, |measured| here(*column, &measured)),
             },
         };
         let cells = table.columns.iter().map(cell).collect();
-        Row { entry, name: words(&row.name, entry, filled), note: words(&row.note, entry, filled), cells }
+        // Who could not be timed says why.
+        let note = match timing {
+            Some(Err(why)) => why.clone(),
+            _ => words(&row.note, entry, filled),
+        };
+        Row { entry, name: words(&row.name, entry, filled), note, cells }
     });
     Table {
         title: table.title.clone(),
@@ -160,6 +179,35 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
         columns: columns.collect(),
         rows: rows.collect(),
     }
+}
+
+/// What stands instead of times where none are told.
+const ELSEWHERE: &str = "in the window";
+
+/// What was timed, in three digits.
+fn timed_here(column: Column, timed: &Timed) -> String {
+    let known =
+        |value: f64, says: &dyn Fn(f64) -> String| if value.is_nan() { "\u{2013}".to_owned() } else { says(value) };
+    match column {
+        Column::Speed => known(timed.speed, &digits),
+        Column::Spread => {
+            let [least, most] = timed.spread;
+            known(least, &|least| format!("{}\u{2013}{}", digits(least), digits(most)))
+        }
+        Column::Time => known(timed.time(), &digits),
+        Column::Build => known(timed.build, &digits),
+        Column::Share => known(timed.share, &|share| format!("{:.1} %", share * 100.0)),
+        Column::Picture => known(timed.seconds, &span),
+        _ => String::new(),
+    }
+}
+
+/// A time in the unit in which people say it.
+pub(crate) fn span(seconds: f64) -> String {
+    const YEAR: f64 = 365.25 * 86_400.0;
+    let units = [(YEAR, "years"), (86_400.0, "days"), (3600.0, "hours"), (60.0, "minutes"), (1.0, "s"), (1e-3, "ms")];
+    let (unit, name) = units.into_iter().find(|(unit, _)| seconds >= *unit * 1.5).unwrap_or((1e-6, "µs"));
+    format!("{} {name}", digits(seconds / unit))
 }
 
 /// A measured number: counts a ray in three digits, counts of things in full.
@@ -177,9 +225,13 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Bytes if measured.bytes == 0 => "\u{2013}".to_owned(),
         Column::Nodes => whole(measured.nodes),
         Column::Bytes => whole(measured.bytes),
-        Column::Printed | Column::Total | Column::Computed => String::new(),
+        Column::Printed | Column::Total | Column::Computed | Column::Before | Column::After => String::new(),
         // Of a structure nobody asks.
         Column::Content | Column::Area | Column::Cuts | Column::Vain => String::new(),
+        // Told by `timed_here`.
+        Column::Speed | Column::Spread | Column::Time | Column::Build | Column::Share | Column::Picture => {
+            String::new()
+        }
     }
 }
 
@@ -238,21 +290,27 @@ fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> 
         let (name, note) = (words(&drawn.name, entry, filled), words(&drawn.note, entry, filled));
         Drawn { entry, name, note, moves, curve }
     });
-    Chart {
-        title: chart.title.clone(),
-        about: chart.about.clone(),
-        x: scale(&chart.x),
-        y: scale(&chart.y),
-        drawn: drawn.collect(),
-    }
+    let untold = |(place, drawn): (usize, &raystep_lesson::Drawn)| {
+        let seconds = matches!(drawn.stroke, Stroke::Growth { of: Column::Picture, .. });
+        seconds && !filled.is_clocked && filled.timed.get(entry(filled, panel, place)).is_none_or(Option::is_none)
+    };
+    let about = match chart.drawn.iter().enumerate().any(untold) {
+        true if chart.about.is_empty() => UNTOLD.to_owned(),
+        true => format!("{}; {UNTOLD}", chart.about),
+        false => chart.about.clone(),
+    };
+    Chart { title: chart.title.clone(), about, x: scale(&chart.x), y: scale(&chart.y), drawn: drawn.collect() }
 }
+
+/// What a chart says whose lines are not all drawn on paper.
+const UNTOLD: &str = "times of this machine are measured in the window";
 
 fn of_maps(maps: &raystep_lesson::Maps, panel: usize, filled: &BoardTape) -> Maps {
     let map = |(place, map): (usize, &raystep_lesson::Map)| {
         let entry = entry(filled, panel, place);
         let counted = filled.counted.get(entry).and_then(Option::as_ref);
         let (size, counts) = counted.map_or(([1, 1], vec![0]), |counted| (counted.size, counted.counts.clone()));
-        Map { entry, name: map.name.clone(), size, counts }
+        Map { entry, name: words(&map.name, entry, filled), size, counts }
     };
     let (title, about) = (maps.title.clone(), maps.about.clone());
     Maps::new(title, about, counted(maps.of).to_owned(), maps.maps.iter().enumerate().map(map).collect())
@@ -283,7 +341,16 @@ fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &Board
                     format!("volume {} · area {}", digits(outline.content()), digits(area))
                 }
                 None => {
-                    format!("{} triangles · {} tests per ray", whole(rendered.triangles), digits(rendered.tests))
+                    let counts =
+                        format!("{} triangles · {} tests per ray", whole(rendered.triangles), digits(rendered.tests));
+                    match filled.timed.get(entry).and_then(Option::as_ref) {
+                        Some(Ok(timed)) if !timed.seconds.is_nan() => {
+                            format!("{counts} · {} here", span(timed.seconds))
+                        }
+                        _ if !pictures.times => counts,
+                        _ if filled.is_clocked => format!("{counts} · \u{2026}"),
+                        _ => format!("{counts} · its time: {ELSEWHERE}"),
+                    }
                 }
             };
             let [width, height] = rendered.size;

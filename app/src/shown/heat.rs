@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::Vec2;
 use rayon::prelude::*;
-use raystep_accel::{Accel, Cost, Ray, RayError, Reveal, Structure};
+use raystep_accel::{Accel, Cost, Ray, RayError, Reveal, Structure, Want};
+use raystep_fast::{AnyFast, Fast};
 use raystep_figure::{Board, Camera, Instant, Map, Maps, Panel, Pixel, Reel};
 use raystep_lesson::Column;
 use raystep_scene::Scene;
@@ -27,7 +28,36 @@ pub(crate) struct Wish {
 }
 
 /// A structure and what it is called.
-type Named = (String, Arc<Structure>);
+type Named = (String, Walked);
+
+/// What rays are walked through.
+#[derive(Clone, Debug)]
+pub(crate) enum Walked {
+    /// A structure of the textbook.
+    Textbook(Arc<Structure>),
+    /// A structure of the last chapter at full speed: what is counted is its own work.
+    Fast(Arc<AnyFast>),
+}
+
+impl Walked {
+    /// What a ray costs.
+    pub(crate) fn cost(&self, scene: &Scene, ray: &Ray) -> Cost {
+        let mut cost = Cost::default();
+        match self {
+            Walked::Textbook(structure) => _ = structure.intersect(&scene.prims, ray, &mut cost),
+            Walked::Fast(fast) => _ = fast.walk(ray, Want::Nearest, &mut cost),
+        }
+        cost
+    }
+
+    fn is(&self, other: &Walked) -> bool {
+        match (self, other) {
+            (Walked::Textbook(a), Walked::Textbook(b)) => Arc::ptr_eq(a, b),
+            (Walked::Fast(a), Walked::Fast(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+}
 
 /// A heat map that was counted.
 #[derive(Debug)]
@@ -44,7 +74,7 @@ pub(crate) struct Heated {
 impl Wish {
     /// Whether both show the same.
     pub(crate) fn is_same(&self, other: &Wish) -> bool {
-        let same = |(a, b): (&Named, &Named)| a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1);
+        let same = |(a, b): (&Named, &Named)| a.0 == b.0 && a.1.is(&b.1);
         self.structures.len() == other.structures.len()
             && self.structures.iter().zip(&other.structures).all(same)
             && Arc::ptr_eq(&self.scene, &other.scene)
@@ -67,13 +97,10 @@ impl Wish {
         Some(Heated::of(self, rays, counts?))
     }
 
-    fn count_one(&self, structure: &Structure, rays: [u32; 2], go_on: &(dyn Fn() -> bool + Sync)) -> Option<Vec<u32>> {
+    fn count_one(&self, walked: &Walked, rays: [u32; 2], go_on: &(dyn Fn() -> bool + Sync)) -> Option<Vec<u32>> {
         let one = |at: [u32; 2]| {
-            let mut cost = Cost::default();
             // A camera that sees nothing shoots rays that cost nothing.
-            if let Ok(ray) = self.ray(rays, at) {
-                structure.intersect(&self.scene.prims, &ray, &mut cost);
-            }
+            let cost = self.ray(rays, at).map_or(Cost::default(), |ray| walked.cost(&self.scene, &ray));
             u32::try_from(self.of.count(&cost)).unwrap_or(u32::MAX)
         };
         let row = |y: u32| go_on().then(|| (0..rays[0]).map(|x| one([x, y])).collect::<Vec<u32>>());
@@ -146,33 +173,56 @@ fn capital(words: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use raystep_accel::Rule;
+    use raystep_accel::{Prims, Rule};
+    use raystep_fast::{FastKind, Settings, Work};
 
     use super::*;
 
     fn wish(kind: &str, of: Column) -> Wish {
         let scene = Scene::named("teapot:3x3").unwrap();
-        let structure = Structure::build(&scene.prims, &Rule::default_for(kind).unwrap(), &mut ()).unwrap();
+        let walked = match (FastKind::named(kind), &scene.prims) {
+            (Some(fast), Prims::Mesh(mesh)) => Walked::Fast(Arc::new(fast.build(mesh, &Settings::default()))),
+            _ => {
+                let rule = Rule::default_for(kind).unwrap();
+                Walked::Textbook(Arc::new(Structure::build(&scene.prims, &rule, &mut ()).unwrap()))
+            }
+        };
         let view = scene.close_view();
         let camera = Camera::Solid { eye: view.eye, target: view.target, up: view.up, fov_degrees: view.fov_degrees };
-        let structures = vec![(kind.to_owned(), Arc::new(structure))];
+        let structures = vec![(kind.to_owned(), walked)];
         Wish { scene: Arc::new(scene), structures, of, camera, size: Vec2::new(60.0, 40.0) }
     }
 
     #[test]
     fn a_pixel_is_what_its_ray_costs() {
-        for (kind, of) in
-            [("kd", Column::Tests), ("bvh", Column::Boxes), ("grid", Column::Visits), ("list", Column::Tests)]
-        {
+        for (kind, of) in [
+            ("kd", Column::Tests),
+            ("bvh", Column::Boxes),
+            ("grid", Column::Visits),
+            ("list", Column::Tests),
+            ("fast-bvh8", Column::Visits),
+            ("fast-kd", Column::Tests),
+        ] {
             let heated = wish(kind, of).count([30, 20], &|| true).unwrap();
             let maps = heated.maps().unwrap();
             let mut different = false;
             for (index, count) in maps.maps[0].counts.iter().enumerate() {
                 let at = [index as u32 % 30, index as u32 / 30];
                 let ray = heated.ray_of(&Pixel { entry: 0, at, size: [30, 20], count: *count }).unwrap();
-                let mut cost = Cost::default();
-                heated.wish.structures[0].1.intersect(&heated.wish.scene.prims, &ray, &mut cost);
-                assert_eq!(u64::from(*count), of.count(&cost), "{kind} at {at:?}");
+                let cost = match &heated.wish.structures[0].1 {
+                    Walked::Textbook(structure) => {
+                        let mut cost = Cost::default();
+                        structure.intersect(&heated.wish.scene.prims, &ray, &mut cost);
+                        of.count(&cost)
+                    }
+                    // Its own count of the same walk.
+                    Walked::Fast(fast) => {
+                        let mut work = Work::default();
+                        fast.walk(&ray, Want::Nearest, &mut work);
+                        if of == Column::Tests { work.triangles } else { work.nodes }
+                    }
+                };
+                assert_eq!(u64::from(*count), cost, "{kind} at {at:?}");
                 different |= *count != maps.maps[0].counts[0];
             }
             assert_eq!(

@@ -6,7 +6,7 @@ use raystep_accel::{
     Accel, Cost, Event, Fill, Grow, Hit, Mistake, NodeId, Packet, Ray, Rule, Structure, Trace, Visit, Want,
 };
 use raystep_figure::{Film, Instant, Reel};
-use raystep_lesson::{BuildTape, Care, Choice, PacketTape, Play, Plays, Slide, Stage, Tape, WalkTape, WalksTape};
+use raystep_lesson::{BuildTape, Choice, PacketTape, Play, Plays, Slide, Stage, Tape, WalkTape, WalksTape};
 use raystep_scene::Scene;
 
 use super::all_nodes::AllNodes;
@@ -113,9 +113,17 @@ impl Playback {
         Some(playback)
     }
 
-    /// Whether it is a board that was filled coarsely, to be refined.
+    /// Whether it is a board on which something is still to be measured, or with more rays.
     pub fn is_draft(&self) -> bool {
-        self.play.tape.care() == Care::Draft
+        matches!(&self.play.tape, Tape::Board(filled) if !filled.is_finished())
+    }
+
+    /// How far the measuring of a board is: the greater, the further.
+    pub(crate) fn fineness(&self) -> (usize, usize) {
+        match &self.play.tape {
+            Tape::Board(filled) => filled.fineness(),
+            _ => (0, 0),
+        }
     }
 
     /// The same ray through the same structure with a mistake made.

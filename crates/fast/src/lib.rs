@@ -54,4 +54,4 @@ pub use kd::Kd;
 pub use kinds::{AnyFast, FastKind};
 pub use lanes::Isa;
 pub use packet::{PacketWidth, Packets};
-pub use race::{Answered, Elsewhere, Race, Row, Rung, Told, tile_order};
+pub use race::{Answered, Elsewhere, Pace, Race, Row, Rung, Runner, Told, tile_order};

@@ -87,6 +87,11 @@ impl Paragraph {
 
     /// Whether all that it names has happened.
     pub(crate) fn is_known(&self, facts: &Facts<'_>) -> bool {
-        template::named(&self.text).all(|name| facts.field(name).is_some())
+        self.is_known_but(facts, &|_| false)
+    }
+
+    /// Whether all that it names has happened, but for what may come later.
+    pub(crate) fn is_known_but(&self, facts: &Facts<'_>, later: &dyn Fn(&str) -> bool) -> bool {
+        template::named(&self.text).all(|name| facts.field(name).is_some() || later(name))
     }
 }

@@ -8,8 +8,8 @@ use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
 use crate::{
-    About, Act, Ask, Beat, Built, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter, Slide,
-    Spot, Stage, StageKind, Tape, Term, condition, names,
+    About, Act, Ask, Beat, Built, Column, Facts, Library, Listing, Look, Plan, Play, Plays, Problem, Script, Setter,
+    Slide, Spot, Stage, StageKind, Tape, Term, condition, names,
 };
 
 /// Everything that is wrong in the lessons, by file and line; nothing if all is well. `setter` says what in
@@ -223,14 +223,14 @@ impl Checker<'_> {
             return None;
         }
         for (spot, name) in stage.board.iter().flat_map(|board| board.scenes()) {
-            if let Err(error) = stage.scenes.named(name) {
+            if let Err(error) = stage.scenes.knows(name) {
                 self.say(slide, spot, error.to_string());
             }
         }
         // Every wrong parameter, not only the first.
         let mut good = true;
-        let measured = stage.board.iter().flat_map(|board| board.plans());
-        for plan in std::iter::once(&stage.plan).chain(&stage.beside).chain(&stage.abreast).chain(measured) {
+        let measured: Vec<Plan> = stage.board.iter().flat_map(|board| board.plans_at_ends()).collect();
+        for plan in std::iter::once(&stage.plan).chain(&stage.beside).chain(&stage.abreast).chain(&measured) {
             match Rule::default_for(&plan.kind) {
                 Ok(mut rule) => {
                     for setting in &plan.settings {
@@ -327,7 +327,13 @@ impl Checker<'_> {
         for (beat, step) in slide.beats.iter().zip(&play.beats) {
             let Some(facts) = step.and_then(|step| Facts::at(play, step)) else { continue };
             for paragraph in beat.paragraphs.iter().filter(|paragraph| paragraph.is_asked_for(&facts)) {
-                *self.told.entry(paragraph.spot).or_default() |= paragraph.is_known(&facts);
+                // Nobody times anything here.
+                let timed = matches!(&play.tape, Tape::Board(board) if board.untimed().is_some());
+                let later = |name: &str| {
+                    let field = name.rsplit('.').next().unwrap_or(name);
+                    timed && Column::NAMES.iter().any(|(known, column)| *known == field && column.is_timed())
+                };
+                *self.told.entry(paragraph.spot).or_default() |= paragraph.is_known_but(&facts, &later);
             }
         }
     }

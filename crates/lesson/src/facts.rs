@@ -56,8 +56,8 @@ impl<'a> Facts<'a> {
             return self.tape.count(event, self.step).map(Value::Count);
         }
         match name.rsplit_once('.') {
-            Some((event, field)) => self.before(event)?.field(field),
-            None => self.event.field(name).or_else(|| self.tape.number(name)),
+            Some((event, field)) => known(&self.before(event)?, field),
+            None => known(&self.event, name).or_else(|| self.tape.number(name)),
         }
     }
 
@@ -79,6 +79,12 @@ impl<'a> Facts<'a> {
         let before = (0..self.step.saturating_sub(1)).rev();
         before.filter_map(|index| self.tape.event(index)).find(|other| names(event, other.name()))
     }
+}
+
+/// A field of an event; of a board nothing where nothing was measured.
+fn known(event: &Event, name: &str) -> Option<Value> {
+    let unmeasured = |value: &Value| matches!(value, Value::Number(number) if number.is_nan());
+    event.field(name).filter(|value| !(matches!(event, Event::Board(_)) && unmeasured(value)))
 }
 
 const BESIDE: &str = "beside.";

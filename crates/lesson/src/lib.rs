@@ -44,8 +44,9 @@ mod walks;
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
 pub use board::{
-    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Entry, Formula, Given, How, Map, Maps, Measured,
-    Meter, Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Scale, Stroke, Table,
+    Board, BoardTape, Care, Cell, Chart, Column, Counted, Drawn, Entry, Formula, Given, How, Lanes, Map, Maps,
+    Measured, Meter, Number, Numbers, Panel, Picture, Pictures, Rendered, Row, Runs, Scale, Stopwatch, Stroke, Table,
+    Timed, Timing,
 };
 pub use change::{Planned, Told};
 pub use check::{check, check_beside, check_file};

@@ -8,7 +8,7 @@ use raystep_scene::{Scene, Scenes};
 
 use crate::minutes::minutes;
 use crate::reading::Reading;
-use crate::{Beat, Board, PairsTape, Planned, Plays, Problem, Spot, body, head};
+use crate::{Beat, Board, Numbers, PairsTape, Planned, Plays, Problem, Spot, body, head, template};
 
 /// One slide of the lecture, as its file says it.
 #[derive(Clone, Debug, PartialEq)]
@@ -287,6 +287,25 @@ impl Plan {
         let spot = Spot::default();
         let setting = |(key, value): (&'static str, String)| Setting { key: key.to_owned(), value, spot };
         Plan { kind: rule.kind().to_owned(), settings: differs.into_iter().map(setting).collect(), spot }
+    }
+
+    /// Whether a parameter is a number of a meter, as in `max_depth = "{{depth}}"`.
+    pub fn is_moved(&self) -> bool {
+        self.settings.iter().any(|setting| template::named(&setting.value).next().is_some())
+    }
+
+    /// The plan where the numbers of a meter stand.
+    #[must_use]
+    pub fn at(&self, numbers: &Numbers) -> Plan {
+        let mut plan = self.clone();
+        for setting in &mut plan.settings {
+            let names: Vec<String> = template::named(&setting.value).map(str::to_owned).collect();
+            for name in names {
+                let number = numbers.get(&name).unwrap_or(f64::NAN);
+                setting.value = setting.value.replace(&format!("{{{{{name}}}}}"), &number.to_string());
+            }
+        }
+        plan
     }
 
     /// No structure: every primitive is tested.

@@ -199,7 +199,7 @@ impl Tape {
     /// How carefully it was measured; only a board can be a draft.
     pub fn care(&self) -> Care {
         match self {
-            Tape::Board(filled) => filled.care,
+            Tape::Board(filled) => filled.care(),
             Tape::Walk(_) | Tape::Walks(_) | Tape::Packet(_) | Tape::Build(_) | Tape::Pairs(_) => Care::Full,
         }
     }

@@ -1,6 +1,11 @@
 //! Boards, and walks side by side: what they show, in which order, and what is said of wrong ones.
 
-use raystep_lesson::{Built, Facts, Library, Medium, Tape, check};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+use raystep_accel::{Mesh, Ray};
+use raystep_fast::{Race, Told};
+use raystep_lesson::{Beat, BoardTape, Built, Care, Facts, Library, Medium, Stopwatch, Tape, check};
 
 const SLIDE: &str = include_str!("good_board.md");
 const WALKS: &str = include_str!("good_walks.md");
@@ -67,6 +72,87 @@ fn numbers_that_are_moved_by_hand_move_what_names_them_and_nothing_else() {
     insta::assert_snapshot!(told);
 }
 
+/// A machine on which whatever is done takes a hundredth of a second, and which has no graphics card.
+#[derive(Default)]
+struct Slow(AtomicU32);
+
+impl Stopwatch for Slow {
+    fn seconds(&self) -> f64 {
+        f64::from(self.0.fetch_add(1, Ordering::Relaxed)) * 0.01
+    }
+
+    fn goes_on(&self) -> bool {
+        true
+    }
+
+    fn graphics_card(&self, _: &Race<'_>, _: &Mesh, _: &[Ray]) -> Option<Result<Told, String>> {
+        Some(Err("there is none".to_owned()))
+    }
+}
+
+#[test]
+fn times_are_told_once_they_are_measured_and_paper_has_none() {
+    let library = library(SLIDE);
+    let slide = &library.slides[0];
+    let built = slide.stages[0].build(slide.plays).unwrap();
+    let Some(Tape::Board(filled)) = built.told.clone() else { panic!("a board") };
+    assert_eq!(filled.times(), (3, 3));
+    let text = |filled: &Arc<BoardTape>| {
+        let told = Built { told: Some(Tape::Board(filled.clone())), ..built.clone() };
+        let play = told.play(None, &slide.beats).unwrap();
+        let said =
+            |(beat, step): (&Beat, &Option<usize>)| beat.text(&Facts::at(&play, step.unwrap()).unwrap(), Medium::Paper);
+        slide.beats.iter().zip(&play.beats).map(said).collect::<Vec<_>>().join("\n")
+    };
+    let before = text(&filled);
+    assert!(
+        before.contains("In the window.") && !before.contains("million rays") && !before.contains("became {{speed}}")
+    );
+
+    let watch = Slow::default();
+    let mut further = filled.clone();
+    for left in [2, 1, 0] {
+        let fineness = further.fineness();
+        further = further.timed_further(&built.scene, &watch).unwrap();
+        assert_eq!(further.times(), (3, left));
+        assert!(further.fineness() > fineness);
+    }
+    let after = text(&further);
+    assert!(after.contains("{{speed}} million rays") && after.contains("{{row.speed}} became {{speed}}."), "{after}");
+    assert!(!after.contains("In the window."));
+    for timing in further.timed.iter().flatten() {
+        let timed = timing.as_ref().unwrap();
+        assert!(timed.speed > 0.0 && timed.spread[0] <= timed.speed && timed.speed <= timed.spread[1], "{timed:?}");
+        assert!(timed.build > 0.0);
+    }
+    // What is counted is the same, timed or not, and so is all of it for paper.
+    assert_eq!(format!("{:?}", further.measured), format!("{:?}", filled.measured));
+    assert_eq!(format!("{:?}", further.untold().events), format!("{:?}", filled.events));
+}
+
+#[test]
+fn what_follows_the_meter_is_measured_where_it_stands() {
+    let library = library(SLIDE);
+    let slide = &library.slides[0];
+    let built = slide.stages[0].build(slide.plays).unwrap();
+    let tape = built.told.clone().unwrap();
+    let moved = tape.moved(&[("N".to_owned(), "8".to_owned())]);
+    let Tape::Board(stale) = &moved else { panic!("a board") };
+    assert!(stale.care() == Care::Draft && !stale.is_finished());
+    let of = |tape: &BoardTape| tape.counted.iter().flatten().last().unwrap().mean();
+    let coarse = stale.clone().filled(&built.scene, Care::Draft, &mut ()).unwrap();
+    let fine = coarse.clone().filled(&built.scene, Care::Full, &mut ()).unwrap();
+    assert!(coarse.fineness() < fine.fineness() && fine.is_finished());
+    // Nodes of 80 triangles are not divided in it, nodes of 9 are.
+    assert!(of(&fine) * 1.5 < of(stale), "{} after {}", of(&fine), of(stale));
+    let written = SLIDE.replace("min_objects = \"{{N}}\"", "min_objects = 8");
+    let own = self::library(&written).slides[0].stages[0].build(slide.plays).unwrap();
+    let Some(Tape::Board(own)) = own.told else { panic!("a board") };
+    assert_eq!(own.counted, fine.counted);
+    let same = |a: &BoardTape, b: &BoardTape| format!("{:?}", a.measured) == format!("{:?}", b.measured);
+    assert!(same(stale, &fine), "what does not move is not measured anew");
+}
+
 #[test]
 fn wrong_boards_are_told_what_is_wrong() {
     let mistakes = [
@@ -117,6 +203,27 @@ fn wrong_boards_are_told_what_is_wrong() {
         ("unknown key of a row", "note = \"usual\"", "noote = \"usual\""),
         ("packets of three", "note = \"usual\"", "lanes = 3"),
         ("packets through a grid", "note = \"usual\"", "lanes = 4"),
+        ("unknown time", "tells = \"speed\"", "tells = \"sped\""),
+        ("unknown way to run", "runs = \"threads\"", "runs = \"thread\""),
+        ("another tree on a graphics card", "runs = \"threads\"", "runs = \"gpu\""),
+        ("a textbook's structure on threads", "note = \"usual\"", "runs = \"threads\""),
+        ("unknown instructions", "isa = \"portable\"", "isa = \"avx3\""),
+        ("instructions for a textbook's structure", "note = \"usual\"", "isa = \"avx2\""),
+        ("times of nothing", "fast = \"fast-bvh8\", isa", "fast = \"fast-bvh9\", isa"),
+        ("a time where none is told", "{{row.speed}} became", "{{row.sped}} became"),
+        ("timed or not", "timed=no", "timed=never"),
+        ("a structure that follows no number", "min_objects = \"{{N}}\"", "min_objects = \"{{M}}\""),
+        ("a structure that cannot follow so far", "min_objects = \"{{N}}\"", "max_depth = \"{{N}}\""),
+        (
+            "a line that moves",
+            "{ name = \"linear\", law = \"3 / 8 * x\", from = 8, to = 1000,",
+            "{ name = \"linear\", scenes = [\"teapot:1x1\", \"teapot:2x2\"], structure = { kind = \"kd\", max_depth = \"{{N}}\" },",
+        ),
+        (
+            "seconds of another fast structure",
+            "{ name = \"linear\", law = \"3 / 8 * x\", from = 8, to = 1000,",
+            "{ name = \"linear\", scenes = [\"teapot:1x1\", \"teapot:2x2\"], of = \"seconds\", fast = \"fast-kd\",",
+        ),
         ("unknown layout", "note = \"usual\"", "layout = \"plan\""),
         ("a layout of a grid", "note = \"usual\"", "layout = \"plain\""),
     ];

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use raystep_accel::{PrimId, Primitives};
 
-use crate::shipped::TEAPOT;
+use crate::shipped::{TEAPOT, WOODS};
 use crate::stadium::STADIUM;
 use crate::{Scene, View};
 
@@ -11,7 +11,7 @@ impl Scene {
     /// The object alone fills a picture of 4:3, seen from the side of [`Scene::view`]: of the teapot on its floor, the
     /// teapot.
     pub fn close_view(&self) -> View {
-        if self.name == STADIUM {
+        if self.name == STADIUM || self.name.starts_with(WOODS) {
             // It is seen from near the teapot anyhow.
             return self.view;
         }

@@ -5,7 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 
 use crate::error::nearest;
-use crate::shipped::is_shipped;
+use crate::shipped::{is_shipped, known};
 use crate::{ObjError, Scene, SceneError, UnknownScene, scene_names};
 
 /// Scenes by their names. A copy shares them.
@@ -74,10 +74,26 @@ impl Scenes {
         if let Some(own) = self.own(name) {
             return Ok(own.clone());
         }
-        Scene::named(name).map(Arc::new).map_err(|unknown| match nearest(name, self.0.keys().map(String::as_str)) {
+        Scene::named(name).map(Arc::new).map_err(|unknown| self.nearest(name, unknown))
+    }
+
+    /// Whether there is a scene of that name; large ones are not made to say so.
+    ///
+    /// # Errors
+    /// There is none; the error knows the nearest name.
+    pub fn knows(&self, name: &str) -> Result<(), UnknownScene> {
+        if self.own(name).is_some() {
+            return Ok(());
+        }
+        known(name).map_err(|unknown| self.nearest(name, unknown))
+    }
+
+    /// What is said of an unknown name, where a scene of these has a similar one.
+    fn nearest(&self, name: &str, unknown: UnknownScene) -> UnknownScene {
+        match nearest(name, self.0.keys().map(String::as_str)) {
             Some(near) => UnknownScene { advice: format!("did you mean `{near}`?"), ..unknown },
             None => unknown,
-        })
+        }
     }
 
     /// The scene of that name, if it is one of these.

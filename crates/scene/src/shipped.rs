@@ -10,7 +10,7 @@ use crate::outdoors::{MOST_TREES, forest, grass};
 use crate::scene::bounds;
 use crate::stadium::{STADIUM, stadium};
 use crate::trial::{self, scenes::Case};
-use crate::{MOST_STEPS, Scene, View, teapot};
+use crate::{MOST_STEPS, Scene, TRIANGLES_OF_A_TREE, View, Woods, teapot};
 
 static FLAT: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../../assets/scenes");
 
@@ -26,6 +26,9 @@ const PAIRS: &str = "pairs";
 /// Some thousand trees.
 const FOREST: &str = "forest";
 
+/// How names of woods begin: `woods:50000` has so many trees of a million triangles.
+pub(crate) const WOODS: &str = "woods:";
+
 /// A meadow.
 const GRASS: &str = "grass";
 
@@ -40,7 +43,7 @@ pub struct UnknownScene {
 }
 
 /// The names of the shipped scenes: the flat ones in alphabetical order, then the solid ones. `teapot:NxN`, the teapot
-/// alone at another tessellation, `forest:N`, a forest of so many trees, and `trial:NAME:SEED`, what structures are
+/// alone at another tessellation, `forest:N`, a forest of so many trees, `woods:N`, one of trees of a million triangles, and `trial:NAME:SEED`, what structures are
 /// tried on, are understood too.
 pub fn scene_names() -> Vec<String> {
     let mut names: Vec<String> = FLAT
@@ -85,6 +88,9 @@ impl Scene {
                 .map(forest)
                 .ok_or_else(|| unknown(name, format!("write forest:N with N from 1 to {MOST_TREES}")));
         }
+        if let Some(trees) = trees_of_woods(name) {
+            return trees.map(|trees| woods(name, trees));
+        }
         if let Some(steps) = name.strip_prefix("teapot:") {
             return tessellation(steps)
                 .map(teapot_alone)
@@ -102,6 +108,41 @@ impl Scene {
             return Err(unknown(name, advice));
         };
         Scene::from_toml(text, name).map_err(|wrong| unknown(name, format!("its file is wrong: {wrong}")))
+    }
+}
+
+/// How many trees the woods of that name have, if it names woods.
+fn trees_of_woods(name: &str) -> Option<Result<u32, UnknownScene>> {
+    let trees = name.strip_prefix(WOODS)?.parse().ok().filter(|trees| (1..=MOST_TREES).contains(trees));
+    Some(trees.ok_or_else(|| unknown(name, format!("write {WOODS}N with N from 1 to {MOST_TREES}"))))
+}
+
+/// Whether a scene of this name is shipped; the largest of them are not grown to say so.
+///
+/// # Errors
+/// There is none.
+pub(crate) fn known(name: &str) -> Result<(), UnknownScene> {
+    match trees_of_woods(name) {
+        Some(trees) => trees.map(drop),
+        None => Scene::named(name).map(drop),
+    }
+}
+
+/// The forest of `raystep forest`, seen as there.
+fn woods(name: &str, trees: u32) -> Scene {
+    let woods = Woods::planted(trees, TRIANGLES_OF_A_TREE, &mut || ());
+    let above = |x: f32, y: f32, up: f32| Vec3::new(x, y, woods.land.height(x, y) + up);
+    let (eye, target) = (above(-150.0, -560.0, 22.0), above(60.0, 0.0, 4.0));
+    let view = View { eye, target, up: Vec3::Z, fov_degrees: 50.0 };
+    let triangles = woods.instances.triangles();
+    Scene {
+        name: name.to_owned(),
+        title: "A forest of a million triangles to a tree".to_owned(),
+        prims: Prims::Instances(woods.instances),
+        flat: false,
+        view,
+        note: format!("{trees} trees, placed from four that are stored once: {triangles} triangles for a ray to meet."),
+        origin: DVec3::ZERO,
     }
 }
 

@@ -40,7 +40,7 @@ pub(super) fn grounds<'a>(library: &'a Library, arguments: &ExportArguments) -> 
                 if !slide.plays.has_rays() { arguments.ray.is_some() } else { rays.is_empty() && own.is_none() };
             if !left_out && !nothing {
                 let seen = seen(&arguments.own, stage, arguments.size)?;
-                let ground = Ground::of_changed_stage(library, slide, stage, settings.clone(), seen)?;
+                let ground = Ground::of_changed_stage(library, slide, stage, settings.clone(), seen, arguments.times)?;
                 grounds.push(Stood { ground, rays, own });
             }
         }

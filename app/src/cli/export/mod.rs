@@ -72,6 +72,9 @@ pub struct ExportArguments {
     /// Cut off the margins on which nothing is drawn: the file is then no larger than --size.
     #[arg(long)]
     crop: bool,
+    /// Tell times of this machine, too; without it files are the same everywhere.
+    #[arg(long)]
+    times: bool,
     /// Leave the ground out.
     #[arg(long)]
     transparent: bool,

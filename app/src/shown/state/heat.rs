@@ -69,7 +69,8 @@ impl State {
         let view = scene.close_view();
         let (eye, target, up, fov_degrees) = (view.eye, view.target, view.up, view.fov_degrees);
         let camera = aside(&Camera::Solid { eye, target, up, fov_degrees });
-        let opens = map.plan.rule(false).is_ok_and(|rule| self.open_walk(&scene.name, &rule, ray, camera));
+        let rule = map.plan.as_ref().and_then(|plan| plan.at(&filled.numbers).rule(false).ok());
+        let opens = rule.is_some_and(|rule| self.open_walk(&scene.name, &rule, ray, camera));
         (!opens).then(|| sentence(pixel.count, of, &ray))
     }
 

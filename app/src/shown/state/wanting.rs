@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use raystep_lesson::Library;
+use raystep_lesson::{Library, Plays};
 
 use super::{Before, Landing, State, first_stage};
 use crate::shown::history::History;
@@ -64,7 +64,9 @@ impl State {
     pub fn arrive(&mut self, playback: Arc<Playback>) -> bool {
         let Some(wanted) = &self.wanted else { return false };
         let exactly = playback.view.same_walk(wanted);
-        if !exactly && !playback.view.same_but_held(wanted) {
+        // What a meter moves is seen to move: it arrives one after the other, as what is held does.
+        let metered = self.plays_board(wanted.slide) && playback.view.same_scene(wanted);
+        if !exactly && !metered && !playback.view.same_but_held(wanted) {
             return false;
         }
         let tried = wanted.tried;
@@ -84,11 +86,17 @@ impl State {
     /// A draft that is shown was refined: it takes its place, at the same step. Says whether it does.
     pub fn refine(&mut self, playback: &Arc<Playback>) -> bool {
         let draft = self.playback.as_ref().filter(|shown| self.wanted.is_none() && shown.is_draft());
-        let refined = draft.is_some_and(|draft| playback.view.same_walk(&draft.view) && !playback.is_draft());
+        let refined =
+            draft.is_some_and(|draft| playback.view.same_walk(&draft.view) && playback.fineness() > draft.fineness());
         if refined {
             self.playback = Some(playback.clone());
         }
         refined
+    }
+
+    /// Whether a slide plays a board.
+    fn plays_board(&self, slide: usize) -> bool {
+        self.library.slides.get(slide).is_some_and(|slide| slide.plays == Plays::Board)
     }
 
     fn landed(&self, playback: &Playback, named: usize, landing: Landing) -> usize {

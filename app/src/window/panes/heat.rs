@@ -15,7 +15,7 @@ use crate::shown::board::counted;
 use crate::shown::camera::Seen;
 use crate::shown::command::Command;
 use crate::shown::eye;
-use crate::shown::heat::Wish;
+use crate::shown::heat::{Walked, Wish};
 use crate::shown::kind_name::kind_name;
 use crate::shown::playback::Playback;
 use crate::window::look::controls;
@@ -91,7 +91,10 @@ fn wish(page: Page<'_>, kept: &Kept, room: Rect, of: Column, look: &Look) -> Opt
     let space = pictures.space.as_deref()?;
     let playback = page.state.playback()?;
     let beside = page.beside.filter(|_| matches!(page.state.beside, Beside::Structure(_)));
-    let named = |playback: &Playback| (kind_name(playback.rule.kind()).to_owned(), playback.play.structure.clone());
+    let named = |playback: &Playback| {
+        let walked = Walked::Textbook(playback.play.structure.clone());
+        (kind_name(playback.rule.kind()).to_owned(), walked)
+    };
     let structures: Vec<_> = std::iter::once(named(playback)).chain(beside.map(|beside| named(beside))).collect();
     let size = Maps::picture(glam_size(room), structures.len(), look);
     // What is seen fills the width; higher than wide there would be nothing but sky.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use raystep_accel::{Cancelled, Grow, Observer};
 use raystep_figure::{Depth, Theme};
-use raystep_lesson::{Library, Tape};
+use raystep_lesson::{BoardTape, Care, Library, Tape};
 
 use super::errands::{Errands, News};
 use super::task::Task;
@@ -57,7 +57,7 @@ impl Window {
         // Nobody writes down what is still to be measured with more rays.
         let told = match told {
             Some(Tape::Board(filled)) => {
-                let filled = filled.in_full(&scene, &mut GoesOn(go_on));
+                let filled = filled.filled(&scene, Care::Full, &mut GoesOn(go_on)).map(BoardTape::untold);
                 Some(Tape::Board(filled.map_err(|Cancelled| Fault::new("the export was cancelled"))?))
             }
             other => other,

@@ -5,12 +5,13 @@ use std::time::Instant;
 
 use glam::Vec3;
 use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
-use raystep_lesson::{Board, Care, Library, PacketTape, Plan, Plays, Slide, Stage, Tape};
+use raystep_lesson::{Board, BoardTape, Care, Library, PacketTape, Plan, Plays, Slide, Stage, Tape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
 use super::bench::{Bench, Broken};
 use super::task::Task;
+use crate::clock::Clock;
 use crate::shown::all_nodes::AllNodes;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::view::{RayChoice, View};
@@ -139,6 +140,9 @@ impl Workshop {
         // What is being dragged waits for what was asked for before it to arrive: so it is seen to move.
         let busy = |wanted: &Wanted| {
             let held = wanted.view.same_but_held(view) && (wanted.stands || wanted.view.ray == view.ray);
+            // A board whose meter is moved is measured coarsely for where it stood a moment ago.
+            let metered = wanted.stands && wanted.care == Care::Draft && care == Care::Draft;
+            let held = held || metered && wanted.view.same_scene(view) && plays_board(view, library);
             wanted.care >= care && (wanted.view.same_walk(view) || held)
         };
         if self.bench.wanted().is_some_and(busy) {
@@ -151,6 +155,10 @@ impl Workshop {
             (true, _) => Task::new("Walking the ray", ""),
             (false, Care::Draft) => Task::new("Building the structure", "references"),
             (false, Care::Full) => Task::new("Measuring with more rays", ""),
+        };
+        let task = match stands.as_ref().and_then(|stands| stands.built.told.as_ref()) {
+            Some(Tape::Board(filled)) if care == Care::Full => measuring(filled, &view.settings),
+            _ => task,
         };
         let scene = self.kept.iter().find(|kept| is_over(&kept.built, view, library)).cloned();
         let (view, library) = (view.clone(), library.clone());
@@ -227,6 +235,9 @@ fn is_quick(order: &Order) -> bool {
         None => stage.scene.starts_with("flat"),
     };
     match (&order.stands, &order.view.mesh) {
+        (Some(Stands { built: Built { told: Some(Tape::Board(filled)), .. }, .. }), _) => {
+            order.care == Care::Draft && !filled.is_stale_at(&order.view.settings)
+        }
         (Some(Stands { built, .. }), _) => walks_quickly(&built.structure, built.scene.prims.len()),
         (None, Some(mesh)) => mesh.prims.len() <= SMALL,
         (None, None) => order.view.example.is_some() || order.stage().is_none_or(flat),
@@ -276,6 +287,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
             }
         }
     };
+    let built = further(built, &order, task)?;
     let mesh = mesh(&order, &built.scene, task);
     if task.is_stopped() {
         return Err(Failure::Cancelled);
@@ -283,6 +295,52 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
     let playback = Playback::new(order.view, built, ray, slide, &stage);
     let playback = playback.ok_or_else(|| wrong("The slide has no ray.".to_owned()))?;
     Ok(Made { playback, mesh })
+}
+
+/// A board measured as far as its order goes: coarsely where its meter was moved; of one that is refined the next that is
+/// left, with all rays, and then times, one after the other.
+fn further(built: Built, order: &Order, task: &Task) -> Result<Built, Failure> {
+    let Some(Tape::Board(filled)) = &built.told else { return Ok(built) };
+    let moved = match Tape::Board(filled.clone()).moved(&order.view.settings) {
+        Tape::Board(moved) => moved,
+        _ => return Ok(built),
+    };
+    let cancelled = |Cancelled| Failure::Cancelled;
+    let scene = built.scene.clone();
+    let measured = match order.care {
+        Care::Draft if moved.is_stale_at(&order.view.settings) => moved.filled(&scene, Care::Draft, &mut Watch(task)),
+        Care::Draft => Ok(moved),
+        Care::Full if moved.care() < Care::Full => moved.filled(&scene, Care::Full, &mut Watch(task)),
+        Care::Full if order.stands.is_some() => {
+            let goes_on = || !task.is_stopped();
+            moved.timed_further(&scene, &Clock::new(&goes_on))
+        }
+        Care::Full => Ok(moved),
+    };
+    let mut measured = measured.map_err(cancelled)?;
+    if !measured.is_clocked && measured.untimed().is_some() {
+        Arc::make_mut(&mut measured).is_clocked = true;
+    }
+    let told = Some(Tape::Board(measured));
+    let nodes = Arc::new(AllNodes::of(&built.structure, told.as_ref()));
+    Ok(Built { told, nodes, ..built })
+}
+
+/// What is said while a board is measured further.
+fn measuring(filled: &BoardTape, settings: &[(String, String)]) -> Arc<Task> {
+    let (of, left) = filled.times();
+    if filled.care() < Care::Full || filled.is_stale_at(settings) || left == 0 {
+        return Task::new("Measuring with more rays", "");
+    }
+    let task = Task::new("Timing", "entries");
+    task.expect(of);
+    task.reach(of - left);
+    task
+}
+
+/// Whether a view is of a slide that plays a board.
+fn plays_board(view: &View, library: &Library) -> bool {
+    library.slides.get(view.slide).is_some_and(|slide| slide.plays == Plays::Board)
 }
 
 /// A solid scene on the GPU; once for all structures over it.

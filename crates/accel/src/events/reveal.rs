@@ -10,7 +10,9 @@ vocabulary! {
         /// and what was measured here, a ray: tests of primitives, nodes or cells entered, volumes tested; then how
         /// many nodes or cells the structure has, and how many bytes. Of a single volume around everything: how much room
         /// it encloses, its surface, how many cuts a test of it takes, its bytes, and the share of the rays that meet it
-        /// and nothing in it. Of packets how many lanes took part in a visit.
+        /// and nothing in it. Of packets how many lanes took part in a visit. What differs from machine to machine:
+        /// millions of rays a second, microseconds of a ray, milliseconds of the building, the part of a picture's time in
+        /// which rays are intersected in percent, and the seconds of a picture of a million rays; and whether any was timed.
         Row ["row"] {
             entry: u32,
             printed: f32,
@@ -26,15 +28,22 @@ vocabulary! {
             cuts: f32,
             vain: f32,
             alive: f32,
+            speed: f32,
+            time: f32,
+            build: f32,
+            share: f32,
+            seconds: f32,
+            timed: bool,
         }
         /// A point of a chart.
         Point ["point"] { entry: u32, x: f32, y: f32 }
-        /// A line of a chart, and its height at its two ends.
-        Line ["line"] { entry: u32, from: f32, to: f32, first: f32, last: f32 }
+        /// A line of a chart, its height at its two ends, and whether it was timed.
+        Line ["line"] { entry: u32, from: f32, to: f32, first: f32, last: f32, timed: bool }
         /// A heat map: what its rays cost in the mean, the least and the most.
         Map ["map"] { entry: u32, mean: f32, least: f32, most: f32 }
-        /// A picture: how many triangles it shows, the rays shot for it, and what each tested in the mean.
-        Picture ["picture"] { entry: u32, triangles: f32, rays: f32, tests: f32 }
+        /// A picture: how many triangles it shows, the rays shot for it, what each tested in the mean, the seconds that it
+        /// took, and whether it was timed.
+        Picture ["picture"] { entry: u32, triangles: f32, rays: f32, tests: f32, seconds: f32, timed: bool }
     }
 }
 

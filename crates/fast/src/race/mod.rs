@@ -5,14 +5,17 @@ mod entrant;
 mod order;
 mod pace;
 mod rung;
+mod runner;
 
-use raystep_accel::{Grow, Hit, Mesh, Observer, Ray, Rule, Structure};
+use rayon::prelude::*;
+use raystep_accel::{Accel, Grow, Hit, Mesh, Observer, Ray, Rule, Structure};
 
 use crate::{FastKind, Settings};
 use entrant::Entrant;
 pub use order::tile_order;
-use pace::Pace;
+pub use pace::Pace;
 pub use rung::Rung;
+pub use runner::Runner;
 
 /// A race over a mesh.
 pub struct Race<'a> {
@@ -69,10 +72,8 @@ impl<'a> Race<'a> {
     ) -> Option<Race<'a>> {
         let pace = Pace { clock, go_on, seconds };
         let mut race = Race { mesh, rays, pace, right: Vec::new() };
-        let (textbook, _) = race.textbook("bvh")?;
-        let mut right = Vec::new();
-        textbook.ask(mesh, rays, &mut right);
-        race.right = right;
+        let textbook = race.built(&Rule::default_for("bvh").ok()?)?;
+        race.right = rays.par_iter().map(|ray| textbook.intersect(mesh, ray, &mut ())).collect();
         Some(race)
     }
 
@@ -142,9 +143,13 @@ impl<'a> Race<'a> {
     /// A structure of the textbook, and the milliseconds of its building.
     fn textbook(&self, kind: &str) -> Option<(Entrant, f64)> {
         let begun = (self.pace.clock)();
-        let rule = Rule::default_for(kind).ok()?;
-        let structure = Structure::build(self.mesh, &rule, &mut While(self.pace.go_on)).ok()?;
+        let structure = self.built(&Rule::default_for(kind).ok()?)?;
         Some((Entrant::Textbook(structure), ((self.pace.clock)() - begun) * 1e3))
+    }
+
+    /// A structure of the textbook; nothing if it shall not go on.
+    fn built(&self, rule: &Rule) -> Option<Structure> {
+        Structure::build(self.mesh, rule, &mut While(self.pace.go_on)).ok()
     }
 
     /// A fast structure, and the milliseconds of its building.

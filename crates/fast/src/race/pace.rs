@@ -3,13 +3,13 @@
 use raystep_accel::Ray;
 
 /// What is timed, and for how long.
-pub(super) struct Pace<'a> {
+pub struct Pace<'a> {
     /// Seconds since any moment.
-    pub(super) clock: &'a dyn Fn() -> f64,
+    pub clock: &'a dyn Fn() -> f64,
     /// Whether to go on.
-    pub(super) go_on: &'a (dyn Fn() -> bool + Sync),
+    pub go_on: &'a (dyn Fn() -> bool + Sync),
     /// For so many seconds, or a little longer.
-    pub(super) seconds: f64,
+    pub seconds: f64,
 }
 
 /// At least so many rounds are timed, and at most.
@@ -23,7 +23,7 @@ const TILE: usize = 64;
 impl Pace<'_> {
     /// As many of the rays, from all over the picture, as can be shot in each of some rounds; nothing if it shall not go
     /// on.
-    pub(super) fn some(&self, rays: &[Ray], mut shoot: impl FnMut(&[Ray])) -> Option<Vec<Ray>> {
+    pub fn some(&self, rays: &[Ray], mut shoot: impl FnMut(&[Ray])) -> Option<Vec<Ray>> {
         let share = self.seconds / (ROUNDS + 1) as f64;
         let begun = (self.clock)();
         let mut tried = 0;
@@ -49,7 +49,7 @@ impl Pace<'_> {
 
     /// The median of the rounds' rays a second, the least and the most, and how many rounds there were; nothing if it shall
     /// not go on.
-    pub(super) fn rounds(&self, rays: usize, mut round: impl FnMut()) -> Option<([f64; 3], usize)> {
+    pub fn rounds(&self, rays: usize, mut round: impl FnMut()) -> Option<([f64; 3], usize)> {
         let begun = (self.clock)();
         let mut speeds = Vec::new();
         while speeds.len() < ROUNDS || ((self.clock)() - begun < self.seconds && speeds.len() < MOST_ROUNDS) {

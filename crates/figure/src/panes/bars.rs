@@ -66,7 +66,9 @@ impl Bars {
             while power <= last {
                 let value = libm::pow(10.0, power);
                 let x = along(value);
-                figure.add(Role::Edge, None, line(Vec2::new(x, top), Vec2::new(x, bottom)));
+                for [above, below] in self.free(x, from, along, top, row, text) {
+                    figure.add(Role::Edge, None, line(Vec2::new(x, above), Vec2::new(x, below)));
+                }
                 let words = crate::words::number(value as f32);
                 let at = Vec2::new(x, bottom + small);
                 put(&mut figure, Role::Quiet, at, &words, small, Face::Regular, Anchor::Middle);
@@ -90,9 +92,35 @@ impl Bars {
                 );
             }
             let role = if bar.value > 0.0 { Role::Value } else { Role::Quiet };
-            let at = Vec2::new(end + text * 0.5, middle);
+            let at = Vec2::new(end + text * BESIDE, middle);
             put(&mut figure, role, at, &bar.says, text, Face::Regular, Anchor::Start);
         }
         figure
     }
+
+    /// The parts of an upright line at `x` that cross no words at the ends of bars.
+    fn free(&self, x: f32, from: f32, along: impl Fn(f64) -> f32, top: f32, row: f32, text: f32) -> Vec<[f32; 2]> {
+        let mut parts: Vec<[f32; 2]> = Vec::new();
+        for (index, bar) in self.bars.iter().enumerate() {
+            let end = if bar.value > 0.0 { along(bar.value) } else { from } + text * BESIDE;
+            let wide = text_width(&bar.says, Face::Regular, text);
+            let (above, middle) = (top + index as f32 * row, top + (index as f32 + 0.5) * row);
+            let pad = text * 0.25;
+            let pieces = if (end - pad..end + wide + pad).contains(&x) {
+                vec![[above, middle - text * 0.75], [middle + text * 0.75, above + row]]
+            } else {
+                vec![[above, above + row]]
+            };
+            for [above, below] in pieces {
+                match parts.last_mut().filter(|last| (last[1] - above).abs() < 1e-3) {
+                    Some(last) => last[1] = below,
+                    None => parts.push([above, below]),
+                }
+            }
+        }
+        parts
+    }
 }
+
+/// From the end of a bar to its words, in letters.
+const BESIDE: f32 = 0.5;

@@ -4,9 +4,11 @@ use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
 
+use raystep_fast::FastKind;
+
 use crate::{Plan, Spot, head, limits, template};
 
-use super::{Column, Formula};
+use super::{Column, Formula, table};
 
 /// A chart of a board.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,8 +63,10 @@ pub enum Stroke {
     /// What is measured over scenes of more and more primitives: their number, and what a ray costs there.
     Growth {
         /// What is built.
-        plan: Plan,
-        /// What is counted: tests, visits, boxes.
+        plan: Option<Plan>,
+        /// Whether a fast hierarchy is built instead.
+        fast: bool,
+        /// What is counted, tests, visits, boxes; or the seconds of a picture.
         of: Column,
         /// The names of the scenes.
         scenes: Vec<String>,
@@ -132,6 +136,9 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let guess = keys.get::<bool>("guess", reading).unwrap_or_default().1;
     let scenes = keys.get::<Vec<String>>("scenes", reading);
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+    let at = keys.at();
+    table::moves(plan.as_ref(), false, at, reading);
+    let fast = table::fast(&mut keys, plan.as_ref(), reading);
     let of = keys.get::<String>("of", reading);
     let at = keys.at();
     let spot = reading.spot(at);
@@ -139,17 +146,29 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let stroke = match (point, law, scenes) {
         (None, None, Some((_, scenes))) => {
             let (of_at, of) = of.unwrap_or((at, Column::Tests.name().to_owned()));
-            let known = Column::COUNTS.into_iter().find(|column| column.name() == of);
+            let counts = [Column::Tests, Column::Visits, Column::Boxes, Column::Picture];
+            let known = counts.into_iter().find(|column| column.name() == of);
             if known.is_none() {
-                reading.problem(of_at, misspelt("count", &of, &Column::COUNTS.map(Column::name)));
+                reading.problem(of_at, misspelt("count", &of, &counts.map(Column::name)));
             }
-            if plan.is_none() {
-                reading.problem(at, "nothing is built: write `structure = { kind = \"kd\" }`");
+            match fast {
+                Some(FastKind::Bvh8) if known == Some(Column::Picture) => {}
+                Some(_) => reading.problem(
+                    at,
+                    "of fast structures only `fast = \"fast-bvh8\"` makes a line, and that of `of = \"seconds\"`",
+                ),
+                None if plan.is_none() => {
+                    reading.problem(at, "nothing is built: write `structure = { kind = \"kd\" }`");
+                }
+                None => {}
             }
             if !(2..=limits::ENTRIES).contains(&scenes.len()) {
                 reading.problem(at, "two scenes or more, one larger than the other, make a line");
             }
-            Stroke::Growth { plan: plan?, of: known?, scenes }
+            if plan.is_none() && fast.is_none() {
+                return None;
+            }
+            Stroke::Growth { plan, fast: fast.is_some(), of: known?, scenes }
         }
         (Some((at, point)), None, None) => {
             let [x, y] = point.as_slice() else {

@@ -3,9 +3,11 @@
 use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
-use crate::{Plan, head};
+use raystep_fast::FastKind;
 
-use super::Column;
+use crate::{Plan, head, template};
+
+use super::{Column, table};
 
 /// Heat maps beside each other, on one scale.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +28,9 @@ pub struct Map {
     /// What it is called.
     pub name: String,
     /// What is built for it.
-    pub plan: Plan,
+    pub plan: Option<Plan>,
+    /// The fast structure that is built instead.
+    pub fast: Option<FastKind>,
     /// When it comes to be seen, among everything on the board.
     pub(crate) step: Option<f32>,
 }
@@ -48,12 +52,18 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Map
     for mut keys in keys.tables("maps", reading) {
         let (name, step) = (keys.need::<String>("name", reading), keys.get::<f32>("step", reading));
         let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
-        if plan.is_none() && !keys.has("structure") {
+        let at = keys.at();
+        table::moves(plan.as_ref(), true, at, reading);
+        let fast = table::fast(&mut keys, plan.as_ref(), reading);
+        if plan.is_none() && fast.is_none() && !keys.has("structure") && !keys.has("fast") {
             reading.problem(keys.at(), "`structure` is missing: write `structure = { kind = \"kd\" }`");
         }
         keys.finish(reading);
-        if let (Some((_, name)), Some(plan)) = (name, plan) {
-            maps.push(Map { name, plan, step: step.map(|(_, step)| step) });
+        if let Some((at, name)) = &name {
+            template::check_said(name, *at, "map", reading);
+        }
+        if let (Some((_, name)), true) = (name, plan.is_some() || fast.is_some()) {
+            maps.push(Map { name, plan, fast, step: step.map(|(_, step)| step) });
         }
     }
     if maps.is_empty() || maps.len() > 3 {

@@ -10,6 +10,7 @@ use raystep_scene::{Scene, Scenes, View};
 
 use crate::Plan;
 
+use super::table::{Lanes, Runs};
 use super::{Care, Column, rows, standing};
 
 /// Counts of one structure over the rays of one picture.
@@ -38,6 +39,10 @@ pub struct How {
     pub lanes: Option<Width>,
     /// A kd-tree's nodes are laid out so, on a machine of 64 bits.
     pub layout: Option<KdLayout>,
+    /// On what it runs, where it is timed.
+    pub runs: Runs,
+    /// With which instructions, if not with the best.
+    pub isa: Option<Lanes>,
 }
 
 /// Pixels across and down the picture that is measured.
@@ -226,6 +231,30 @@ impl Measured {
 }
 
 impl Counted {
+    /// What each ray of a scene's close view costs through a fast structure; nothing over a scene that is no mesh.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(crate) fn of_fast(
+        kind: FastKind,
+        of: Column,
+        scene: &Scene,
+        care: Care,
+        watch: &impl Observer<Grow>,
+    ) -> Result<Option<Counted>, Cancelled> {
+        let Prims::Mesh(mesh) = &scene.prims else { return Ok(None) };
+        let (fast, view, size) = (kind.build(mesh, &Settings::default()), scene.close_view(), care.of(MAP));
+        let count = |x: u32, y: u32| {
+            let mut cost = Cost::default();
+            if let Ok(ray) = through(&view, size, [x, y]) {
+                fast.walk(&ray, Want::Nearest, &mut cost);
+            }
+            of.count(&cost) as u32
+        };
+        let rows = rows::each(size[1], watch, |y| (0..size[0]).map(|x| count(x, y)).collect::<Vec<_>>())?;
+        Ok(Some(Counted { size, counts: rows.concat() }))
+    }
+
     /// Builds what `plan` says over a scene and counts what each ray of its close view costs.
     ///
     /// # Errors
@@ -258,7 +287,7 @@ fn bytes(structure: &Structure, how: How) -> u64 {
 }
 
 /// The ray through the middle of a pixel.
-fn through(view: &View, [width, height]: [u32; 2], [x, y]: [u32; 2]) -> Result<Ray, RayError> {
+pub(super) fn through(view: &View, [width, height]: [u32; 2], [x, y]: [u32; 2]) -> Result<Ray, RayError> {
     let size = Vec2::new(width as f32, height as f32);
     let at = (Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
     pinhole(view.eye, view.target, view.up, view.fov_degrees, at, size.x / size.y)

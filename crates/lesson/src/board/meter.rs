@@ -79,6 +79,16 @@ impl Meter {
     }
 }
 
+impl Meter {
+    /// Its numbers as they stand at first, all at their lower ends, and all at their upper ones.
+    pub(crate) fn ends(&self) -> Vec<Numbers> {
+        let all = |of: fn(&Number) -> f64| {
+            Numbers(self.numbers.iter().map(|number| (number.name.clone(), of(number))).collect())
+        };
+        vec![all(|number| number.is), all(|number| number.from), all(|number| number.to)]
+    }
+}
+
 impl Number {
     /// What a text sets it to.
     ///

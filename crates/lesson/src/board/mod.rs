@@ -14,6 +14,7 @@ mod smooth;
 mod standing;
 mod table;
 mod tape;
+mod timing;
 
 pub use care::Care;
 pub use chart::{Chart, Drawn, Scale, Stroke};
@@ -23,7 +24,8 @@ pub use measure::{Counted, How, Measured};
 pub use meter::{Given, Meter, Number, Numbers};
 pub use panel::{Board, Entry, Panel};
 pub use picture::{Picture, Pictures, Rendered};
-pub use table::{Cell, Column, Row, Table};
+pub use table::{Cell, Column, Lanes, Row, Runs, Table};
 pub use tape::BoardTape;
+pub use timing::{Stopwatch, Timed, Timing};
 
 pub(crate) use panel::read;

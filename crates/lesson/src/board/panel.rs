@@ -83,15 +83,42 @@ impl Board {
     }
 
     /// Everything that is built to be measured.
-    pub(crate) fn plans(&self) -> impl Iterator<Item = &Plan> {
+    pub(crate) fn plans(&self) -> Vec<&Plan> {
         let entries = self.order().into_iter().filter_map(|at| self.entry(at));
-        entries.filter_map(|entry| match entry {
+        let plans = entries.filter_map(|entry| match entry {
             Entry::Row(row) => row.plan.as_ref(),
-            Entry::Map(map, _) => Some(&map.plan),
+            Entry::Map(map, _) => map.plan.as_ref(),
             Entry::Picture(picture) => Some(&picture.plan),
-            Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, .. }, .. }) => Some(plan),
+            Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, .. }, .. }) => plan.as_ref(),
             Entry::Drawn(_) => None,
-        })
+        });
+        plans.collect()
+    }
+
+    /// The plans that are built to be measured, those that move with the meter at the ends of its numbers.
+    pub(crate) fn plans_at_ends(&self) -> Vec<Plan> {
+        let ends = self.meter().map_or_else(Vec::new, Meter::ends);
+        let mut plans = Vec::new();
+        for plan in self.plans() {
+            match plan.is_moved() {
+                true => plans.extend(ends.iter().map(|numbers| plan.at(numbers))),
+                false => plans.push(plan.clone()),
+            }
+        }
+        // What names no number of the meter was told already.
+        plans.iter_mut().for_each(|plan| plan.settings.retain(|setting| setting.value != "NaN"));
+        plans
+    }
+
+    /// Whether something is counted at a place of a panel: a table that has only times counts nothing.
+    pub(crate) fn measures(&self, (panel, _): (usize, usize)) -> bool {
+        match self.panels.get(panel) {
+            Some(Panel::Table(table)) => {
+                table.columns.iter().any(|(column, _)| column.is_measured() && !column.is_timed())
+            }
+            Some(Panel::Chart(_) | Panel::Meter(_) | Panel::Maps(_) | Panel::Pictures(_)) => true,
+            None => false,
+        }
     }
 
     /// The scenes that are named on it beside its own, and where.

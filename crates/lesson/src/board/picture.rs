@@ -6,12 +6,13 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use glam::{Vec2, Vec3};
 use raystep_accel::{
     Accel, Appraisal, BvhVolume, Cancelled, Cost, Grow, Hit, Observer, Outline, PrimId, Primitives, Prims, Ray, Shape,
-    Structure, pinhole,
+    Structure, Want, pinhole,
 };
 use raystep_scene::{Scene, Scenes, View};
 
 use super::care::Care;
 use super::smooth::Smooth;
+use super::timing::{Stopwatch, While};
 use super::{rows, standing};
 use crate::keys::Keys;
 use crate::reading::Reading;
@@ -26,6 +27,8 @@ pub struct Pictures {
     pub title: String,
     /// What stands behind the title.
     pub about: String,
+    /// Whether the seconds are told that they take.
+    pub times: bool,
     /// The pictures.
     pub pictures: Vec<Picture>,
 }
@@ -88,12 +91,15 @@ const MOST: usize = 6;
 /// Reads `[[picture]]`.
 pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pictures> {
     let (title, about) = (keys.need::<String>("title", reading), keys.get::<String>("about", reading));
+    let times = keys.get::<bool>("times", reading).unwrap_or_default().1;
     let mut pictures = Vec::new();
     for mut keys in keys.tables("pictures", reading) {
         let spot = reading.spot(keys.at());
         let (name, step) = (keys.need::<String>("name", reading), keys.get::<f32>("step", reading));
         let scene = keys.get::<String>("scene", reading).map(|(_, scene)| scene);
         let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+        let at = keys.at();
+        table::moves(plan.as_ref(), false, at, reading);
         let (eye, target) = (keys.get::<Vec3>("eye", reading), keys.get::<Vec3>("target", reading));
         let fov = keys.get::<f32>("fov_degrees", reading).map_or(40.0, |(_, fov)| fov);
         let volume = table::volume(&mut keys, reading);
@@ -120,7 +126,7 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pic
     for picture in &mut pictures {
         picture.size = size;
     }
-    Some(Pictures { title: title?.1, about: about.unwrap_or_default().1, pictures })
+    Some(Pictures { title: title?.1, about: about.unwrap_or_default().1, times, pictures })
 }
 
 /// Pictures that were made, by what they show: slides share them.
@@ -154,6 +160,29 @@ impl Rendered {
         if let Some(made) = known().get(&key) {
             return Ok(Some(made.clone()));
         }
+        let Some(made) = Rendered::made(picture, scene, care, watch)? else { return Ok(None) };
+        known().insert(key, made.clone());
+        Ok(Some(made))
+    }
+
+    /// Makes a picture in full, also where it was made before.
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(super) fn anew(
+        picture: &Picture,
+        scene: &Scene,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Option<Rendered>, Cancelled> {
+        Rendered::made(picture, scene, Care::Full, watch)
+    }
+
+    fn made(
+        picture: &Picture,
+        scene: &Scene,
+        care: Care,
+        watch: &mut impl Observer<Grow>,
+    ) -> Result<Option<Rendered>, Cancelled> {
         let Some(structure) = standing::structure(&picture.plan, scene, watch)? else { return Ok(None) };
         let mut view = scene.view;
         if let Some((eye, target, fov_degrees)) = picture.view {
@@ -161,10 +190,128 @@ impl Rendered {
         }
         let (sun, smooth, size) = (sun(&view), Smooth::of(&scene.prims), care.of(picture.size));
         let outline = picture.volume.map(|volume| Arc::new(Appraisal::outline(&scene.prims, volume)));
-        let camera = Camera { scene, structure: &structure, view, sun, smooth, size, care };
-        let made = Rendered { outline, ..camera.render(watch)? };
-        known().insert(key, made.clone());
+        let through = Textbook { structure: &structure, prims: &scene.prims };
+        let camera = Camera { scene, through: &through, view, sun, smooth: &smooth, size, care };
+        let mut made = Rendered { outline, ..camera.render(watch)? };
+        // Of a draft only the counts are coarse, where a fast structure knows what is hit.
+        if let (Care::Draft, Some(fast)) = (care, standing::fast(scene)) {
+            let through = Quick { fast: &fast };
+            let size = picture.size.map(|side| side / QUICK);
+            let sharp = Camera { size, ..camera.answered(&through) }.render(watch)?;
+            (made.size, made.rgba) = (sharp.size, sharp.rgba);
+        }
         Ok(Some(made))
+    }
+
+    /// Of the time of a small picture of a scene, made on one thread through what a plan says, the part in which rays are
+    /// intersected: the same rays are shot once more without anything else being done. The median of a few rounds;
+    /// nothing where there is nothing to build.
+    ///
+    /// # Errors
+    /// Nobody waits any more.
+    pub(super) fn share(plan: &Plan, scene: &Scene, stopwatch: &dyn Stopwatch) -> Result<Option<f64>, Cancelled> {
+        let mut watch = While(stopwatch);
+        let Some(structure) = standing::structure(plan, scene, &mut watch)? else { return Ok(None) };
+        let view = scene.close_view();
+        let (sun, smooth) = (sun(&view), Smooth::of(&scene.prims));
+        let through = Textbook { structure: &structure, prims: &scene.prims };
+        let asked = Asked { through: &through, rays: Mutex::default() };
+        let size = if matches!(*structure, Structure::List(_)) { SHARED_BY_ALL } else { SHARED };
+        let camera = Camera { scene, through: &asked, view, sun, smooth: &smooth, size, care: Care::Draft };
+        std::hint::black_box(camera.colors());
+        let camera = camera.answered(&through);
+        let rays = std::mem::take(&mut *asked.rays.lock().unwrap_or_else(PoisonError::into_inner));
+        let mut shares = Vec::new();
+        for _ in 0..ROUNDS {
+            if watch.cancelled() {
+                return Err(Cancelled);
+            }
+            let begun = stopwatch.seconds();
+            std::hint::black_box(camera.colors());
+            let whole = stopwatch.seconds() - begun;
+            let begun = stopwatch.seconds();
+            let mut cost = Cost::default();
+            for (ray, want) in &rays {
+                match want {
+                    Want::Nearest => _ = std::hint::black_box(through.nearest(ray, &mut cost)),
+                    Want::Any => _ = std::hint::black_box(through.any(ray, &mut cost)),
+                }
+            }
+            std::hint::black_box(cost);
+            shares.push(((stopwatch.seconds() - begun) / whole.max(1e-9)).min(1.0));
+        }
+        shares.sort_by(f64::total_cmp);
+        Ok(Some(shares[ROUNDS / 2]))
+    }
+}
+
+/// Pixels of a draft that a fast structure draws are so many times as large as those of the picture.
+const QUICK: u32 = 2;
+
+/// The pictures of which it is told in which part of the time rays are intersected.
+const SHARED: [u32; 2] = [192, 120];
+const SHARED_BY_ALL: [u32; 2] = [64, 40];
+/// How often they are made.
+const ROUNDS: usize = 5;
+
+/// What answers the rays of a picture.
+trait Through: Sync {
+    fn nearest(&self, ray: &Ray, cost: &mut Cost) -> Option<Hit>;
+    fn any(&self, ray: &Ray, cost: &mut Cost) -> bool;
+}
+
+/// A structure of the textbook.
+struct Textbook<'a> {
+    structure: &'a Structure,
+    prims: &'a Prims,
+}
+
+impl Through for Textbook<'_> {
+    fn nearest(&self, ray: &Ray, cost: &mut Cost) -> Option<Hit> {
+        self.structure.intersect(self.prims, ray, cost)
+    }
+
+    fn any(&self, ray: &Ray, cost: &mut Cost) -> bool {
+        self.structure.occluded(self.prims, ray, cost)
+    }
+}
+
+/// A fast structure: it answers as the textbook does, to the bit.
+struct Quick<'a> {
+    fast: &'a standing::Quick,
+}
+
+impl Through for Quick<'_> {
+    fn nearest(&self, ray: &Ray, _: &mut Cost) -> Option<Hit> {
+        self.fast.nearest(ray)
+    }
+
+    fn any(&self, ray: &Ray, _: &mut Cost) -> bool {
+        self.fast.any(ray)
+    }
+}
+
+/// Keeps what was asked.
+struct Asked<'a> {
+    through: &'a Textbook<'a>,
+    rays: Mutex<Vec<(Ray, Want)>>,
+}
+
+impl Asked<'_> {
+    fn keep(&self, ray: &Ray, want: Want) {
+        self.rays.lock().unwrap_or_else(PoisonError::into_inner).push((*ray, want));
+    }
+}
+
+impl Through for Asked<'_> {
+    fn nearest(&self, ray: &Ray, cost: &mut Cost) -> Option<Hit> {
+        self.keep(ray, Want::Nearest);
+        self.through.nearest(ray, cost)
+    }
+
+    fn any(&self, ray: &Ray, cost: &mut Cost) -> bool {
+        self.keep(ray, Want::Any);
+        self.through.any(ray, cost)
     }
 }
 
@@ -176,12 +323,12 @@ fn sun(view: &View) -> Vec3 {
 }
 
 /// A scene, how it is seen, and from where the sun shines.
-struct Camera<'a> {
+struct Camera<'a, T> {
     scene: &'a Scene,
-    structure: &'a Structure,
+    through: &'a T,
     view: View,
     sun: Vec3,
-    smooth: Smooth,
+    smooth: &'a Smooth,
     size: [u32; 2],
     care: Care,
 }
@@ -193,7 +340,22 @@ struct Line {
     rays: u64,
 }
 
-impl Camera<'_> {
+impl<'a, T: Through> Camera<'a, T> {
+    /// The same camera, its rays answered otherwise.
+    fn answered<O: Through>(&self, through: &'a O) -> Camera<'a, O> {
+        let &Camera { scene, view, sun, smooth, size, care, .. } = self;
+        Camera { scene, through, view, sun, smooth, size, care }
+    }
+
+    /// All pixels, one after the other.
+    fn colors(&self) -> Vec<Vec3> {
+        let [width, height] = self.size;
+        let size = Vec2::new(width as f32, height as f32);
+        let (mut cost, mut rays) = (Cost::default(), 0);
+        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| Vec2::new(x as f32 + 0.5, y as f32 + 0.5)));
+        pixels.map(|middle| self.light(middle / size, &mut cost, &mut rays)).collect()
+    }
+
     fn render(&self, watch: &impl Observer<Grow>) -> Result<Rendered, Cancelled> {
         let [width, height] = self.size;
         let size = Vec2::new(width as f32, height as f32);
@@ -201,7 +363,7 @@ impl Camera<'_> {
             let mut line = Line { colors: Vec::with_capacity(width as usize), cost: Cost::default(), rays: 0 };
             for x in 0..width {
                 let middle = Vec2::new(x as f32 + 0.5, y as f32 + 0.5) / size;
-                let color = self.through(middle, &mut line.cost, &mut line.rays);
+                let color = self.light(middle, &mut line.cost, &mut line.rays);
                 line.colors.push(color);
             }
             line
@@ -239,7 +401,7 @@ impl Camera<'_> {
     }
 
     /// The light that comes through a point of the page: (0, 0) is its upper left corner, (1, 1) its lower right one.
-    fn through(&self, at: Vec2, cost: &mut Cost, rays: &mut u64) -> Vec3 {
+    fn light(&self, at: Vec2, cost: &mut Cost, rays: &mut u64) -> Vec3 {
         let at = (at * 2.0 - 1.0) * Vec2::new(1.0, -1.0);
         let View { eye, target, up, fov_degrees } = self.view;
         match pinhole(eye, target, up, fov_degrees, at, self.size[0] as f32 / self.size[1] as f32) {
@@ -253,7 +415,7 @@ impl Camera<'_> {
         let mut sum = Vec3::ZERO;
         for sample in 0..FINE * FINE {
             let within = (Vec2::new((sample % FINE) as f32, (sample / FINE) as f32) + 0.5) / FINE as f32;
-            sum += self.through((Vec2::new(x as f32, y as f32) + within) / size, cost, rays);
+            sum += self.light((Vec2::new(x as f32, y as f32) + within) / size, cost, rays);
         }
         sum / (FINE * FINE) as f32
     }
@@ -262,7 +424,7 @@ impl Camera<'_> {
     fn color(&self, ray: &Ray, cost: &mut Cost, rays: &mut u64) -> Vec3 {
         *rays += 1;
         let sky = sky(ray.d.dot(self.view.up));
-        let Some(hit) = self.structure.intersect(&self.scene.prims, ray, cost) else { return sky };
+        let Some(hit) = self.through.nearest(ray, cost) else { return sky };
         let shape = self.scene.prims.met(&hit);
         let from = ray.at(hit.t);
         let flat = normal(&shape, ray);
@@ -274,7 +436,7 @@ impl Camera<'_> {
         let dark = lit > 0.0
             && shadow.is_ok_and(|ray| {
                 *rays += 1;
-                self.structure.occluded(&self.scene.prims, &ray, cost)
+                self.through.any(&ray, cost)
             });
         let sun = if dark { 0.0 } else { lit };
         // From above comes the sky's light, from below that of the ground.

@@ -4,7 +4,8 @@ use std::collections::VecDeque;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
-use raystep_accel::{Cancelled, Grow, Observer, Prims, Structure};
+use raystep_accel::{Cancelled, Grow, Hit, Observer, Prims, Ray, Structure};
+use raystep_fast::{Bvh8, Fast, Settings, TwoLevels};
 use raystep_scene::Scene;
 
 use crate::Plan;
@@ -44,6 +45,41 @@ pub(super) fn structure(
     let fit = many.unwrap_or(kept.len()).max(1);
     kept.truncate(fit);
     Ok(Some(built))
+}
+
+/// A fast structure over meshes, and over instances of them. It answers as those of the textbook do, to the bit.
+pub(super) enum Quick {
+    /// Over a mesh.
+    Mesh(Bvh8),
+    /// Over instances.
+    Instances(TwoLevels),
+}
+
+impl Quick {
+    /// The nearest hit.
+    pub(super) fn nearest(&self, ray: &Ray) -> Option<Hit> {
+        match self {
+            Quick::Mesh(tree) => tree.intersect(ray),
+            Quick::Instances(tree) => tree.intersect(ray),
+        }
+    }
+
+    /// Whether there is any hit.
+    pub(super) fn any(&self, ray: &Ray) -> bool {
+        match self {
+            Quick::Mesh(tree) => tree.occluded(ray),
+            Quick::Instances(tree) => tree.occluded(ray),
+        }
+    }
+}
+
+/// A fast structure over a scene; nothing where there is none over such primitives.
+pub(super) fn fast(scene: &Scene) -> Option<Quick> {
+    match &scene.prims {
+        Prims::Mesh(mesh) => Some(Quick::Mesh(Bvh8::build(mesh, &Settings::default()))),
+        Prims::Instances(instances) => Some(Quick::Instances(TwoLevels::build(instances, &Settings::default()))),
+        _ => None,
+    }
 }
 
 /// A number by which primitives are known again.

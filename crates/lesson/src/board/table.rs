@@ -55,11 +55,54 @@ pub enum Column {
     Vain,
     /// Lanes of a packet that took part in a visit.
     Alive,
+    /// Millions of rays a second, timed here.
+    Speed,
+    /// The slowest and the quickest round of them.
+    Spread,
+    /// Microseconds of a ray.
+    Time,
+    /// Milliseconds of the building.
+    Build,
+    /// Of the time of a picture, the part in which rays are intersected.
+    Share,
+    /// Seconds of a picture of a million rays.
+    Picture,
+    /// Words of the slide: what was.
+    Before,
+    /// Words of the slide: what has come of it.
+    After,
+}
+
+/// On what a structure runs that is timed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Runs {
+    /// On one thread.
+    #[default]
+    Alone,
+    /// On all threads.
+    Threads,
+    /// On a graphics card.
+    GraphicsCard,
+}
+
+/// Which instructions a fast structure is walked with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lanes {
+    /// What the compiler makes of plain arrays.
+    Portable,
+    /// Those of that name.
+    Named(&'static str),
+}
+
+impl Lanes {
+    /// How slides write them.
+    const NAMES: [(&'static str, Lanes); 3] =
+        [("portable", Lanes::Portable), ("avx2", Lanes::Named("avx2")), ("avx512", Lanes::Named("avx512"))];
 }
 
 impl Column {
     /// All of them, with the names that slides and facts give them.
-    pub const NAMES: [(&'static str, Column); 13] = [
+    pub const NAMES: [(&'static str, Column); 21] = [
         ("printed", Column::Printed),
         ("total", Column::Total),
         ("computed", Column::Computed),
@@ -73,6 +116,14 @@ impl Column {
         ("cuts", Column::Cuts),
         ("vain", Column::Vain),
         ("alive", Column::Alive),
+        ("speed", Column::Speed),
+        ("spread", Column::Spread),
+        ("time", Column::Time),
+        ("build", Column::Build),
+        ("share", Column::Share),
+        ("seconds", Column::Picture),
+        ("before", Column::Before),
+        ("after", Column::After),
     ];
 
     /// What can be counted of a ray.
@@ -92,9 +143,15 @@ impl Column {
         Column::NAMES[self as usize].0
     }
 
+    /// Whether it is a time, or follows from one: such numbers differ from machine to machine.
+    pub fn is_timed(self) -> bool {
+        use Column::{Build, Picture, Share, Speed, Spread, Time};
+        matches!(self, Speed | Spread | Time | Build | Share | Picture)
+    }
+
     /// Whether it is measured here.
     pub fn is_measured(self) -> bool {
-        !matches!(self, Column::Printed | Column::Total | Column::Computed)
+        !matches!(self, Column::Printed | Column::Total | Column::Computed | Column::Before | Column::After)
     }
 }
 
@@ -196,9 +253,11 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
     let volume = volume(&mut keys, reading);
     let fast = fast(&mut keys, plan.as_ref(), reading);
-    let how = how(&mut keys, plan.as_ref(), reading);
+    let at = keys.at();
+    moves(plan.as_ref(), true, at, reading);
+    let how = how(&mut keys, plan.as_ref(), fast, reading);
     let mut cells = Vec::new();
-    for column in [Column::Printed, Column::Total] {
+    for column in [Column::Printed, Column::Total, Column::Before, Column::After] {
         if let Some((at, text)) = keys.get::<String>(column.name(), reading) {
             if text.chars().count() > limits::TITLE {
                 reading.problem(at, format!("a cell has at most {} letters", limits::TITLE));
@@ -234,8 +293,24 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     })
 }
 
+/// Says so if a plan follows numbers that the meter has not, or follows any where nothing `can` move.
+pub(super) fn moves(plan: Option<&Plan>, can: bool, at: usize, reading: &mut Reading<'_>) {
+    for setting in plan.iter().flat_map(|plan| &plan.settings) {
+        for name in template::named(&setting.value) {
+            if !can {
+                reading
+                    .problem(at, format!("`{}` cannot move with the meter here: it moves rows and maps", setting.key));
+            } else if !reading.numbers.iter().any(|known| known == name) {
+                let known: Vec<&str> = reading.numbers.iter().map(String::as_str).collect();
+                let message = misspelt("number of the meter", name, &known);
+                reading.problem(at, message);
+            }
+        }
+    }
+}
+
 /// `fast = "fast-bvh8"`: a structure of the last chapter at full speed.
-fn fast(keys: &mut Keys<'_>, plan: Option<&Plan>, reading: &mut Reading<'_>) -> Option<FastKind> {
+pub(super) fn fast(keys: &mut Keys<'_>, plan: Option<&Plan>, reading: &mut Reading<'_>) -> Option<FastKind> {
     let (at, name) = keys.get::<String>("fast", reading)?;
     let known = FastKind::ALL.into_iter().find(|kind| kind.name() == name);
     if known.is_none() {
@@ -246,8 +321,8 @@ fn fast(keys: &mut Keys<'_>, plan: Option<&Plan>, reading: &mut Reading<'_>) -> 
     known
 }
 
-/// `lanes = 4`, `layout = "plain"`: how the row's structure is walked and stored.
-fn how(keys: &mut Keys<'_>, plan: Option<&Plan>, reading: &mut Reading<'_>) -> How {
+/// `lanes = 4`, `layout = "plain"`, `runs = "threads"`, `isa = "portable"`: how the row's structure is walked and stored.
+fn how(keys: &mut Keys<'_>, plan: Option<&Plan>, fast: Option<FastKind>, reading: &mut Reading<'_>) -> How {
     let kind = plan.map_or("", |plan| plan.kind.as_str());
     let lanes = keys.get::<f32>("lanes", reading).and_then(|(at, lanes)| {
         let width = Width::ALL.iter().copied().find(|width| width.lanes() as f32 == lanes);
@@ -268,5 +343,27 @@ fn how(keys: &mut Keys<'_>, plan: Option<&Plan>, reading: &mut Reading<'_>) -> H
         }
         layout
     });
-    How { lanes, layout }
+    let runs = keys.get::<String>("runs", reading).and_then(|(at, name)| {
+        const RUNS: [(&str, Runs); 2] = [("threads", Runs::Threads), ("gpu", Runs::GraphicsCard)];
+        let runs = RUNS.into_iter().find(|(known, _)| *known == name);
+        match (runs, fast) {
+            (None, _) => reading.problem(at, misspelt("way to run", &name, &RUNS.map(|(known, _)| known))),
+            (Some((_, Runs::GraphicsCard)), kind) if kind != Some(FastKind::Bvh2) => {
+                reading.problem(at, "a graphics card walks `fast = \"fast-bvh2\"` alone");
+            }
+            (Some(_), None) => reading.problem(at, "only a `fast` structure runs on `threads`"),
+            (Some(_), Some(_)) => {}
+        }
+        runs.map(|(_, runs)| runs)
+    });
+    let isa = keys.get::<String>("isa", reading).and_then(|(at, name)| {
+        let isa = Lanes::NAMES.into_iter().find(|(known, _)| *known == name);
+        if isa.is_none() {
+            reading.problem(at, misspelt("set of instructions", &name, &Lanes::NAMES.map(|(known, _)| known)));
+        } else if fast.is_none() {
+            reading.problem(at, "only a `fast` structure is walked with instructions of one's choice");
+        }
+        isa.map(|(_, isa)| isa)
+    });
+    How { lanes, layout, runs: runs.unwrap_or_default(), isa }
 }

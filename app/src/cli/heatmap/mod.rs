@@ -1,15 +1,21 @@
-//! `raystep heatmap`: what each ray of a picture costs, as a picture or a table.
+//! `raystep heatmap`: what each ray of a picture costs, or what it sees, as a picture or a table.
+
+mod seen;
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use glam::Vec2;
-use raystep_accel::{Rule, Structure};
-use raystep_figure::{Ask, Figure, Ink, Look as Letters, Maps, Pane, Role, Theme};
+use raystep_accel::{Prims, Rule, Structure};
+use raystep_fast::Settings;
+use raystep_figure::{Ask, Figure, Image, Ink, Look as Letters, Maps, Pane, Role, Theme, whole};
 use raystep_lesson::Column;
 use raystep_print::{png, svg};
+use raystep_scene::Scene;
+use seen::{Seen, Sees};
 
 use super::measure::bar;
 use super::measure::look::{Look, Shot};
@@ -17,7 +23,7 @@ use super::subject::Subject;
 use crate::export::Size;
 use crate::fault::Fault;
 use crate::files;
-use crate::shown::heat::{Heated, Wish};
+use crate::shown::heat::{Heated, Walked, Wish};
 use crate::shown::kind_name::kind_name;
 
 /// What to count, and where to write it.
@@ -32,7 +38,7 @@ pub struct HeatmapArguments {
     /// The size of the map: a ray for each pixel.
     #[arg(long, value_name = "WxH", default_value = "640x400")]
     size: Size,
-    /// What is counted of each ray.
+    /// What is counted of each ray, or seen along it.
     #[arg(long, value_name = "COUNT", default_value = "tests")]
     of: Of,
     /// Where to write: a picture (.png), or the numbers (.csv), a line for each row of pixels from above.
@@ -52,6 +58,26 @@ enum Of {
     Visits,
     /// Volumes tested.
     Boxes,
+    /// No count: how far away is what the ray hits.
+    Depth,
+    /// No count: which way that faces.
+    Normal,
+    /// No count: how it looks in the light of a sun, with shadows.
+    Shaded,
+}
+
+impl Of {
+    /// What is counted, or what is seen.
+    fn told(self) -> Result<Column, Sees> {
+        match self {
+            Of::Tests => Ok(Column::Tests),
+            Of::Visits => Ok(Column::Visits),
+            Of::Boxes => Ok(Column::Boxes),
+            Of::Depth => Err(Sees::Depth),
+            Of::Normal => Err(Sees::Normal),
+            Of::Shaded => Err(Sees::Shaded),
+        }
+    }
 }
 
 /// What a file can hold.
@@ -79,33 +105,70 @@ pub(crate) fn run(arguments: &HeatmapArguments) -> Result<(), Fault> {
             scene.name
         )));
     }
-    let rule = arguments.subject.rule(false)?;
-    let structure = Structure::build(&scene.prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))?;
     let Shot { camera, size, .. } = Shot::of(&scene, arguments.camera, arguments.size, false);
     let size: Vec2 = size.into();
     let rays = [size.x as u32, size.y as u32];
     // A camera that sees nothing is said before anything is counted.
     camera.ray(Vec2::ZERO, size).map_err(|error| Fault::new(format!("--camera shoots no rays: {error}")))?;
-    let of = match arguments.of {
-        Of::Tests => Column::Tests,
-        Of::Visits => Column::Visits,
-        Of::Boxes => Column::Boxes,
+    let (name, walked) = walked(&arguments.subject, &scene)?;
+    let of = match arguments.of.told() {
+        Ok(of) => of,
+        Err(sees) => {
+            let seen = Seen::of(&scene, &walked, camera, rays, sees);
+            said(rays, &seen.took, "seen");
+            let bytes = match kind {
+                Kind::Picture => painted(size, seen.image())?,
+                Kind::Numbers => seen.numbers().into_bytes(),
+            };
+            return files::write(&arguments.out, &bytes);
+        }
     };
-    let structures = vec![(name(&rule), Arc::new(structure))];
-    let wish = Wish { scene: Arc::new(scene), structures, of, camera, size };
+    let wish = Wish { scene: Arc::new(scene), structures: vec![(name, walked)], of, camera, size };
+    // What somebody would see first who waits for it.
+    let begun = Instant::now();
+    let coarse = rays.map(|side| side.div_ceil(COARSE).max(1));
+    wish.clone().count(coarse, &|| true);
+    let first = begun.elapsed();
     let bar = bar(u64::from(rays[1]), "rows");
     let counting = || {
         bar.inc(1);
         true
     };
+    let begun = Instant::now();
     let heated = wish.count(rays, &counting);
+    let took = begun.elapsed();
     bar.finish_and_clear();
     let heated = heated.ok_or_else(|| Fault::new("nothing was counted"))?;
+    files::say(&format!("a first map of {} × {} rays in {:.1} ms", coarse[0], coarse[1], first.as_secs_f64() * 1e3));
+    said(rays, &took, "counted");
     let bytes = match kind {
         Kind::Picture => picture(&heated, size, arguments.bare)?,
         Kind::Numbers => numbers(&heated).into_bytes(),
     };
     files::write(&arguments.out, &bytes)
+}
+
+/// A pixel of the first map is as wide and as high as so many of the last one.
+const COARSE: u32 = 8;
+
+/// How long it took.
+fn said(rays: [u32; 2], took: &Duration, what: &str) {
+    let (seconds, threads) = (took.as_secs_f64(), rayon::current_num_threads());
+    let all = u64::from(rays[0]) * u64::from(rays[1]);
+    files::say(&format!("{} rays {what} in {seconds:.3} s on {threads} threads", whole(all)));
+}
+
+/// The structure that is named, and what it is called.
+fn walked(subject: &Subject, scene: &Scene) -> Result<(String, Walked), Fault> {
+    if let Some(kind) = subject.fast()? {
+        let Prims::Mesh(mesh) = &scene.prims else {
+            return Err(Fault::new(format!("{} is no mesh: {} stands over triangles alone", scene.name, kind.name())));
+        };
+        return Ok((kind.name().to_owned(), Walked::Fast(Arc::new(kind.build(mesh, &Settings::default())))));
+    }
+    let rule = subject.rule(false)?;
+    let structure = Structure::build(&scene.prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))?;
+    Ok((name(&rule), Walked::Textbook(Arc::new(structure))))
 }
 
 /// What a file of that name holds.
@@ -130,21 +193,22 @@ fn name(rule: &Rule) -> String {
 
 /// The map with its scale; bare, its pixels alone.
 fn picture(heated: &Heated, size: Vec2, bare: bool) -> Result<Vec<u8>, Fault> {
-    let wrong = |error: &dyn std::fmt::Display| Fault::new(error.to_string());
-    let mut figure;
-    if bare {
-        figure = Figure::new(size);
-        if let Some(image) = heated.maps().and_then(|maps| maps.image(0)) {
-            figure.add(Role::Scene, None, Ink::Image { min: Vec2::ZERO, max: size, image: image.clone() });
-        }
-    } else {
-        // In a small picture letters are smaller, so that its words fit.
-        let look = Letters { text: LETTERS.min(size.y / 12.0).max(9.0), titles: true, least: 0.0 };
-        let room = Maps::room(size, 1, &look);
-        let room = Vec2::new(room.x.max(look.text * 34.0).ceil(), room.y);
-        figure = heated.reel().still(&heated.instant()).draw(Pane::Picture, &Ask::new(room, look));
+    if bare && let Some(image) = heated.maps().and_then(|maps| maps.image(0)) {
+        return painted(size, image.clone());
     }
-    png(&svg(&figure, &Theme::LIGHT), 1.0).map_err(|error| wrong(&error))
+    // In a small picture letters are smaller, so that its words fit.
+    let look = Letters { text: LETTERS.min(size.y / 12.0).max(9.0), titles: true, least: 0.0 };
+    let room = Maps::room(size, 1, &look);
+    let room = Vec2::new(room.x.max(look.text * 34.0).ceil(), room.y);
+    let figure = heated.reel().still(&heated.instant()).draw(Pane::Picture, &Ask::new(room, look));
+    png(&svg(&figure, &Theme::LIGHT), 1.0).map_err(|error| Fault::new(error.to_string()))
+}
+
+/// Pixels alone.
+fn painted(size: Vec2, image: Image) -> Result<Vec<u8>, Fault> {
+    let mut figure = Figure::new(size);
+    figure.add(Role::Scene, None, Ink::Image { min: Vec2::ZERO, max: size, image });
+    png(&svg(&figure, &Theme::LIGHT), 1.0).map_err(|error| Fault::new(error.to_string()))
 }
 
 /// A line for each row of pixels, from above.
