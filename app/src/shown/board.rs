@@ -131,7 +131,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
             Column::Printed | Column::Nodes | Column::Bytes => Role::Text,
             Column::Total => Role::Quiet,
             Column::Computed | Column::Visits | Column::Boxes | Column::Cuts | Column::Alive => Role::Value,
-            Column::Content | Column::Area => Role::Text,
+            Column::Content | Column::Area | Column::Planes => Role::Text,
             Column::Tests | Column::Vain => Role::Missed,
         },
         given: matches!(column, Column::Printed | Column::Total),
@@ -179,7 +179,7 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Bytes => whole(measured.bytes),
         Column::Printed | Column::Total | Column::Computed => String::new(),
         // Of a structure nobody asks.
-        Column::Content | Column::Area | Column::Cuts | Column::Vain => String::new(),
+        Column::Content | Column::Area | Column::Planes | Column::Cuts | Column::Vain => String::new(),
     }
 }
 
@@ -189,6 +189,9 @@ fn around(column: Column, appraised: &Appraisal) -> String {
         Column::Content => digits(appraised.content),
         Column::Area => digits(f64::from(appraised.area)),
         Column::Bytes => whole(appraised.bytes as u64),
+        // A sphere has none.
+        Column::Planes if appraised.planes == 0 => "\u{2013}".to_owned(),
+        Column::Planes => whole(u64::from(appraised.planes)),
         Column::Cuts => digits(appraised.cuts),
         Column::Vain => format!("{:.1} %", appraised.vain_share() * 100.0),
         _ => String::new(),

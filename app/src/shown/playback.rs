@@ -107,7 +107,7 @@ impl Playback {
         let made_here = |mistake: &Mistake| match play.tape.plays() {
             Plays::Walk => !mistake.is_of_packets(),
             Plays::Packet => mistake.is_of_packets(),
-            Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs => false,
+            Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs | Plays::Fit => false,
         };
         let mistakes = Mistake::of_kind(rule.kind()).filter(made_here).collect();
         let (kind, posed) = (Beside::Nothing, Vec::new());
@@ -290,7 +290,7 @@ impl Playback {
                 _ => None,
             },
             Tape::Packet(packet) => packet.found.first().copied(),
-            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) => None,
+            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) | Tape::Fit(_) => None,
         }
     }
 

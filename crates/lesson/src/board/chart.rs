@@ -1,5 +1,7 @@
 //! A chart: points and laws over two axes.
 
+use glam::Vec3;
+
 use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
@@ -66,6 +68,8 @@ pub enum Stroke {
         of: Column,
         /// The names of the scenes.
         scenes: Vec<String>,
+        /// The point that all rays go through, from all around; nothing where they are those of a picture.
+        through: Option<Vec3>,
     },
     /// A law in `x`, from here to there; a guess is dashed.
     Law {
@@ -133,9 +137,14 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let scenes = keys.get::<Vec<String>>("scenes", reading);
     let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
     let of = keys.get::<String>("of", reading);
+    let through = keys.get::<Vec3>("through", reading);
     let at = keys.at();
     let spot = reading.spot(at);
     keys.finish(reading);
+    if let Some((through_at, _)) = through.as_ref().filter(|_| scenes.is_none()) {
+        reading
+            .problem(*through_at, "`through` belongs to what is measured over `scenes`: there the rays go through it");
+    }
     let stroke = match (point, law, scenes) {
         (None, None, Some((_, scenes))) => {
             let (of_at, of) = of.unwrap_or((at, Column::Tests.name().to_owned()));
@@ -149,7 +158,7 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
             if !(2..=limits::ENTRIES).contains(&scenes.len()) {
                 reading.problem(at, "two scenes or more, one larger than the other, make a line");
             }
-            Stroke::Growth { plan: plan?, of: known?, scenes }
+            Stroke::Growth { plan: plan?, of: known?, scenes, through: through.map(|(_, point)| point) }
         }
         (Some((at, point)), None, None) => {
             let [x, y] = point.as_slice() else {

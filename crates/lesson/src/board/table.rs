@@ -49,6 +49,8 @@ pub enum Column {
     Content,
     /// Its surface.
     Area,
+    /// How many planes bound it.
+    Planes,
     /// Slabs, faces or equations that a test of it takes, in the mean.
     Cuts,
     /// Of the rays that meet it, the share that meet nothing in it.
@@ -59,7 +61,7 @@ pub enum Column {
 
 impl Column {
     /// All of them, with the names that slides and facts give them.
-    pub const NAMES: [(&'static str, Column); 13] = [
+    pub const NAMES: [(&'static str, Column); 14] = [
         ("printed", Column::Printed),
         ("total", Column::Total),
         ("computed", Column::Computed),
@@ -70,6 +72,7 @@ impl Column {
         ("bytes", Column::Bytes),
         ("content", Column::Content),
         ("area", Column::Area),
+        ("planes", Column::Planes),
         ("cuts", Column::Cuts),
         ("vain", Column::Vain),
         ("alive", Column::Alive),

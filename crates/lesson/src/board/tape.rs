@@ -90,8 +90,8 @@ impl BoardTape {
                 Entry::Row(_) | Entry::Drawn(_) | Entry::Picture(_) => None,
             };
             let grown = match entry {
-                Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, of, scenes }, .. }) => {
-                    Measured::growth(plan, *of, scenes, &board.scenes, care, watch)?
+                Entry::Drawn(Drawn { stroke: Stroke::Growth { plan, of, scenes, through }, .. }) => {
+                    Measured::growth(plan, *of, scenes, *through, &board.scenes, care, watch)?
                 }
                 _ => Vec::new(),
             };
@@ -198,6 +198,7 @@ impl BoardTape {
                     content: around(|appraised| appraised.content),
                     area: around(|appraised| f64::from(appraised.area)),
                     cuts: around(|appraised| appraised.cuts),
+                    planes: around(|appraised| f64::from(appraised.planes)),
                     vain: around(|appraised| f64::from(appraised.vain_share())),
                 }
             }

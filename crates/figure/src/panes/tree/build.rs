@@ -24,8 +24,20 @@ pub(crate) fn tree_with(moment: &GrowMoment, touched: Vec<NodeId>, view: &TreeVi
         look.nothing(&mut figure, "Tree", "No node has come to be yet.");
         return figure;
     }
-    draw_tree(&Growing { moment, touched, path: moment.path() }, view, size, look)
+    let (mut path, roots) = (moment.path(), moment.roots());
+    let forest = (2..=FEW).contains(&roots.len()) && moment.nodes.len() <= FEW && !moment.curve.is_empty();
+    let forest = if forest { roots } else { Vec::new() };
+    if !forest.is_empty() {
+        path.insert(0, GROUND);
+    }
+    draw_tree(&Growing { moment, touched, path, forest }, view, size, look)
 }
+
+/// Forests of so many nodes are drawn whole.
+const FEW: usize = 72;
+
+/// What the trees of a forest stand on.
+const GROUND: NodeId = NodeId(u32::MAX);
 
 /// The state of a node that grows.
 pub(crate) fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
@@ -43,10 +55,19 @@ struct Growing<'a> {
     moment: &'a GrowMoment,
     touched: Vec<NodeId>,
     path: Vec<NodeId>,
+    /// The roots of several trees that are still to be put together, in their order.
+    forest: Vec<NodeId>,
 }
 
 impl Tree for Growing<'_> {
+    fn is_ground(&self, node: NodeId) -> bool {
+        node == GROUND
+    }
+
     fn children(&self, node: NodeId) -> Vec<NodeId> {
+        if node == GROUND {
+            return self.forest.clone();
+        }
         self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default()
     }
 
