@@ -35,6 +35,8 @@ pub(crate) struct FitMoment {
     /// Those that it has made.
     pub(crate) fresh: Vec<u32>,
     planes: Vec<(Vec3, f32)>,
+    /// The directions of the smallest box so far, and its middle.
+    best: Option<([Vec3; 3], Vec3)>,
     round: Vec<(f32, Outline, [Vec3; 3], Vec3)>,
 }
 
@@ -55,6 +57,7 @@ impl Default for FitMoment {
             gone: Vec::new(),
             fresh: Vec::new(),
             planes: Vec::new(),
+            best: None,
             round: Vec::new(),
         }
     }
@@ -120,7 +123,11 @@ impl FitMoment {
             Fit::Choose { surface, taken, .. } => {
                 let chosen = self.round.iter().find(|(own, ..)| *own == surface).filter(|_| taken);
                 if let Some((_, outline, axes, middle)) = chosen.cloned() {
-                    (self.volume, self.axes, self.middle) = (Some(outline), Some(axes), Some(middle));
+                    (self.volume, self.best) = (Some(outline), Some((axes, middle)));
+                }
+                // What was tried in vain is forgotten.
+                if let Some((axes, middle)) = self.best {
+                    (self.axes, self.middle) = (Some(axes), Some(middle));
                 }
                 self.tried = None;
                 self.round.clear();
