@@ -170,6 +170,7 @@ impl Sheet<'_> {
             (Some(ray), Tape::Packet(_)) => format!("{} · rays: {ray}", ground.about),
             (Some(ray), _) => format!("{} · ray: {ray}", ground.about),
             (None, Tape::Board(_) | Tape::Pairs(_)) => ground.about.clone(),
+            (None, Tape::Fit(_)) => format!("{} · how it is fitted", ground.about),
             (None, _) => format!("{} · how it is built", ground.about),
         };
         let listing = self.listing();

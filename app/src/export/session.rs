@@ -114,6 +114,7 @@ impl<'a> Session<'a> {
                 found: &packet.found,
             },
             Tape::Pairs(pairs) => Told::Pairs(&pairs.events),
+            Tape::Fit(fit) => Told::Fit(&fit.events),
             // The first of the walks: the others are the same ray's.
             Tape::Walks(walks) => match walks.walks.first() {
                 Some(Tape::Walk(walk)) => {

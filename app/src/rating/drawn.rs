@@ -39,6 +39,7 @@ impl Rating {
             content: f32::NAN,
             area: f32::NAN,
             cuts: f32::NAN,
+            planes: f32::NAN,
             vain: f32::NAN,
             alive: f32::NAN,
             speed: (1.0 / rated.ray_us) as f32,

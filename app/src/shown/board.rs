@@ -133,7 +133,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
             Column::Computed | Column::Visits | Column::Boxes | Column::Cuts | Column::Alive => Role::Value,
             Column::Speed | Column::Time | Column::Share | Column::Picture => Role::Here,
             Column::Spread | Column::Build => Role::Quiet,
-            Column::Content | Column::Area | Column::After => Role::Text,
+            Column::Content | Column::Area | Column::Planes | Column::After => Role::Text,
             Column::Before => Role::Quiet,
             Column::Tests | Column::Vain => Role::Missed,
         },
@@ -227,7 +227,7 @@ fn here(column: Column, measured: &Measured) -> String {
         Column::Bytes => whole(measured.bytes),
         Column::Printed | Column::Total | Column::Computed | Column::Before | Column::After => String::new(),
         // Of a structure nobody asks.
-        Column::Content | Column::Area | Column::Cuts | Column::Vain => String::new(),
+        Column::Content | Column::Area | Column::Planes | Column::Cuts | Column::Vain => String::new(),
         // Told by `timed_here`.
         Column::Speed | Column::Spread | Column::Time | Column::Build | Column::Share | Column::Picture => {
             String::new()
@@ -241,6 +241,9 @@ fn around(column: Column, appraised: &Appraisal) -> String {
         Column::Content => digits(appraised.content),
         Column::Area => digits(f64::from(appraised.area)),
         Column::Bytes => whole(appraised.bytes as u64),
+        // A sphere has none.
+        Column::Planes if appraised.planes == 0 => "\u{2013}".to_owned(),
+        Column::Planes => whole(u64::from(appraised.planes)),
         Column::Cuts => digits(appraised.cuts),
         Column::Vain => format!("{:.1} %", appraised.vain_share() * 100.0),
         _ => String::new(),

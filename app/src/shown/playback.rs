@@ -294,7 +294,7 @@ impl Playback {
                 _ => None,
             },
             Tape::Packet(packet) => packet.found.first().copied(),
-            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) => None,
+            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) | Tape::Fit(_) => None,
         }
     }
 
@@ -356,7 +356,7 @@ pub(crate) fn mistakes(kind: &str, plays: Plays) -> Vec<Mistake> {
     let made_here = |mistake: &Mistake| match plays {
         Plays::Walk => !mistake.is_of_packets(),
         Plays::Packet => mistake.is_of_packets(),
-        Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs => false,
+        Plays::Build | Plays::Walks | Plays::Board | Plays::Pairs | Plays::Fit => false,
     };
     Mistake::of_kind(kind).filter(made_here).collect()
 }

@@ -8,7 +8,8 @@ use std::sync::Arc;
 
 use raystep_accel::{Event, Grow, KdLayout, Mistake, Place, Prims, Rule, Structure, Value};
 use raystep_figure::{
-    Board, Build, Fact, ListingLine, Nodes, PacketWalk, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks, told,
+    Board, Build, Fact, Fitting, ListingLine, Nodes, PacketWalk, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks,
+    told,
 };
 use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
@@ -37,6 +38,7 @@ pub(crate) fn reel<'a>(play: &'a Play, all: &'a AllNodes, instead: Option<Grow>)
             None => Board { panels: &[], events: &filled.events, names: &[] },
         }),
         Tape::Pairs(pairs) => Reel::new(Pairs { cases: &pairs.cases, events: &pairs.events }),
+        Tape::Fit(fit) => Reel::new(Fitting { prims, events: &fit.events, volume: fit.volume, flat }),
         Tape::Packet(packet) => {
             let (rays, events, lost, alone) = (&packet.rays[..], &packet.events[..], packet.lost, &packet.costs[..]);
             Reel::new(PacketWalk { structure, prims, nodes, rays, events, lost, alone, flat })
@@ -71,6 +73,7 @@ pub(crate) fn beginning(plays: Plays) -> &'static str {
         Plays::Packet => "Before the walk: the rays have met nothing yet.",
         Plays::Board => "Nothing is filled in yet.",
         Plays::Pairs => "Nothing is laid out yet.",
+        Plays::Fit => "Before the fitting: the primitives lie there, and no volume holds them yet.",
     }
 }
 

@@ -1,14 +1,16 @@
-//! An event of a walk, of a packet, of a build, of a board or of a pair of objects, for whoever shows them all.
+//! An event of a walk, of a packet, of a build, of a volume that is fitted, of a board or of a pair of objects, for whoever shows them all.
 
-use crate::{Grain, Grow, PacketVisit, Place, Reveal, Trial, Value, Visit};
+use crate::{Fit, Grain, Grow, PacketVisit, Place, Reveal, Trial, Value, Visit};
 
-/// Something that a walk or a builder did, that came to be seen on a board, or that a test of two objects did.
+/// Something that a walk, a builder or the fitting of a volume did, that came to be seen on a board, or that a test of two objects did.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// A ray's walk did it.
     Walk(Visit),
     /// A builder did it.
     Build(Grow),
+    /// The fitting of a volume did it.
+    Fit(Fit),
     /// It came to be seen on a board.
     Board(Reveal),
     /// A test of two objects did it.
@@ -23,6 +25,7 @@ macro_rules! either {
         match $event {
             Event::Walk($inner) => $ask,
             Event::Build($inner) => $ask,
+            Event::Fit($inner) => $ask,
             Event::Board($inner) => $ask,
             Event::Pair($inner) => $ask,
             Event::Packet($inner) => $ask,
@@ -62,6 +65,7 @@ impl Event {
         match self {
             Event::Walk(visit) => visit.concerns_z(),
             Event::Packet(visit) => visit.concerns_z(),
+            Event::Fit(fit) => fit.concerns_z(),
             Event::Build(_) | Event::Board(_) | Event::Pair(_) => false,
         }
     }

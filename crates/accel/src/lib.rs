@@ -59,8 +59,8 @@ pub(crate) use common::around;
 pub use common::{Accel, Margin, Random};
 pub use event::Event;
 pub use events::{
-    Abreast, Cancelled, CellId, Cost, Each, Ending, Grain, Grow, Lanes, LeafReason, NodeId, Observer, PacketStep,
-    PacketVisit, Place, PrimId, Probed, Reveal, Side, Trace, Value, Verdict, Visit,
+    Abreast, Cancelled, CellId, Cost, Each, Ending, Fit, FrameFrom, Grain, Grow, Lanes, LeafReason, NodeId, Observer,
+    PacketStep, PacketVisit, Place, PrimId, Probed, Reveal, Side, Trace, Value, Verdict, Visit,
 };
 pub use geometry::{Aabb, Axes, Axis, Direction, Interval, Measure, Obb, Ray, RayError, pinhole};
 pub use grid::{AnyGrid, Cells, Dense, Grid, GridOf, Hashed, HashedGrid, Lattice, Nested, NestedGrid};
@@ -82,4 +82,4 @@ pub use rule::{
 };
 pub use slab::slab;
 pub use structure::Structure;
-pub use volume::{Appraisal, Draft, Hull, KDop, Outline, Spans, Volume, outline};
+pub use volume::{Appraisal, Draft, Hull, KDop, Outline, Spans, Volume, fit_around, outline};

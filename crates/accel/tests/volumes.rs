@@ -151,7 +151,7 @@ fn the_corners_of_a_hull_are_corners_of_its_set() {
     for set in sets() {
         let ids = || (0..set.len() as u32).map(PrimId);
         let bounds = ids().fold(Aabb::EMPTY, |all, prim| all.union(set.as_slice().bounds(prim)));
-        let hull = Hull::fit(&set.as_slice(), ids(), &bounds, Axes::Xyz, &()).expect("nobody cancels");
+        let hull = Hull::fit(&set.as_slice(), ids(), &bounds, Axes::Xyz, &mut ()).expect("nobody cancels");
         let mut corners = Vec::new();
         for shape in &set {
             shape.corners(|corner| corners.push(corner.at));

@@ -5,12 +5,12 @@ use std::borrow::Cow;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{
-    Accel, Arrangement, CellId, Grow, NestedRule, PAIRS, Place, Prims, Ray, Reveal, Rule, Shape, Sphere, Structure,
-    Trial, Value,
+    Accel, Arrangement, Axes, BvhVolume, CellId, Fit, Grow, NestedRule, PAIRS, Place, Prims, Ray, Reveal, Rule, Shape,
+    Sphere, Structure, Trial, Triangle, Value, fit_around,
 };
 use raystep_figure::{
-    Anchor, Ask, Board, Build, Depth, Face, Fact, Figure, Film, Form, Ink, Instant, Kind, Look, Map, Maps, Motion,
-    Nodes, Pairs, Pane, Panel, Reel, Role, Symbol, VolumeName, Walk, told,
+    Anchor, Ask, Board, Build, Depth, Face, Fact, Figure, Film, Fitting, Form, Ink, Instant, Kind, Look, Map, Maps,
+    Motion, Nodes, Pairs, Pane, Panel, Reel, Role, Space, Symbol, VolumeName, Walk, told,
 };
 
 const SIZE: Vec2 = Vec2::new(600.0, 200.0);
@@ -110,6 +110,52 @@ fn pairs_draw_the_panes_that_they_name_and_every_step_has_words() {
         told += &format!("{:<16} {}\n", fact.name(), says);
     }
     insta::assert_snapshot!(told);
+}
+
+#[test]
+fn fittings_draw_the_panes_that_they_name_and_every_step_has_words() {
+    let corner = |n: usize| Vec3::new((n % 3) as f32, (n / 3 % 4) as f32 * 0.7, (n / 5) as f32 * 0.4);
+    let triangle = |n: usize| Shape::Triangle(Triangle { a: corner(n), b: corner(n + 4), c: corner(n + 7) });
+    let ball = Shape::Sphere(Sphere { center: Vec3::new(1.0, 2.0, 3.0), radius: 0.5 });
+    let prims = Prims::Few((0..24).map(triangle).chain([ball]).collect());
+    let mut told = String::new();
+    for (flat, axes) in [(true, Axes::Xy), (false, Axes::Xyz)] {
+        for &volume in BvhVolume::ALL {
+            let mut events: Vec<Fit> = Vec::new();
+            fit_around(&prims, volume, axes, &mut events).expect("nobody cancels");
+            let fitting = Fitting { prims: &prims, events: &events, volume, flat };
+            check(&format!("{volume:?}"), &fitting);
+            let mut at = fitting.start();
+            let mut kinds = std::collections::BTreeSet::new();
+            for step in 0..=fitting.len() {
+                fitting.advance(&mut at, step);
+                let space = fitting.space(&at, Depth::Path).expect("a set lies there");
+                assert!(!space.bounds.is_empty() && space.bounds.extent().is_finite(), "{volume:?} step {step}");
+                let Some(fact) = fitting.fact(step) else { continue };
+                let says = fact.sentence(VolumeName::BOX);
+                assert!(!says.is_empty() && !says.contains("{{") && !says.contains("NaN"), "{volume:?} {step}: {says}");
+                // What an event is about lights up.
+                let place = fact.place();
+                if !matches!(place, Place::World)
+                    && fact.name() != "face.gone"
+                    && !(flat && fact.name().contains("face"))
+                {
+                    assert!(!fitting.outline(&at, place).is_empty() || flat, "{volume:?} {step}: {place:?}");
+                }
+                if !flat && kinds.insert(fact.name()) {
+                    told += &format!("{volume:?} {:<16} {says}\n", fact.name());
+                }
+            }
+            let Some(Fit::End { .. }) = events.last() else { panic!("{volume:?} never ends") };
+            assert!(space_has_a_volume(&fitting.space(&at, Depth::Path)), "{volume:?} flat {flat}");
+        }
+    }
+    insta::assert_snapshot!(told);
+}
+
+/// Whether the volume that was found is to be seen.
+fn space_has_a_volume(space: &Option<Space>) -> bool {
+    space.as_ref().is_some_and(|space| space.marks.iter().any(|mark| mark.role == Role::Here))
 }
 
 #[test]

@@ -2,7 +2,9 @@
 
 use glam::Vec2;
 use raystep_accel::{Place, Structure};
-use raystep_figure::{Ask, Build, Depth, Figure, Form, Ink, Look, Nodes, PacketWalk, Pane, Reel, Role, Space, Walk};
+use raystep_figure::{
+    Ask, Build, Depth, Figure, Fitting, Form, Ink, Look, Nodes, PacketWalk, Pane, Reel, Role, Space, Walk,
+};
 use raystep_lesson::{Library, Play, Plays, Slide, Stage, Tape};
 
 /// Cells along a ray, in a grid within a cell too.
@@ -55,6 +57,7 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
                         let alone = &packet.costs[..];
                         Reel::new(PacketWalk { structure, prims, nodes: &nodes, rays, events, lost, alone, flat })
                     }
+                    Tape::Fit(fit) => Reel::new(Fitting { prims, events: &fit.events, volume: fit.volume, flat }),
                     Tape::Walks(_) | Tape::Board(_) | Tape::Pairs(_) => continue,
                 };
                 check(slide, stage, &play, &reel, &nodes);

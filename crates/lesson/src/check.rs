@@ -455,7 +455,8 @@ fn key(slide: &Slide, stage: &Stage, plan: &Plan) -> String {
     // A board measures what its own slide asks for, walks have structures of their own, and changes are a stage's, as
     // pairs and packets are.
     let own = [stage.board.is_some(), !stage.abreast.is_empty(), !stage.pairs.is_empty(), !stage.changes.is_empty()];
-    let own = if own.contains(&true) || slide.plays == Plays::Packet { slide.file.as_str() } else { "" };
+    let own =
+        if own.contains(&true) || matches!(slide.plays, Plays::Packet | Plays::Fit) { slide.file.as_str() } else { "" };
     format!("{} {own} {} {} {settings:?}", slide.plays.name(), stage.scene, plan.kind)
 }
 

@@ -13,7 +13,8 @@ use crate::keys::{At, FromToml, Keys, wrong};
 use crate::problem::{misspelt, short};
 use crate::reading::Reading;
 use crate::{
-    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, change, limits, packets, pairs, walks,
+    Look, NamedRay, Plan, Plays, Setting, Show, Spot, Stage, StageKind, board, change, fit, limits, packets, pairs,
+    walks,
 };
 
 /// No tree is deeper.
@@ -66,7 +67,7 @@ pub(crate) fn read(text: &str, reading: &mut Reading<'_>) -> Option<Head> {
     let listing = match reading.plays {
         // No algorithm runs on a board, and no one algorithm where several structures are walked.
         Plays::Board | Plays::Walks | Plays::Pairs => keys.get::<String>("listing", reading),
-        Plays::Walk | Plays::Build | Plays::Packet => keys.need::<String>("listing", reading),
+        Plays::Walk | Plays::Build | Plays::Packet | Plays::Fit => keys.need::<String>("listing", reading),
     };
     let (listing_at, listing) = listing.unwrap_or_default();
     let show = show(&mut keys, reading);
@@ -202,11 +203,15 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     };
     let abreast = if reading.plays == Plays::Walks { abreast(keys, reading) } else { Vec::new() };
     reading.abreast = walks::names(&abreast);
-    let own = match keys.table("structure", reading).filter(|_| reading.plays != Plays::Walks) {
+    let volume = if reading.plays == Plays::Fit { fit::read(keys, reading) } else { None };
+    let structure = if reading.plays == Plays::Fit { None } else { keys.table("structure", reading) };
+    let own = match structure.filter(|_| reading.plays != Plays::Walks) {
         Some(mut table) => plan(&mut table, reading),
         None if reading.plays == Plays::Walks => abreast.first().cloned(),
         // Whatever stands on a board has a structure of its own.
         None if matches!(reading.plays, Plays::Board | Plays::Pairs) => Some(Plan::all()),
+        // What is fitted needs none; the scene's own picture is made through boxes.
+        None if reading.plays == Plays::Fit => Some(Plan::boxes()),
         None => {
             reading.problem(keys.at(), "`structure` is missing: write `structure = { kind = \"kd\" }`");
             None
@@ -215,7 +220,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
     let rays = match reading.plays {
         Plays::Walk | Plays::Walks => rays(keys, reading),
         Plays::Packet => packets::read(keys, reading),
-        Plays::Build | Plays::Board | Plays::Pairs => no_rays(keys, reading),
+        Plays::Build | Plays::Board | Plays::Pairs | Plays::Fit => no_rays(keys, reading),
     };
     let board = (reading.plays == Plays::Board).then(|| Arc::new(board::read(keys, reading)));
     let pairs = if reading.plays == Plays::Pairs { pairs::read(keys, reading) } else { Vec::new() };
@@ -242,6 +247,7 @@ fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Opt
         changes,
         abreast,
         pairs,
+        volume,
         board,
         camera: look,
         levels,

@@ -15,6 +15,7 @@ mod choices;
 mod condition;
 mod counts;
 mod facts;
+mod fit;
 #[cfg(not(target_arch = "wasm32"))]
 mod folder;
 mod head;
@@ -52,6 +53,7 @@ pub use change::{Planned, Told};
 pub use check::{check, check_beside, check_file};
 pub use condition::Condition;
 pub use facts::Facts;
+pub use fit::FitTape;
 pub use library::Library;
 pub use listing::{Line, Listing};
 pub use offer::{Act, Offer};

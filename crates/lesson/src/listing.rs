@@ -66,7 +66,7 @@ impl Listing {
     }
 }
 
-/// Whose algorithm it is: a walk's, a packet's, a builder's or that of pairs, whichever knows most of the events that it
+/// Whose algorithm it is: a walk's, a packet's, a builder's, that of a fitting or that of pairs, whichever knows most of the events that it
 /// names.
 fn whose(reading: &Reading<'_>) -> Plays {
     let labels = reading.lines().filter_map(|(_, line)| line.split_once(" | "));
@@ -77,7 +77,7 @@ fn whose(reading: &Reading<'_>) -> Plays {
         words.iter().filter(|word| events.contains(word)).count()
     };
     // What a lane of a packet does goes by the names of walks.
-    let others = [Plays::Build, Plays::Pairs, Plays::Packet];
+    let others = [Plays::Build, Plays::Fit, Plays::Pairs, Plays::Packet];
     others.into_iter().fold(Plays::Walk, |best, other| if known(other) > known(best) { other } else { best })
 }
 

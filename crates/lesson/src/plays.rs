@@ -1,7 +1,7 @@
 //! What a slide plays: a ray's walk, that of several rays at once, the building of a structure, a board that is filled,
-//! or pairs of objects.
+//! pairs of objects, or a volume that is fitted.
 
-use raystep_accel::{Grow, PacketVisit, Reveal, Trial, Visit};
+use raystep_accel::{Fit, Grow, PacketVisit, Reveal, Trial, Visit};
 
 /// Names of events, each group with the fields that they have.
 type Vocabulary = &'static [(&'static [&'static str], &'static [&'static str])];
@@ -22,11 +22,14 @@ pub enum Plays {
     Board,
     /// The tests of pairs of objects, one after the other; there is no structure.
     Pairs,
+    /// The fitting of one volume around everything; there is neither ray nor structure.
+    Fit,
 }
 
 impl Plays {
     /// All of them.
-    pub const ALL: [Plays; 6] = [Plays::Walk, Plays::Build, Plays::Walks, Plays::Packet, Plays::Board, Plays::Pairs];
+    pub const ALL: [Plays; 7] =
+        [Plays::Walk, Plays::Build, Plays::Walks, Plays::Packet, Plays::Board, Plays::Pairs, Plays::Fit];
 
     /// Whether a ray walks, alone or with others.
     pub fn has_rays(self) -> bool {
@@ -42,6 +45,7 @@ impl Plays {
             Plays::Packet => "packet",
             Plays::Board => "board",
             Plays::Pairs => "pairs",
+            Plays::Fit => "fit",
         }
     }
 
@@ -49,7 +53,7 @@ impl Plays {
     pub(crate) fn one(self) -> String {
         match self {
             Plays::Walks | Plays::Pairs => self.name().to_owned(),
-            Plays::Walk | Plays::Build | Plays::Packet | Plays::Board => format!("a {}", self.name()),
+            Plays::Walk | Plays::Build | Plays::Packet | Plays::Board | Plays::Fit => format!("a {}", self.name()),
         }
     }
 
@@ -61,6 +65,7 @@ impl Plays {
             Plays::Packet => PacketVisit::NAMES,
             Plays::Board => Reveal::NAMES,
             Plays::Pairs => Trial::NAMES,
+            Plays::Fit => Fit::NAMES,
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{KdLayout, Ray, Rule};
+use raystep_accel::{BvhVolume, KdLayout, Ray, Rule};
 use raystep_scene::{Scene, Scenes};
 
 use crate::minutes::minutes;
@@ -223,6 +223,8 @@ pub struct Stage {
     pub abreast: Vec<Plan>,
     /// The pairs that are tested, where that is played, by their places in [`raystep_accel::PAIRS`].
     pub pairs: Vec<u32>,
+    /// The volume that is fitted, where that is played.
+    pub volume: Option<BvhVolume>,
     /// What is filled, where a board is played.
     pub board: Option<Arc<Board>>,
     /// Where it is seen from, if not as its scene says.

@@ -1,5 +1,5 @@
-//! What is played, event by event: a ray's walk, a packet's, the building of the structure, a board that is filled, or
-//! pairs of objects that are tested.
+//! What is played, event by event: a ray's walk, a packet's, the building of the structure, a board that is filled,
+//! pairs of objects that are tested, or a volume that is fitted.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -7,7 +7,7 @@ use std::sync::Arc;
 use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Value, Visit};
 use raystep_scene::Scene;
 
-use crate::{BoardTape, Care, PacketTape, PairsTape, Plays, Stage, Told, WalksTape, names};
+use crate::{BoardTape, Care, FitTape, PacketTape, PairsTape, Plays, Stage, Told, WalksTape, names};
 
 /// How many events a tape keeps.
 const MOST: usize = 200_000;
@@ -30,6 +30,8 @@ pub enum Tape {
     Board(Arc<BoardTape>),
     /// Pairs of objects are tested.
     Pairs(Arc<PairsTape>),
+    /// A volume is fitted around everything.
+    Fit(Arc<FitTape>),
 }
 
 /// The walk of a ray.
@@ -76,6 +78,7 @@ impl Tape {
             Tape::Packet(_) => Plays::Packet,
             Tape::Board(_) => Plays::Board,
             Tape::Pairs(_) => Plays::Pairs,
+            Tape::Fit(_) => Plays::Fit,
         }
     }
 
@@ -88,6 +91,7 @@ impl Tape {
             Tape::Packet(packet) => packet.events.len(),
             Tape::Board(board) => board.events.len(),
             Tape::Pairs(pairs) => pairs.events.len(),
+            Tape::Fit(fit) => fit.events.len(),
         }
     }
 
@@ -103,6 +107,7 @@ impl Tape {
             Tape::Build(build) => build.lost.values().sum(),
             Tape::Walks(walks) => walks.walks.iter().map(Tape::lost).sum(),
             Tape::Packet(packet) => packet.lost,
+            Tape::Fit(fit) => fit.lost,
             Tape::Board(_) | Tape::Pairs(_) => 0,
         }
     }
@@ -119,6 +124,7 @@ impl Tape {
             Tape::Packet(packet) => packet.events.get(index).copied().map(Event::Packet),
             Tape::Board(board) => board.events.get(index).copied().map(Event::Board),
             Tape::Pairs(pairs) => pairs.events.get(index).copied().map(Event::Pair),
+            Tape::Fit(fit) => fit.events.get(index).copied().map(Event::Fit),
         }
     }
 
@@ -132,7 +138,7 @@ impl Tape {
         let kept = match self {
             Tape::Walk(walk) => walk.lost == 0,
             Tape::Build(build) => !build.lost.keys().any(|lost| names(name, lost)),
-            Tape::Walks(_) | Tape::Packet(_) => self.lost() == 0,
+            Tape::Walks(_) | Tape::Packet(_) | Tape::Fit(_) => self.lost() == 0,
             Tape::Board(_) | Tape::Pairs(_) => true,
         };
         let counted = || self.events().take(step).filter(|event| names(name, event.name())).count() as u32;
@@ -144,7 +150,7 @@ impl Tape {
         match self {
             Tape::Walk(_) => None,
             Tape::Packet(packet) => Some(Tape::Packet(Arc::new(packet.again()))),
-            Tape::Build(_) | Tape::Walks(_) | Tape::Board(_) | Tape::Pairs(_) => Some(self.clone()),
+            Tape::Build(_) | Tape::Walks(_) | Tape::Board(_) | Tape::Pairs(_) | Tape::Fit(_) => Some(self.clone()),
         }
     }
 
@@ -190,7 +196,7 @@ impl Tape {
             Tape::Walk(walk) => Some(walk.ray),
             Tape::Walks(walks) => walks.walks.first()?.ray(),
             Tape::Packet(packet) => packet.rays.first().copied(),
-            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) => None,
+            Tape::Build(_) | Tape::Board(_) | Tape::Pairs(_) | Tape::Fit(_) => None,
         }
     }
 }
@@ -200,7 +206,7 @@ impl Tape {
     pub fn care(&self) -> Care {
         match self {
             Tape::Board(filled) => filled.care(),
-            Tape::Walk(_) | Tape::Walks(_) | Tape::Packet(_) | Tape::Build(_) | Tape::Pairs(_) => Care::Full,
+            Tape::Walk(_) | Tape::Walks(_) | Tape::Packet(_) | Tape::Build(_) | Tape::Pairs(_) | Tape::Fit(_) => Care::Full,
         }
     }
 
@@ -239,11 +245,15 @@ impl Tape {
                 let pairs = Tape::Pairs(Arc::new(PairsTape::new(&stage.pairs, &[])));
                 Ok((Structure::build(&scene.prims, rule, watch)?, Some(pairs)))
             }
+            (Plays::Fit, Some(Stage { volume: Some(volume), .. })) => {
+                let fitted = FitTape::record(scene, *volume, watch)?;
+                Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Fit(Arc::new(fitted)))))
+            }
             (Plays::Packet, Some(stage)) => {
                 let packets = PacketTape::of(PacketTape::packets_of(&stage.rays));
                 Ok((Structure::build(&scene.prims, rule, watch)?, Some(Tape::Packet(Arc::new(packets)))))
             }
-            (Plays::Walk | Plays::Walks | Plays::Packet | Plays::Board | Plays::Pairs, _) => {
+            (Plays::Walk | Plays::Walks | Plays::Packet | Plays::Board | Plays::Pairs | Plays::Fit, _) => {
                 Ok((Structure::build(&scene.prims, rule, watch)?, None))
             }
         }

@@ -1,6 +1,6 @@
 //! The glossary and the vocabulary of events name the same things, in the same order.
 
-use raystep_accel::{Abreast, Grow, Reveal, Trial, Visit};
+use raystep_accel::{Abreast, Fit, Grow, Reveal, Trial, Visit};
 
 const GLOSSARY: &str = include_str!("../../../lessons/glossary.md");
 
@@ -25,6 +25,7 @@ fn every_event_is_in_the_glossary_and_nothing_else() {
     assert_eq!(listed("Builders"), names(Grow::NAMES));
     assert_eq!(listed("Boards"), names(Reveal::NAMES));
     assert_eq!(listed("Packets"), names(Abreast::NAMES));
+    assert_eq!(listed("Fits"), names(Fit::NAMES));
     // The slabs of boxes go by the names of walks.
     let own: Vec<&str> = names(Trial::NAMES).into_iter().filter(|name| !name.starts_with("slab.")).collect();
     assert_eq!(listed("Pairs"), own);

@@ -1,7 +1,9 @@
 //! A walk, a packet, a build, a board or pairs as JSON, for other programs. `TRACE.md` beside this crate describes every
 //! key.
 
-use raystep_accel::{Cost, Event, Fill, Grow, Hit, Observer, PacketVisit, Place, Ray, Reveal, Trial, Value, Visit};
+use raystep_accel::{
+    Cost, Event, Fill, Fit, Grow, Hit, Observer, PacketVisit, Place, Ray, Reveal, Trial, Value, Visit,
+};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// What is written: what it is about, and what happened.
@@ -56,9 +58,11 @@ pub enum Told<'a> {
     Board(&'a [Reveal]),
     /// Pairs of objects were tested.
     Pairs(&'a [Trial]),
+    /// A volume was fitted.
+    Fit(&'a [Fit]),
 }
 
-/// The walk, the packet, the build, the board or the pairs as JSON text, ending with a newline.
+/// The walk, the packet, the build, the board, the pairs or the fitting as JSON text, ending with a newline.
 pub fn json(record: &Record<'_>) -> String {
     let structure =
         Built { kind: record.kind, parameters: Pairs(record.parameters), nodes: record.nodes, bytes: record.bytes };
@@ -115,6 +119,10 @@ pub fn json(record: &Record<'_>) -> String {
         Told::Pairs(events) => {
             let events = steps(events.iter().copied().map(Event::Pair));
             text(&Grown { format: "raystep-pairs", version, scene, origin, structure, lost, events })
+        }
+        Told::Fit(events) => {
+            let events = steps(events.iter().copied().map(Event::Fit));
+            text(&Grown { format: "raystep-fit", version, scene, origin, structure, lost, events })
         }
     }
 }

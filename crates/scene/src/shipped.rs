@@ -29,6 +29,9 @@ const FOREST: &str = "forest";
 /// How names of woods begin: `woods:50000` has so many trees of a million triangles.
 pub(crate) const WOODS: &str = "woods:";
 
+/// So many needles are drawn at most.
+const MOST_NEEDLES: usize = 100_000;
+
 /// A meadow.
 const GRASS: &str = "grass";
 
@@ -43,7 +46,7 @@ pub struct UnknownScene {
 }
 
 /// The names of the shipped scenes: the flat ones in alphabetical order, then the solid ones. `teapot:NxN`, the teapot
-/// alone at another tessellation, `forest:N`, a forest of so many trees, `woods:N`, one of trees of a million triangles, and `trial:NAME:SEED`, what structures are
+/// alone at another tessellation, `forest:N`, a forest of so many trees, `needles:N`, so many through one point, `woods:N`, one of trees of a million triangles, and `trial:NAME:SEED`, what structures are
 /// tried on, are understood too.
 pub fn scene_names() -> Vec<String> {
     let mut names: Vec<String> = FLAT
@@ -95,6 +98,12 @@ impl Scene {
             return tessellation(steps)
                 .map(teapot_alone)
                 .ok_or_else(|| unknown(name, format!("write teapot:NxN with one N from 1 to {MOST_STEPS}, twice")));
+        }
+        if let Some(many) = name.strip_prefix("needles:") {
+            let many: Option<usize> = many.parse().ok().filter(|many| (1..=MOST_NEEDLES).contains(many));
+            return many
+                .map(needles)
+                .ok_or_else(|| unknown(name, format!("write needles:N with N from 1 to {MOST_NEEDLES}")));
         }
         if let Some(case) = trial::named(name) {
             return Ok(on_trial(case));
@@ -213,6 +222,15 @@ fn teapot_alone(steps: u32) -> Scene {
         note: format!("Newell's 32 patches (1975), each cut into {steps}×{steps} quads."),
         origin: DVec3::ZERO,
     }
+}
+
+/// The lecture's last word of warning: long thin triangles that all pass through one point.
+fn needles(many: usize) -> Scene {
+    let prims = Prims::Few(trial::scenes::needles(1, many));
+    let view = View::fitting(&bounds(&prims), FROM, Vec3::Z);
+    let (name, title) = (format!("needles:{many}"), "Needles through one point".to_owned());
+    let note = "Every box around the point where they cross holds them all.".to_owned();
+    Scene { name, title, prims, flat: false, view, note, origin: DVec3::ZERO }
 }
 
 /// A scene that structures are tried on, to look into what `raystep verify` found.

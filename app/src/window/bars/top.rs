@@ -121,6 +121,10 @@ pub(crate) fn bar(ui: &mut Ui, state: &State, theme: &Theme) -> Option<Asked> {
             }
             ui.add_space(4.0);
             stages(ui, state, theme, &mut asked);
+            // What is fitted around everything has stages, but neither a structure nor rays.
+            if state.slide().is_some_and(|slide| slide.plays == Plays::Fit) {
+                return;
+            }
             ui.add_space(4.0);
             structure(ui, state, room.structure, &mut asked);
             let left = ui.available_width();

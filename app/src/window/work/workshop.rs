@@ -4,7 +4,9 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure};
+use raystep_accel::{
+    Aabb, BvhVolume, Cancelled, Grow, Mistake, Observer, PrimId, Primitives, Prims, Ray, Rule, Structure,
+};
 use raystep_lesson::{Board, BoardTape, Care, Library, PacketTape, Plan, Plays, Slide, Stage, Tape};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
@@ -415,6 +417,7 @@ fn is_of(told: Option<&Tape>, stage: &Stage) -> bool {
         Some(Tape::Board(filled)) => stage.board.as_ref() == Some(&filled.board),
         Some(Tape::Walks(walks)) => stage.abreast == walks.plans,
         Some(Tape::Pairs(pairs)) => stage.pairs == pairs.pairs,
+        Some(Tape::Fit(fit)) => stage.volume == Some(fit.volume),
         Some(Tape::Packet(packet)) => PacketTape::packets_of(&stage.rays) == packet.packets,
         _ => true,
     }
@@ -452,6 +455,8 @@ enum Others<'a> {
     Walks(&'a [Plan]),
     /// Pairs of objects.
     Pairs(&'a [u32]),
+    /// The volume that is fitted around everything.
+    Fit(BvhVolume),
     /// The packets that walk it.
     Packets(&'a [Vec<Ray>]),
 }
@@ -461,6 +466,7 @@ fn others(built: &Built) -> Others<'_> {
         Some(Tape::Board(filled)) => Others::Board(&filled.board),
         Some(Tape::Walks(walks)) => Others::Walks(&walks.plans),
         Some(Tape::Pairs(pairs)) => Others::Pairs(&pairs.pairs),
+        Some(Tape::Fit(fit)) => Others::Fit(fit.volume),
         Some(Tape::Packet(packet)) => Others::Packets(&packet.packets),
         Some(Tape::Walk(_) | Tape::Build(_)) | None => Others::Nothing,
     }

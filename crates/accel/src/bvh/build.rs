@@ -3,7 +3,7 @@
 use super::sapling::Sapling;
 use super::splitter::{Part, Splitter};
 use super::{Bvh, BvhNode, SAH_DEPTH, bottom_up, insertion, ploc};
-use crate::events::patiently;
+use crate::events::{Unheard, patiently};
 use crate::{
     Aabb, BvhBuilder, BvhRule, Cancelled, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume, around,
 };
@@ -101,7 +101,7 @@ impl<V: Volume> Bvh<V> {
         part: &Part,
         watch: &impl Observer<Grow>,
     ) -> Result<NodeId, Cancelled> {
-        let volume = V::fit(prims, splitter.prims(part), &part.bounds, splitter.rule.axes, watch)?;
+        let volume = V::fit(prims, splitter.prims(part), &part.bounds, splitter.rule.axes, &mut Unheard(watch))?;
         self.nodes.push(BvhNode { volume, first: 0, count: 0 });
         Ok(NodeId(self.nodes.len() as u32 - 1))
     }

@@ -30,6 +30,11 @@ pub(super) fn join_until<D: Draft, P: Primitives>(
     let place = |set| Ok((morton(tree.bounds(set).center(), &all), set));
     let mut places: Vec<(u64, u32)> = patiently(sets, watch).map(|set| place(set?)).collect::<Result<_, _>>()?;
     sort_patiently(&mut places, watch, |(a, _), (b, _)| a.cmp(b))?;
+    for (rank, &(code, set)) in (0..).zip(&places) {
+        let [first, second, third] = [1, 2, 3].map(|level| (code >> (3 * (BITS - level)) & 7) as u32);
+        let Vec3 { x, y, z } = tree.bounds(set).center();
+        watch.on(Grow::Rank { node: tree.id(set), rank, first, second, third, x, y, z });
+    }
     let mut sets: Vec<u32> = places.into_iter().map(|(_, set)| set).collect();
     while sets.len() > most {
         // Each set finds its nearest among its neighbours in the order.
@@ -42,6 +47,9 @@ pub(super) fn join_until<D: Draft, P: Primitives>(
                 Ok(around.min_by_key(|&j| (tree.nearness(sets[i], sets[j]), i ^ j, i.min(j))).unwrap_or(i))
             })
             .collect::<Result<_, _>>()?;
+        for (i, &near) in nearest.iter().enumerate().filter(|(i, near)| i != *near) {
+            watch.on(Grow::Prefer { node: tree.id(sets[i]), nearest: tree.id(sets[near]) });
+        }
         // Two that found each other are joined and keep the place of the first.
         let mut left = Vec::with_capacity(sets.len());
         for (i, &near) in nearest.iter().enumerate() {
@@ -61,10 +69,12 @@ pub(super) fn join_until<D: Draft, P: Primitives>(
     Ok(sets)
 }
 
+/// Bits of each coordinate in a place on the curve.
+const BITS: u32 = 20;
+
 /// Where a point lies on the curve that visits a box's octants in order (Morton 1966): the bits of its
 /// coordinates in turn.
 fn morton(p: Vec3, all: &Aabb) -> u64 {
-    const BITS: u32 = 20;
     let steps = (p - all.min) / all.extent().max(Vec3::splat(f32::MIN_POSITIVE)) * (1 << BITS) as f32;
     let spread = |x: f32| {
         let x = (x as u64).min((1 << BITS) - 1);

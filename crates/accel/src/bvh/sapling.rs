@@ -1,7 +1,7 @@
 //! A tree in the making: sets that are joined and moved until one is left, then laid out.
 
 use super::{Bvh, BvhNode, SAH_DEPTH};
-use crate::events::BETWEEN_LOOKS;
+use crate::events::{BETWEEN_LOOKS, Unheard};
 use crate::{Aabb, BvhRule, Cancelled, Draft, Grow, LeafReason, NodeId, Observer, PrimId, Primitives, Volume};
 
 /// A node of a tree in the making.
@@ -50,7 +50,7 @@ impl<'a, D: Draft, P: Primitives> Sapling<'a, D, P> {
     }
 
     /// What a set is called until the tree stands.
-    fn id(&self, bud: u32) -> NodeId {
+    pub(super) fn id(&self, bud: u32) -> NodeId {
         NodeId(2 * self.boxes.len() as u32 - 1 + bud)
     }
 
@@ -178,6 +178,7 @@ impl<'a, D: Draft, P: Primitives> Sapling<'a, D, P> {
         watch: &mut impl Observer<Grow>,
     ) -> Result<(), Cancelled> {
         let add = |bvh: &mut Bvh<V>, task: &Task, watch: &_| {
+            let watch = &mut Unheard(watch);
             let (axes, prims) = (self.rule.axes, self.prims);
             let volume = match task {
                 Task::Bud(bud) => V::fit(prims, self.under(*bud), &self.bounds(*bud), axes, watch)?,

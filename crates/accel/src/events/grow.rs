@@ -70,6 +70,12 @@ vocabulary! {
         Settle ["settle"] { prim: PrimId, place: Place }
         /// A leaf refers to a primitive no more.
         Remove ["remove"] { prim: PrimId, place: Place }
+        /// A set got its place on the Morton curve, `rank` sets lie before it; its middle lies at `x`, `y`, `z`. The first
+        /// three digits of its code say in which eighth of the box that is (in a flat scene: quarter), in which eighth of
+        /// that, and in which eighth of this: x adds 1, y adds 2, z adds 4 where the middle lies in the upper half.
+        Rank ["rank"] { node: NodeId, rank: u32, first: u32, second: u32, third: u32, x: f32, y: f32, z: f32 }
+        /// A set's choice for this round: of its neighbours on the curve the one with the smallest common volume.
+        Prefer ["prefer"] { node: NodeId, nearest: NodeId }
         /// Two nodes became the children of a new one.
         Merge ["merge"] { node: NodeId, left: NodeId, right: NodeId, bounds: Aabb }
         /// A node was moved under another.
@@ -103,6 +109,8 @@ impl Grow {
             Grow::Leaf { .. } => "leaf",
             Grow::Settle { .. } => "settle",
             Grow::Remove { .. } => "remove",
+            Grow::Rank { .. } => "rank",
+            Grow::Prefer { .. } => "prefer",
             Grow::Merge { .. } => "merge",
             Grow::Move { .. } => "move",
             Grow::Refit { .. } => "refit",
@@ -118,6 +126,7 @@ impl Grow {
             | Grow::Weigh { .. }
             | Grow::Rasterise { .. }
             | Grow::Widen { grown: false, .. }
+            | Grow::Prefer { .. }
             | Grow::Touch { .. } => Grain::Arithmetic,
             Grow::Open { .. } | Grow::Resolve { .. } | Grow::Refine { .. } | Grow::Merge { .. } | Grow::End { .. } => {
                 Grain::Visit
@@ -142,6 +151,8 @@ impl Grow {
             | Grow::Divide { node, .. }
             | Grow::Touch { node }
             | Grow::Leaf { node, .. }
+            | Grow::Rank { node, .. }
+            | Grow::Prefer { node, .. }
             | Grow::Merge { node, .. }
             | Grow::Move { node, .. }
             | Grow::Refit { node, .. }

@@ -1,7 +1,8 @@
-//! What is told: the events of walks, of packets, of builds and of boards, the places that they are about, and who listens.
+//! What is told: the events of walks, of packets, of builds, of the fitting of volumes and of boards, the places that they are about, and who listens.
 
 mod abreast;
 mod cost;
+mod fit;
 mod grow;
 mod lanes;
 mod observer;
@@ -14,6 +15,8 @@ mod vocabulary;
 
 pub use abreast::{Abreast, PacketStep, PacketVisit};
 pub use cost::Cost;
+pub(crate) use fit::Unheard;
+pub use fit::{Fit, FrameFrom};
 pub use grow::{Grow, LeafReason};
 pub use lanes::Lanes;
 pub(crate) use observer::{BETWEEN_LOOKS, patiently, sort_patiently};

@@ -9,8 +9,8 @@ vocabulary! {
         /// A row of a table: tests per ray as printed, their printed total, what follows from other printed numbers,
         /// and what was measured here, a ray: tests of primitives, nodes or cells entered, volumes tested; then how
         /// many nodes or cells the structure has, and how many bytes. Of a single volume around everything: how much room
-        /// it encloses, its surface, how many cuts a test of it takes, its bytes, and the share of the rays that meet it
-        /// and nothing in it. Of packets how many lanes took part in a visit. What differs from machine to machine:
+        /// it encloses, its surface, how many planes bound it, how many cuts a test of it takes, its bytes, and the share of the rays
+        /// that meet it and nothing in it. Of packets how many lanes took part in a visit. What differs from machine to machine:
         /// millions of rays a second, microseconds of a ray, milliseconds of the building, the part of a picture's time in
         /// which rays are intersected in percent, and the seconds of a picture of a million rays; and whether any was timed.
         Row ["row"] {
@@ -26,6 +26,7 @@ vocabulary! {
             content: f32,
             area: f32,
             cuts: f32,
+            planes: f32,
             vain: f32,
             alive: f32,
             speed: f32,

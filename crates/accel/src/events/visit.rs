@@ -208,7 +208,7 @@ impl Visit {
             | Visit::Divide { axis, .. }
             | Visit::Order { axis, .. }
             | Visit::Narrow { axis, .. }
-            | Visit::Clip { axis, .. } => axis.is_upright(),
+            | Visit::Clip { axis, .. } => axis.leaves_plane(),
             _ => false,
         }
     }

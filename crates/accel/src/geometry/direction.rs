@@ -42,9 +42,16 @@ impl Direction {
         }
     }
 
-    /// Whether it points straight out of a flat scene: oriented boxes turn in its plane there.
-    pub fn is_upright(self) -> bool {
-        matches!(self, Direction::Along(Axis::Z) | Direction::Own(Axis::Z))
+    /// Whether it points out of a flat scene, straight or aslant: there slabs across it cut nothing off that those within
+    /// the plane have left. Oriented boxes turn in that plane.
+    pub fn leaves_plane(self) -> bool {
+        match self {
+            Direction::Along(axis) | Direction::Own(axis) => axis == Axis::Z,
+            Direction::Slanted(number) => {
+                Direction::SLANTED_VECTORS.get(usize::from(number)).is_some_and(|vector| vector.z != 0.0)
+            }
+            Direction::Normal => false,
+        }
     }
 
     /// The coordinate axis it is, if it is one.

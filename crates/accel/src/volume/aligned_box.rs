@@ -1,7 +1,7 @@
 //! The axis-aligned box, slide 50: the most common volume.
 
 use super::{Outline, Volume};
-use crate::{Aabb, Axes, Cancelled, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
+use crate::{Aabb, Axes, Cancelled, Fit, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
 
 impl Volume for Aabb {
     type Draft = Aabb;
@@ -11,7 +11,7 @@ impl Volume for Aabb {
         _: impl Iterator<Item = PrimId>,
         bounds: &Aabb,
         _: Axes,
-        _: &impl Observer<Grow>,
+        _: &mut impl Observer<Fit>,
     ) -> Result<Aabb, Cancelled> {
         Ok(*bounds)
     }
@@ -24,6 +24,10 @@ impl Volume for Aabb {
     #[inline]
     fn bounds(&self) -> Aabb {
         *self
+    }
+
+    fn planes(&self) -> u32 {
+        6
     }
 
     fn outline(&self) -> Outline {

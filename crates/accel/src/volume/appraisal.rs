@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use super::{Hull, KDop, Outline, Volume};
+use super::{Hull, KDop, Outline, Volume, fit_around};
 use crate::geometry::digits::length;
 use crate::{
     Aabb, Accel, Axes, BvhVolume, Interval, List, Measure, Obb, Observer, Place, PrimId, Primitives, Random, Ray,
@@ -18,6 +18,8 @@ pub struct Appraisal {
     pub area: f32,
     /// How much memory it takes.
     pub bytes: usize,
+    /// How many planes bound it; 0 of a sphere.
+    pub planes: u32,
     /// How many slabs, faces or equations one test of it asks for, in the mean.
     pub cuts: f64,
     /// How many of the rays meet it.
@@ -44,16 +46,7 @@ impl Appraisal {
 
     /// The surface of such a volume around `prims`, of which there must be some.
     pub fn outline(prims: &impl Primitives, volume: BvhVolume) -> Outline {
-        match volume {
-            BvhVolume::Sphere => fit::<Sphere>(prims).outline(),
-            BvhVolume::Aabb => fit::<Aabb>(prims).outline(),
-            BvhVolume::Obb => fit::<Obb>(prims).outline(),
-            BvhVolume::KDop6 => fit::<KDop<0, 0>>(prims).outline(),
-            BvhVolume::KDop14 => fit::<KDop<0, 4>>(prims).outline(),
-            BvhVolume::KDop18 => fit::<KDop<4, 6>>(prims).outline(),
-            BvhVolume::KDop26 => fit::<KDop<0, 10>>(prims).outline(),
-            BvhVolume::Hull => fit::<Hull>(prims).outline(),
-        }
+        fit_around(prims, volume, Axes::Xyz, &mut ()).expect("nobody cancels")
     }
 
     /// The share of rays that meet the volume and none of its primitives, among those that meet it.
@@ -69,7 +62,7 @@ fn around_all(prims: &impl Primitives) -> Aabb {
 
 fn fit<V: Volume>(prims: &impl Primitives) -> V {
     let ids = (0..prims.len() as u32).map(PrimId);
-    V::fit(prims, ids, &around_all(prims), Axes::Xyz, &()).expect("nobody cancels")
+    V::fit(prims, ids, &around_all(prims), Axes::Xyz, &mut ()).expect("nobody cancels")
 }
 
 /// Counts what cuts a ray in the test of a volume.
@@ -103,6 +96,7 @@ fn appraise<V: Volume>(prims: &impl Primitives, rays: u32, seed: u64) -> Apprais
         content: volume.content(),
         area: volume.measure(Measure::Area),
         bytes: volume.bytes(),
+        planes: volume.planes(),
         cuts: cuts.0 as f64 / f64::from(shot.max(1)),
         met,
         in_vain,

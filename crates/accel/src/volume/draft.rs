@@ -34,7 +34,7 @@ impl Draft for Aabb {
 
 impl Draft for Sphere {
     fn of(corners: &[Corner], bounds: &Aabb) -> Sphere {
-        Sphere::around(corners, bounds, &()).expect("nobody cancels")
+        Sphere::around(corners, bounds, &mut ()).expect("nobody cancels")
     }
 
     fn join(&self, other: &Sphere) -> Sphere {

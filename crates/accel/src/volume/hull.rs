@@ -6,9 +6,7 @@ use super::quickhull::quickhull;
 use super::{Outline, Spans, Volume, corners, slack, spans};
 use crate::common::bars_projection;
 use crate::slab::{earlier, later};
-use crate::{
-    Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit,
-};
+use crate::{Aabb, Axes, Cancelled, Corner, Direction, Fit, Interval, Observer, Place, PrimId, Primitives, Ray, Visit};
 
 /// All points behind some planes.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,7 +36,7 @@ impl Volume for Hull {
         ids: impl Iterator<Item = PrimId>,
         bounds: &Aabb,
         _: Axes,
-        watch: &impl Observer<Grow>,
+        watch: &mut impl Observer<Fit>,
     ) -> Result<Hull, Cancelled> {
         let corners = corners(prims, ids, watch)?;
         let center = bounds.center();
@@ -48,18 +46,18 @@ impl Volume for Hull {
         for round in corners.iter().filter(|corner| corner.radius > 0.0) {
             points.extend(directions().map(|n| seen(round) + n * f64::from(round.radius)));
         }
-        let found = quickhull(&points, MOST_CORNERS, watch)?;
+        let found = quickhull(&points, center.as_dvec3(), MOST_CORNERS, watch)?;
         // Whatever the search left out or rounding moved: each plane goes out as far as the furthest corner.
         let normals: Vec<Vec3> = found.faces.iter().map(|face| face.n.as_vec3()).collect();
         let along: Vec<DVec3> = normals.iter().map(|n| n.as_dvec3()).collect();
         let far = spans(&corners, center, &along, watch)?;
         let offsets = far.into_iter().map(|[_, high]| (high as f32).next_up());
+        let planes: Vec<(Vec3, f32)> = normals.into_iter().zip(offsets).collect();
+        for (face, &(Vec3 { x, y, z }, plane)) in found.faces.iter().zip(&planes) {
+            watch.on(Fit::Plane { face: face.id, x, y, z, plane });
+        }
         let kept = found.corners.into_iter().filter(|&i| i < sharp);
-        Ok(Hull {
-            bounds: *bounds,
-            planes: normals.into_iter().zip(offsets).collect(),
-            corners: kept.map(|i| (points[i] + center.as_dvec3()).as_vec3()).collect(),
-        })
+        Ok(Hull { bounds: *bounds, planes, corners: kept.map(|i| (points[i] + center.as_dvec3()).as_vec3()).collect() })
     }
 
     /// Clips the ray against one plane after the other (Cyrus and Beck 1978).
@@ -103,6 +101,10 @@ impl Volume for Hull {
 
     fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    fn planes(&self) -> u32 {
+        self.planes.len() as u32
     }
 
     fn outline(&self) -> Outline {

@@ -2,10 +2,12 @@
 
 use glam::{DVec3, Vec3};
 
-use super::{Outline, Spans, Volume, corners, slack, spans};
+use super::{Outline, Spans, Volume, corners, push, slack, spans_told};
 use crate::common::bars_projection;
 use crate::slab::Slab;
-use crate::{Aabb, Axes, Cancelled, Direction, Grow, Interval, Observer, Place, PrimId, Primitives, Ray, Visit, slab};
+use crate::{
+    Aabb, Axes, Axis, Cancelled, Direction, Fit, Interval, Observer, Place, PrimId, Primitives, Ray, Visit, slab,
+};
 
 /// A box with `N` more slabs: those of [`Direction::SLANTED`] from `FIRST` on. The number of planes, k, is
 /// 6 + 2·`N`.
@@ -46,11 +48,19 @@ impl<const FIRST: usize, const N: usize> Volume for KDop<FIRST, N> {
         ids: impl Iterator<Item = PrimId>,
         bounds: &Aabb,
         _: Axes,
-        watch: &impl Observer<Grow>,
+        watch: &mut impl Observer<Fit>,
     ) -> Result<Self, Cancelled> {
         let corners = if N == 0 { Vec::new() } else { corners(prims, ids, watch)? };
         let normals: [DVec3; N] = std::array::from_fn(|i| normal(FIRST + i));
-        let spans = spans(&corners, bounds.center(), &normals, watch)?;
+        // The first three slabs are those of the box.
+        let half = (bounds.extent() * 0.5).as_dvec3();
+        for axis in [Axis::X, Axis::Y, Axis::Z] {
+            let (at, way) = (half[axis.index()], DVec3::AXES[axis.index()]);
+            push(watch, axis.into(), way, [-at, at], corners.len() as u32);
+        }
+        let spans = spans_told(&corners, bounds.center(), &normals, watch, |watch, i, span, points| {
+            push(watch, Direction::Slanted((FIRST + i) as u8), normals[i], span, points);
+        })?;
         Ok(KDop { bounds: *bounds, slabs: std::array::from_fn(|i| spans[i].map(|at| at as f32)) })
     }
 
@@ -77,6 +87,10 @@ impl<const FIRST: usize, const N: usize> Volume for KDop<FIRST, N> {
 
     fn bounds(&self) -> Aabb {
         self.bounds
+    }
+
+    fn planes(&self) -> u32 {
+        6 + 2 * N as u32
     }
 
     fn outline(&self) -> Outline {

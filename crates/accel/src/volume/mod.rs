@@ -2,6 +2,7 @@
 
 mod aligned_box;
 mod appraisal;
+mod around;
 mod draft;
 mod hull;
 mod kdop;
@@ -15,6 +16,7 @@ use std::fmt::Debug;
 use glam::{DVec3, Vec3};
 
 pub use appraisal::Appraisal;
+pub use around::fit_around;
 pub use draft::{Draft, Spans};
 pub use hull::Hull;
 pub use kdop::KDop;
@@ -22,7 +24,9 @@ pub use outline::Outline;
 pub use quickhull::outline;
 
 use crate::events::{BETWEEN_LOOKS, patiently};
-use crate::{Aabb, Axes, Cancelled, Corner, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit};
+use crate::{
+    Aabb, Axes, Cancelled, Corner, Direction, Fit, Interval, Measure, Observer, Place, PrimId, Primitives, Ray, Visit,
+};
 
 /// A shape that holds a set of primitives and is tested before any of them.
 ///
@@ -48,7 +52,7 @@ pub trait Volume: Clone + Debug + PartialEq {
         ids: impl Iterator<Item = PrimId>,
         bounds: &Aabb,
         axes: Axes,
-        watch: &impl Observer<Grow>,
+        watch: &mut impl Observer<Fit>,
     ) -> Result<Self, Cancelled>;
 
     /// The part of `within` for which the ray lies in the volume; empty if it misses.
@@ -69,6 +73,9 @@ pub trait Volume: Clone + Debug + PartialEq {
     fn content(&self) -> f64 {
         self.outline().content()
     }
+
+    /// How many planes bound it: 0 of what is round.
+    fn planes(&self) -> u32;
 
     /// How much memory it takes.
     fn bytes(&self) -> usize {
@@ -97,12 +104,13 @@ fn slack(ray: &Ray, f: Vec3, reach: f32) -> f32 {
 fn corners<P: Primitives>(
     prims: &P,
     ids: impl Iterator<Item = PrimId>,
-    watch: &impl Observer<Grow>,
+    watch: &mut impl Observer<Fit>,
 ) -> Result<Vec<Corner>, Cancelled> {
     let mut corners = Vec::new();
     for prim in patiently(ids, watch) {
         prims.shape(prim?).corners(|corner| corners.push(corner));
     }
+    watch.on(Fit::Gather { points: corners.len() as u32 });
     Ok(corners)
 }
 
@@ -111,19 +119,42 @@ fn spans(
     corners: &[Corner],
     center: Vec3,
     normals: &[DVec3],
-    watch: &impl Observer<Grow>,
+    watch: &mut impl Observer<Fit>,
+) -> Result<Vec<[f64; 2]>, Cancelled> {
+    spans_told(corners, center, normals, watch, |_, _, _, _| {})
+}
+
+/// The same; `moved` hears which of the normals has its two planes pushed out, where they lie now, and how many corners
+/// lie between them.
+fn spans_told<W: Observer<Fit>>(
+    corners: &[Corner],
+    center: Vec3,
+    normals: &[DVec3],
+    watch: &mut W,
+    mut moved: impl FnMut(&mut W, usize, [f64; 2], u32),
 ) -> Result<Vec<[f64; 2]>, Cancelled> {
     let mut spans = vec![[f64::INFINITY, f64::NEG_INFINITY]; normals.len()];
+    let mut seen = 0;
     for piece in corners.chunks(BETWEEN_LOOKS) {
         if watch.cancelled() {
             return Err(Cancelled);
         }
-        for ([low, high], &n) in spans.iter_mut().zip(normals) {
-            let [least, most] = span(piece, center, n);
-            (*low, *high) = (low.min(least), high.max(most));
+        seen += piece.len() as u32;
+        for (index, (span_so_far, &n)) in spans.iter_mut().zip(normals).enumerate() {
+            let ([least, most], [low, high]) = (span(piece, center, n), *span_so_far);
+            *span_so_far = [low.min(least), high.max(most)];
+            if least < low || most > high {
+                moved(watch, index, *span_so_far, seen);
+            }
         }
     }
     Ok(spans)
+}
+
+/// Tells of two planes across a direction that were pushed out.
+fn push(watch: &mut impl Observer<Fit>, axis: Direction, normal: DVec3, [low, high]: [f64; 2], points: u32) {
+    let Vec3 { x, y, z } = normal.as_vec3();
+    watch.on(Fit::Push { axis, x, y, z, low: low as f32, high: high as f32, points });
 }
 
 /// How far the corners reach along `n`, seen from `center`: the lowest and the highest coordinate.

@@ -2,11 +2,12 @@
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::{Outline, Spans, Volume, corners, slack, span, spans};
+use super::{Outline, Spans, Volume, corners, push, slack, span, spans, spans_told};
 use crate::common::bars_projection;
 use crate::events::patiently;
 use crate::{
-    Aabb, Axes, Cancelled, Corner, Direction, Grow, Interval, Obb, Observer, Place, PrimId, Primitives, Ray, Visit,
+    Aabb, Axes, Axis, Cancelled, Corner, Direction, Fit, FrameFrom, Interval, Obb, Observer, Place, PrimId, Primitives,
+    Ray, Visit,
 };
 
 impl Volume for Obb {
@@ -22,16 +23,20 @@ impl Volume for Obb {
         ids: impl Iterator<Item = PrimId>,
         bounds: &Aabb,
         axes: Axes,
-        watch: &impl Observer<Grow>,
+        watch: &mut impl Observer<Fit>,
     ) -> Result<Obb, Cancelled> {
         let corners = corners(prims, ids, watch)?;
         let center = bounds.center();
         // The principal axes or the world's, turned until no small turn makes the box smaller.
         let few = outermost(&corners, center, watch)?;
-        let starts = [principal(&few, center, axes), DMat3::IDENTITY].map(|frame| Turned::by(&few, center, frame));
-        let [principal, world] = starts;
+        let frames = [principal(&few, center, axes, watch), DMat3::IDENTITY];
+        let [principal, world] = frames.map(|frame| Turned::by(&few, center, frame));
+        principal.tell(FrameFrom::Principal, 0.0, watch);
+        world.tell(FrameFrom::World, 0.0, watch);
         let start = if world.size() < principal.size() { world } else { principal };
-        let frame = start.refined(&few, center, axes).frame;
+        let other = if world.size() < principal.size() { principal } else { world };
+        watch.on(Fit::Choose { surface: start.surface(), least: other.surface(), tangent: 0.0, taken: true });
+        let frame = start.refined(&few, center, axes, watch).frame;
         let axes = [frame.x_axis.as_vec3(), frame.y_axis.as_vec3(), frame.z_axis.as_vec3()];
         Obb::along(&corners, center, axes, watch)
     }
@@ -45,6 +50,10 @@ impl Volume for Obb {
         Obb::bounds(self)
     }
 
+    fn planes(&self) -> u32 {
+        6
+    }
+
     fn outline(&self) -> Outline {
         let planes = (0..3).flat_map(|i| {
             let (n, half) = (self.axes[i].as_dvec3(), f64::from(self.half[i]));
@@ -56,7 +65,12 @@ impl Volume for Obb {
 
 impl Obb {
     /// The box along given directions around balls.
-    fn along(corners: &[Corner], near: Vec3, axes: [Vec3; 3], watch: &impl Observer<Grow>) -> Result<Obb, Cancelled> {
+    fn along(
+        corners: &[Corner],
+        near: Vec3,
+        axes: [Vec3; 3],
+        watch: &mut impl Observer<Fit>,
+    ) -> Result<Obb, Cancelled> {
         let normals = axes.map(Vec3::as_dvec3);
         let across = spans(corners, near, &normals, watch)?;
         let middle = normals
@@ -65,7 +79,9 @@ impl Obb {
             .fold(near.as_dvec3(), |middle, (axis, [low, high])| middle + axis * ((low + high) * 0.5));
         // Single precision moves the centre: as large as it then must be.
         let center = middle.as_vec3();
-        let across = spans(corners, center, &normals, watch)?;
+        let across = spans_told(corners, center, &normals, watch, |watch, i, span, points| {
+            push(watch, Direction::Own([Axis::X, Axis::Y, Axis::Z][i]), normals[i], span, points);
+        })?;
         let half = [0, 1, 2].map(|i| (across[i][1].max(-across[i][0]) as f32).next_up());
         Ok(Obb { center, axes, half: Vec3::from(half) })
     }
@@ -73,7 +89,7 @@ impl Obb {
 
 /// The corners that lie furthest along the directions of a 26-DOP, or all if there are few: enough to choose the
 /// box's directions by (Larsson and Källberg, "Fast computation of tight-fitting oriented bounding boxes", 2011).
-fn outermost(corners: &[Corner], center: Vec3, watch: &impl Observer<Grow>) -> Result<Vec<Corner>, Cancelled> {
+fn outermost(corners: &[Corner], center: Vec3, watch: &mut impl Observer<Fit>) -> Result<Vec<Corner>, Cancelled> {
     const FEW: usize = 32;
     let found = if corners.len() <= FEW {
         corners.to_vec()
@@ -97,15 +113,19 @@ fn outermost(corners: &[Corner], center: Vec3, watch: &impl Observer<Grow>) -> R
     for corner in found {
         if !few.contains(&corner) {
             few.push(corner);
+            let Vec3 { x, y, z } = corner.at;
+            watch.on(Fit::Keep { point: few.len() as u32 - 1, x, y, z });
         }
     }
     Ok(few)
 }
 
 /// Along which directions the corners spread most and least: the eigenvectors of their covariance.
-fn principal(corners: &[Corner], center: Vec3, axes: Axes) -> DMat3 {
+fn principal(corners: &[Corner], center: Vec3, axes: Axes, watch: &mut impl Observer<Fit>) -> DMat3 {
     let seen: Vec<DVec3> = corners.iter().map(|corner| corner.at.as_dvec3() - center.as_dvec3()).collect();
     let mean = seen.iter().sum::<DVec3>() / seen.len() as f64;
+    let Vec3 { x, y, z } = (mean + center.as_dvec3()).as_vec3();
+    watch.on(Fit::Mean { x, y, z, points: seen.len() as u32 });
     let mut spread = DMat3::ZERO;
     for p in &seen {
         let p = *p - mean;
@@ -122,6 +142,10 @@ fn principal(corners: &[Corner], center: Vec3, axes: Axes) -> DMat3 {
         let slope = (spread.col(j)[j] - spread.col(i)[i]) / (2.0 * beside);
         let tangent = 1.0_f64.copysign(slope) / (slope.abs() + (1.0 + slope * slope).sqrt());
         let turn = turned(DMat3::IDENTITY, i, j, -tangent);
+        let [first, second] = [i, j].map(|index| Direction::Own([Axis::X, Axis::Y, Axis::Z][index]));
+        let [along_first, along_second] = [i, j].map(|index| spread.col(index)[index] as f32);
+        let (together, tangent) = (beside as f32, tangent as f32);
+        watch.on(Fit::Align { first, second, along_first, along_second, together, tangent });
         spread = turn.transpose() * spread * turn;
         frame *= turn;
     }
@@ -139,47 +163,93 @@ fn turned(frame: DMat3, i: usize, j: usize, tangent: f64) -> DMat3 {
     next
 }
 
-/// A frame, and how long the sides of the box along it are.
+/// A frame, and between which coordinates along it the box lies, seen from `center`.
 #[derive(Clone, Copy)]
 struct Turned {
     frame: DMat3,
-    sides: DVec3,
+    spans: [[f64; 2]; 3],
+    center: Vec3,
 }
 
 impl Turned {
     fn by(corners: &[Corner], center: Vec3, frame: DMat3) -> Turned {
-        Turned { frame, sides: DVec3::from_array([0, 1, 2].map(|i| side(corners, center, frame.col(i)))) }
+        Turned { frame, spans: [0, 1, 2].map(|i| span(corners, center, frame.col(i))), center }
+    }
+
+    /// How long the sides of the box are.
+    fn sides(&self) -> DVec3 {
+        DVec3::from_array(self.spans.map(|[low, high]| high - low))
     }
 
     /// The surface; the sum of the sides decides between boxes without one.
     fn size(&self) -> f64 {
-        let DVec3 { x, y, z } = self.sides;
+        let DVec3 { x, y, z } = self.sides();
         x * y + y * z + z * x + 1e-9 * (x + y + z) * (x + y + z)
     }
 
+    /// The surface alone.
+    fn surface(&self) -> f32 {
+        let DVec3 { x, y, z } = self.sides();
+        (2.0 * (x * y + y * z + z * x)) as f32
+    }
+
+    /// Tells that this frame was tried.
+    fn tell(&self, from: FrameFrom, tangent: f64, watch: &mut impl Observer<Fit>) {
+        let middle = (0..3).fold(self.center.as_dvec3(), |middle, i| {
+            middle + self.frame.col(i) * ((self.spans[i][0] + self.spans[i][1]) * 0.5)
+        });
+        let Vec3 { x, y, z } = middle.as_vec3();
+        let [u, v, w] = [self.frame.x_axis, self.frame.y_axis, self.frame.z_axis].map(DVec3::as_vec3);
+        let Vec3 { x: wide_u, y: wide_v, z: wide_w } = self.sides().as_vec3();
+        watch.on(Fit::Frame {
+            from,
+            x,
+            y,
+            z,
+            u_x: u.x,
+            u_y: u.y,
+            u_z: u.z,
+            v_x: v.x,
+            v_y: v.y,
+            v_z: v.z,
+            w_x: w.x,
+            w_y: w.y,
+            w_z: w.z,
+            wide_u,
+            wide_v,
+            wide_w,
+            surface: self.surface(),
+            tangent: tangent as f32,
+        });
+    }
+
     /// Turned by smaller and smaller angles as long as the box shrinks.
-    fn refined(mut self, corners: &[Corner], center: Vec3, axes: Axes) -> Turned {
+    fn refined(mut self, corners: &[Corner], center: Vec3, axes: Axes, watch: &mut impl Observer<Fit>) -> Turned {
         let pairs: &[(usize, usize)] = if axes == Axes::Xy { &[(0, 1)] } else { &[(0, 1), (0, 2), (1, 2)] };
         let mut tangent = 0.5;
         while tangent > 1e-4 {
             let turns = pairs.iter().flat_map(|&(i, j)| [(i, j, tangent), (i, j, -tangent)]);
-            let tried = turns.map(|(i, j, tangent)| {
+            let mut best: Option<Turned> = None;
+            for (i, j, tangent) in turns {
                 // The third side stays as it is.
-                let (frame, mut sides) = (turned(self.frame, i, j, tangent), self.sides);
-                (sides[i], sides[j]) = (side(corners, center, frame.col(i)), side(corners, center, frame.col(j)));
-                Turned { frame, sides }
-            });
-            match tried.reduce(|a, b| if b.size() < a.size() { b } else { a }) {
-                Some(best) if best.size() < self.size() => self = best,
-                _ => tangent *= 0.5,
+                let (frame, mut spans) = (turned(self.frame, i, j, tangent), self.spans);
+                (spans[i], spans[j]) = (span(corners, center, frame.col(i)), span(corners, center, frame.col(j)));
+                let tried = Turned { frame, spans, center };
+                tried.tell(FrameFrom::Turned, tangent, watch);
+                if best.is_none_or(|best| tried.size() < best.size()) {
+                    best = Some(tried);
+                }
+            }
+            let Some(best) = best else { break };
+            let (surface, least, taken) = (best.surface(), self.surface(), best.size() < self.size());
+            if taken {
+                self = best;
+            }
+            watch.on(Fit::Choose { surface, least, tangent: tangent as f32, taken });
+            if !taken {
+                tangent *= 0.5;
             }
         }
         self
     }
-}
-
-/// How far apart the outermost corners along `n` are.
-fn side(corners: &[Corner], center: Vec3, n: DVec3) -> f64 {
-    let [low, high] = span(corners, center, n);
-    high - low
 }

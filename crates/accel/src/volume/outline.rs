@@ -19,7 +19,7 @@ pub enum Outline {
 impl Outline {
     /// The body that lies behind some planes, given by normals and offsets as seen from `center`. It must be
     /// bounded; it may be flat.
-    pub(super) fn of_planes(center: Vec3, planes: impl Iterator<Item = (DVec3, f64)>) -> Outline {
+    pub fn of_planes(center: Vec3, planes: impl Iterator<Item = (DVec3, f64)>) -> Outline {
         let planes: Vec<(DVec3, f64)> = planes.map(|(n, offset)| (n.normalize(), offset / n.length())).collect();
         let reach = planes.iter().map(|(_, offset)| offset.abs()).fold(0.0, f64::max);
         let thin = reach * 1e-6;

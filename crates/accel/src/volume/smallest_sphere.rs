@@ -2,7 +2,7 @@
 
 use std::f32::consts::PI;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Vec3};
 
 use super::{Outline, Volume, corners, slack};
 use crate::common::bars_origin;
@@ -10,7 +10,7 @@ use crate::events::patiently;
 use crate::geometry::digits::length;
 use crate::slab::{earlier, later};
 use crate::{
-    Aabb, Axes, Cancelled, Corner, Each, Grow, Interval, Measure, Observer, Place, PrimId, Primitives, Probe, Ray,
+    Aabb, Axes, Cancelled, Corner, Each, Fit, Interval, Measure, Observer, Place, PrimId, Primitives, Probe, Ray,
     Sphere, Visit,
 };
 
@@ -27,9 +27,10 @@ impl Volume for Sphere {
         ids: impl Iterator<Item = PrimId>,
         bounds: &Aabb,
         _: Axes,
-        watch: &impl Observer<Grow>,
+        watch: &mut impl Observer<Fit>,
     ) -> Result<Sphere, Cancelled> {
-        Sphere::around(&corners(prims, ids, watch)?, bounds, watch)
+        let corners = corners(prims, ids, watch)?;
+        Sphere::around(&corners, bounds, watch)
     }
 
     fn meet(&self, ray: &Ray, within: Interval, place: Place, watch: &mut impl Observer<Visit>) -> Interval {
@@ -64,6 +65,10 @@ impl Volume for Sphere {
         Sphere::bounds(self)
     }
 
+    fn planes(&self) -> u32 {
+        0
+    }
+
     fn outline(&self) -> Outline {
         Outline::Sphere(*self)
     }
@@ -85,7 +90,11 @@ const ROUNDING: f64 = 1e-12;
 
 impl Sphere {
     /// A small sphere around balls: the smallest, if they are points.
-    pub(crate) fn around(corners: &[Corner], bounds: &Aabb, watch: &impl Observer<Grow>) -> Result<Sphere, Cancelled> {
+    pub(crate) fn around(
+        corners: &[Corner],
+        bounds: &Aabb,
+        watch: &mut impl Observer<Fit>,
+    ) -> Result<Sphere, Cancelled> {
         let base = bounds.center().as_dvec3();
         let seen = |corner: &Corner| corner.at.as_dvec3() - base;
         // The smallest sphere around a few points: whatever lies furthest outside becomes one of them, until
@@ -94,12 +103,16 @@ impl Sphere {
         while few.len() < FEW {
             let from_center = |corner: &Corner| (seen(corner) - ball.center).length_squared();
             let (far, furthest) = reach(corners, from_center, watch)?;
-            if ball.holds(far) {
+            let outside = !ball.holds(far);
+            tell_far(corners, furthest, far.sqrt(), ball.radius(), outside, watch);
+            if !outside {
                 break;
             }
             few.push(seen(&corners[furthest]));
             let count = few.len();
-            ball = smallest(&mut few, count, &mut Vec::new());
+            ball = smallest(&mut few, count, &mut Vec::new(), base, watch);
+            let Vec3 { x, y, z } = (base + ball.center).as_vec3();
+            watch.on(Fit::Ball { x, y, z, radius: ball.radius() as f32, few: count as u32 });
         }
         let mut center = ball.center;
         if corners.iter().any(|corner| corner.radius > 0.0) {
@@ -108,7 +121,9 @@ impl Sphere {
         // What single precision makes of the centre, and as large as it then must be.
         let center = (base + center).as_vec3();
         let (radius, _) = reach(corners, |corner| far_side(corner, center.as_dvec3()), watch)?;
-        Ok(Sphere { center, radius: (radius as f32).next_up() })
+        let radius = (radius as f32).next_up();
+        watch.on(Fit::Sphere { x: center.x, y: center.y, z: center.z, radius });
+        Ok(Sphere { center, radius })
     }
 
     /// The smallest sphere around two: it holds both, not only their centres.
@@ -126,6 +141,14 @@ impl Sphere {
     }
 }
 
+/// Tells which corner is the furthest, so far away from the centre.
+fn tell_far(corners: &[Corner], furthest: usize, far: f64, radius: f64, outside: bool, watch: &mut impl Observer<Fit>) {
+    if let Some(corner) = corners.get(furthest) {
+        let Vec3 { x, y, z } = corner.at;
+        watch.on(Fit::Far { point: furthest as u32, x, y, z, far: far as f32, radius: radius as f32, outside });
+    }
+}
+
 /// How far away the far side of a ball is.
 fn far_side(corner: &Corner, from: DVec3) -> f64 {
     (corner.at.as_dvec3() - from).length() + f64::from(corner.radius)
@@ -135,7 +158,7 @@ fn far_side(corner: &Corner, from: DVec3) -> f64 {
 fn reach(
     corners: &[Corner],
     far: impl Fn(&Corner) -> f64,
-    watch: &impl Observer<Grow>,
+    watch: &mut impl Observer<Fit>,
 ) -> Result<(f64, usize), Cancelled> {
     patiently(corners.iter().enumerate(), watch).try_fold((0.0, 0), |most, corner| {
         let (i, corner) = corner?;
@@ -146,7 +169,7 @@ fn reach(
 
 /// Moves the centre towards whatever is furthest, by ever smaller steps (Bădoiu and Clarkson, "Smaller core-sets
 /// for balls", 2003); keeps the best.
-fn shrunk(corners: &[Corner], base: DVec3, start: DVec3, watch: &impl Observer<Grow>) -> Result<DVec3, Cancelled> {
+fn shrunk(corners: &[Corner], base: DVec3, start: DVec3, watch: &mut impl Observer<Fit>) -> Result<DVec3, Cancelled> {
     let mut center = start;
     let (mut best, mut least) = (start, f64::INFINITY);
     for step in 0..SHRINK {
@@ -155,6 +178,8 @@ fn shrunk(corners: &[Corner], base: DVec3, start: DVec3, watch: &impl Observer<G
             (best, least) = (center, radius);
         }
         center += (corners[furthest].at.as_dvec3() - base - center) / (step + 2) as f64;
+        let Vec3 { x, y, z } = (base + center).as_vec3();
+        watch.on(Fit::Shift { x, y, z, radius: radius as f32, part: ((step + 2) as f32).recip() });
     }
     Ok(best)
 }
@@ -166,15 +191,31 @@ struct Ball {
 }
 
 impl Ball {
+    /// Its radius; 0 of none.
+    fn radius(&self) -> f64 {
+        self.radius_squared.max(0.0).sqrt()
+    }
+
     /// Whether a point so far from the centre, squared, lies in it.
     fn holds(&self, far_squared: f64) -> bool {
         far_squared <= self.radius_squared * (1.0 + ROUNDING)
     }
 }
 
-/// The smallest sphere around the first `count` points that has those of `edge`, at most four, on it.
-fn smallest(points: &mut [DVec3], count: usize, edge: &mut Vec<DVec3>) -> Ball {
+/// The smallest sphere around the first `count` points that has those of `edge`, at most four, on it. `base` is where
+/// the points are seen from.
+fn smallest(
+    points: &mut [DVec3],
+    count: usize,
+    edge: &mut Vec<DVec3>,
+    base: DVec3,
+    watch: &mut impl Observer<Fit>,
+) -> Ball {
     let mut ball = through(edge);
+    if !edge.is_empty() {
+        let Vec3 { x, y, z } = (base + ball.center).as_vec3();
+        watch.on(Fit::Try { x, y, z, radius: ball.radius() as f32, on: edge.len() as u32 });
+    }
     if edge.len() == 4 {
         return ball;
     }
@@ -183,7 +224,7 @@ fn smallest(points: &mut [DVec3], count: usize, edge: &mut Vec<DVec3>) -> Ball {
         if !ball.holds((p - ball.center).length_squared()) {
             // It lies outside, so it lies on the sphere around itself and those before it.
             edge.push(p);
-            ball = smallest(points, i, edge);
+            ball = smallest(points, i, edge, base, watch);
             edge.pop();
             // Points that mattered once are asked first.
             points[..=i].rotate_right(1);

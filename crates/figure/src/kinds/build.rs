@@ -22,6 +22,12 @@ impl Build<'_> {
         self.events.iter().any(|event| matches!(event, Grow::Weigh { .. }))
     }
 
+    /// Whether sets are joined along a curve.
+    fn follows_a_curve(&self) -> bool {
+        matches!(self.structure, Structure::Bvh(_))
+            && self.events.iter().any(|event| matches!(event, Grow::Rank { .. }))
+    }
+
     /// Whether a flat scene is divided by planes along the axes, or by shares of its primitives.
     fn weighs_in_the_plane(&self) -> bool {
         self.flat && matches!(self.structure, Structure::Kd(_) | Structure::Bvh(_)) && self.weighs()
@@ -138,6 +144,7 @@ impl Kind for Build<'_> {
         match () {
             () if self.structure.grid().is_some() => legend::OF_GRID,
             () if !self.changes.is_empty() => legend::OF_CHANGE,
+            () if self.follows_a_curve() => legend::OF_CURVE,
             () => legend::OF_BUILD,
         }
     }

@@ -4,6 +4,7 @@ mod board;
 mod build;
 mod detail;
 mod film;
+mod fit;
 mod instant;
 mod kind;
 mod packet;
@@ -15,6 +16,7 @@ mod walks;
 
 pub use board::Board;
 pub use film::Film;
+pub use fit::Fitting;
 pub use instant::Instant;
 pub use kind::{Guess, Kind};
 pub use pairs::Pairs;

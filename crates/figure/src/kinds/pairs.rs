@@ -78,7 +78,11 @@ impl Kind for Pairs<'_> {
             Pane::Matrix => matrix_of_pairs(self.cases, self.events, step, ask),
             Pane::Ruler | Pane::RulerLine => numbers(&self.tried(step)?, size, look),
             Pane::Listing => listing("Test", ask.lines, self.fact(step), false, size, look),
-            Pane::Work => steps(&self.tried(step)?, size, look),
+            Pane::Work => {
+                let tried = self.tried(step)?;
+                let done: Vec<&dyn Fact> = tried.done.iter().skip(1).map(|trial| -> &dyn Fact { trial }).collect();
+                steps("The test so far", 1, &done, size, look)
+            }
             _ => return None,
         })
     }

@@ -70,7 +70,13 @@ pub struct GrowMoment {
     /// Planes that an open question offers, with a word for each. The build knows nothing of it: whoever
     /// asks puts them here.
     pub guesses: Vec<(Direction, f32, String)>,
+    /// Sets in the order of the Morton curve that they lie on, each with its middle.
+    pub curve: Vec<(NodeId, Vec3)>,
+    /// Which neighbour on it each set has chosen in this round.
+    pub preferred: Vec<(NodeId, NodeId)>,
     parents: BTreeMap<NodeId, NodeId>,
+    /// The event before.
+    last: Option<Grow>,
     /// The primitive under consideration.
     pub prim: Option<PrimId>,
 }
@@ -186,7 +192,10 @@ impl Default for GrowMoment {
             waiting: Vec::new(),
             tally: Tally::default(),
             guesses: Vec::new(),
+            curve: Vec::new(),
+            preferred: Vec::new(),
             parents: BTreeMap::new(),
+            last: None,
             prim: None,
         }
     }
@@ -210,7 +219,7 @@ impl GrowMoment {
     /// Lets one more event happen.
     pub fn happen(&mut self, event: Grow) {
         self.step += 1;
-        self.event = Some(event);
+        self.last = self.event.replace(event);
         match event {
             Grow::Widen { prim, bounds, .. } => {
                 self.set_sides(prim, &bounds);
@@ -324,11 +333,23 @@ impl GrowMoment {
                     Place::World | Place::Prim(_) => {}
                 }
             }
+            Grow::Rank { node, x, y, z, .. } => {
+                self.consider(node);
+                self.prim = None;
+                self.curve.push((node, Vec3::new(x, y, z)));
+            }
+            Grow::Prefer { node, nearest } => self.prefer(node, nearest),
             Grow::Merge { node, left, right, bounds } => self.join(node, [left, right], bounds),
             Grow::Move { node, parent, .. } => self.hang(node, parent),
             Grow::Refit { node, bounds } => self.refit(node, bounds),
-            Grow::Renumber { from, to } => self.renumber(from, to),
+            Grow::Renumber { from, to } => {
+                self.curve.clear();
+                self.preferred.clear();
+                self.renumber(from, to);
+            }
             Grow::End { .. } => {
+                self.curve.clear();
+                self.preferred.clear();
                 self.prim = None;
                 self.node = None;
                 self.weighed.clear();

@@ -42,7 +42,7 @@ impl Walk<'_> {
 
     /// Whether the scene is flat and leaves out what stands across this direction.
     pub(crate) fn leaves_out(&self, across: Direction) -> bool {
-        self.flat && across.is_upright()
+        self.flat && across.leaves_plane()
     }
 
     /// The box around the structure, or around the primitives where there is none.

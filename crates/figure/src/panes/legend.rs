@@ -64,6 +64,19 @@ pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Dropped, "not reached"),
 ];
 
+/// What they mean where sets on a curve are joined.
+pub(crate) const OF_CURVE: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Here, "under consideration"),
+    (Role::Ghost, "where it was before"),
+    (Role::Best, "sets a side of the box"),
+    (Role::Guess, "possible answer"),
+    (Role::Line, "Morton curve"),
+    (Role::Tick, "middle of a set on it"),
+    (Role::Candidate, "chosen neighbour"),
+    (Role::Seen, "a set"),
+];
+
 /// What they mean where a tree is built and then changed.
 pub(crate) const OF_CHANGE: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),

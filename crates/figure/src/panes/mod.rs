@@ -7,6 +7,7 @@ mod bytes;
 mod cells;
 mod changed;
 mod costs;
+mod fit;
 mod lanes;
 pub(crate) mod legend;
 mod listing;
@@ -36,6 +37,7 @@ pub(crate) use bytes::bytes_height;
 pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};
 pub use costs::costs;
+pub(crate) use fit::space_of_fit;
 pub use listing::{ListingLine, line_at, listing};
 pub(crate) use packet::{
     listing_of_packet, matrix, matrix_height, rulers, rulers_height, space_of_packet, stack_of_packet, tree_of_packet,

@@ -16,5 +16,6 @@ pub use globe::{circles, contour};
 pub(crate) use levels::{Levels, drawn, frontier};
 pub use nodes::Nodes;
 pub use outlines::forms_of;
+pub(crate) use outlines::volume as forms_of_volume;
 pub use space::{Depth, Form, Space, SpaceMark};
 pub(crate) use space::{corners, edges};

@@ -37,7 +37,7 @@ pub fn forms_of(outline: &Outline) -> Vec<Form> {
 }
 
 /// A volume: in a flat scene, where it meets the plane of the drawing.
-fn volume(outline: &Outline, flat: bool) -> Vec<Form> {
+pub(crate) fn volume(outline: &Outline, flat: bool) -> Vec<Form> {
     match outline {
         Outline::Box(bounds) if bounds.is_empty() => Vec::new(),
         Outline::Box(bounds) => vec![Form::Box(*bounds)],

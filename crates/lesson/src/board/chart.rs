@@ -1,5 +1,7 @@
 //! A chart: points and laws over two axes.
 
+use glam::Vec3;
+
 use crate::keys::Keys;
 use crate::problem::misspelt;
 use crate::reading::Reading;
@@ -70,6 +72,8 @@ pub enum Stroke {
         of: Column,
         /// The names of the scenes.
         scenes: Vec<String>,
+        /// The point that all rays go through, from all around; nothing where they are those of a picture.
+        through: Option<Vec3>,
     },
     /// A law in `x`, from here to there; a guess is dashed.
     Law {
@@ -140,9 +144,14 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     table::moves(plan.as_ref(), false, at, reading);
     let fast = table::fast(&mut keys, plan.as_ref(), reading);
     let of = keys.get::<String>("of", reading);
+    let through = keys.get::<Vec3>("through", reading);
     let at = keys.at();
     let spot = reading.spot(at);
     keys.finish(reading);
+    if let Some((through_at, _)) = through.as_ref().filter(|_| scenes.is_none()) {
+        reading
+            .problem(*through_at, "`through` belongs to what is measured over `scenes`: there the rays go through it");
+    }
     let stroke = match (point, law, scenes) {
         (None, None, Some((_, scenes))) => {
             let (of_at, of) = of.unwrap_or((at, Column::Tests.name().to_owned()));
@@ -168,7 +177,7 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
             if plan.is_none() && fast.is_none() {
                 return None;
             }
-            Stroke::Growth { plan, fast: fast.is_some(), of: known?, scenes }
+            Stroke::Growth { plan, fast: fast.is_some(), of: known?, scenes, through: through.map(|(_, point)| point) }
         }
         (Some((at, point)), None, None) => {
             let [x, y] = point.as_slice() else {

@@ -1,9 +1,9 @@
 //! What is measured here: what a structure costs the rays of a picture, in counts, which are the same everywhere.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use raystep_accel::{
     Accel, Cancelled, Cost, Each, Fill, Grow, KdLayout, Machine, Observer, Packet, PacketStep, PacketVisit, Primitives,
-    Prims, Ray, RayError, Structure, Want, Width, pinhole,
+    Prims, Random, Ray, RayError, Structure, Want, Width, pinhole,
 };
 use raystep_fast::{Fast, FastKind, Settings, Work};
 use raystep_scene::{Scene, Scenes, View};
@@ -216,18 +216,49 @@ impl Measured {
         plan: &Plan,
         of: Column,
         names: &[String],
+        through: Option<Vec3>,
         scenes: &Scenes,
         care: Care,
         watch: &mut impl Observer<Grow>,
     ) -> Result<Vec<[f64; 2]>, Cancelled> {
         let mut dots = Vec::new();
         for scene in names.iter().filter_map(|name| scenes.named(name).ok()) {
-            if let Some(measured) = Measured::of(plan, How::default(), &scene, care, watch)? {
-                dots.push([scene.prims.len() as f64, measured.count(of)]);
-            }
+            let each = match through {
+                Some(point) => at_point(plan, of, &scene, point, watch)?,
+                None => Measured::of(plan, How::default(), &scene, care, watch)?.map(|measured| measured.count(of)),
+            };
+            dots.extend(each.map(|each| [scene.prims.len() as f64, each]));
         }
         Ok(dots)
     }
+}
+
+/// So many rays are shot through a point.
+const THROUGH: usize = 500;
+
+/// What a ray through a point costs, over seeded rays from all around.
+fn at_point(
+    plan: &Plan,
+    of: Column,
+    scene: &Scene,
+    point: Vec3,
+    watch: &mut impl Observer<Grow>,
+) -> Result<Option<f64>, Cancelled> {
+    let Some(structure) = standing::structure(plan, scene, watch)? else { return Ok(None) };
+    let mut random = Random::new(2);
+    let reach = scene.bounds().extent().max_element().max(f32::MIN_POSITIVE) * 1.5;
+    let from = std::iter::repeat_with(|| {
+        Vec3::new(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0)) * reach
+    });
+    let rays: Vec<Ray> = from.filter_map(|from| Ray::new(point + from, -from).ok()).take(THROUGH).collect();
+    let mut cost = Cost::default();
+    for ray in &rays {
+        if watch.cancelled() {
+            return Err(Cancelled);
+        }
+        structure.intersect(&scene.prims, ray, &mut cost);
+    }
+    Ok(Some(of.count(&cost) as f64 / THROUGH as f64))
 }
 
 impl Counted {

@@ -49,6 +49,8 @@ pub enum Column {
     Content,
     /// Its surface.
     Area,
+    /// How many planes bound it.
+    Planes,
     /// Slabs, faces or equations that a test of it takes, in the mean.
     Cuts,
     /// Of the rays that meet it, the share that meet nothing in it.
@@ -102,7 +104,7 @@ impl Lanes {
 
 impl Column {
     /// All of them, with the names that slides and facts give them.
-    pub const NAMES: [(&'static str, Column); 21] = [
+    pub const NAMES: [(&'static str, Column); 22] = [
         ("printed", Column::Printed),
         ("total", Column::Total),
         ("computed", Column::Computed),
@@ -113,6 +115,7 @@ impl Column {
         ("bytes", Column::Bytes),
         ("content", Column::Content),
         ("area", Column::Area),
+        ("planes", Column::Planes),
         ("cuts", Column::Cuts),
         ("vain", Column::Vain),
         ("alive", Column::Alive),

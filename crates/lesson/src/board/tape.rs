@@ -118,10 +118,10 @@ impl BoardTape {
                     (None, None) => None,
                 };
             }
-            Entry::Drawn(Drawn { stroke: Stroke::Growth { plan: Some(plan), of, scenes, .. }, .. })
+            Entry::Drawn(Drawn { stroke: Stroke::Growth { plan: Some(plan), of, scenes, through, .. }, .. })
                 if !of.is_timed() =>
             {
-                self.grown[index] = Measured::growth(plan, *of, scenes, &board.scenes, care, watch)?;
+                self.grown[index] = Measured::growth(plan, *of, scenes, *through, &board.scenes, care, watch)?;
             }
             Entry::Drawn(_) => {}
             Entry::Picture(picture) => {
@@ -335,6 +335,7 @@ impl BoardTape {
                     content: around(|appraised| appraised.content),
                     area: around(|appraised| f64::from(appraised.area)),
                     cuts: around(|appraised| appraised.cuts),
+                    planes: around(|appraised| f64::from(appraised.planes)),
                     vain: around(|appraised| f64::from(appraised.vain_share())),
                     speed: time(|timed| timed.speed),
                     time: time(Timed::time),

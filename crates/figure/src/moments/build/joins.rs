@@ -1,6 +1,6 @@
 //! What builders do that put sets together: nodes are joined, moved, fitted anew, and numbered at last.
 
-use raystep_accel::{Aabb, NodeId};
+use raystep_accel::{Aabb, Grow, NodeId};
 
 use super::{GrowMoment, GrowNode};
 
@@ -9,6 +9,7 @@ impl GrowMoment {
     pub(super) fn join(&mut self, node: NodeId, children: [NodeId; 2], bounds: Aabb) {
         self.consider(node);
         self.tally.joined += 1;
+        self.shorten(node, children, bounds);
         let prims = children.iter().filter_map(|child| self.nodes.get(child)).map(|child| child.prims).sum();
         self.forget_below(node);
         let fresh =
@@ -16,6 +17,29 @@ impl GrowMoment {
         self.nodes.insert(node, fresh);
         for child in children {
             self.hang(child, node);
+        }
+    }
+
+    /// A set chooses its neighbour; with the first choice after sets were joined a round begins.
+    pub(super) fn prefer(&mut self, node: NodeId, nearest: NodeId) {
+        if matches!(self.last, Some(Grow::Merge { .. })) {
+            self.preferred.clear();
+        }
+        self.consider(node);
+        self.preferred.push((node, nearest));
+    }
+
+    /// The sets on the curve in their order, each the root of a tree of its own.
+    pub(crate) fn roots(&self) -> Vec<NodeId> {
+        self.curve.iter().map(|(node, _)| *node).collect()
+    }
+
+    /// On the curve, two sets become one in the place of the first.
+    fn shorten(&mut self, node: NodeId, children: [NodeId; 2], bounds: Aabb) {
+        let mut places = (0..self.curve.len()).filter(|place| children.contains(&self.curve[*place].0));
+        if let (Some(first), Some(second)) = (places.next(), places.next()) {
+            self.curve[first] = (node, bounds.center());
+            self.curve.remove(second);
         }
     }
 

@@ -11,6 +11,9 @@ use crate::page::{Anchor, Entry, Figure, Look, Table, write};
 use crate::theme::{Face, Role};
 use crate::words::{VolumeName, number};
 
+/// Letters of a long table are so small, in parts of the text; with smaller ones its first rows are left out.
+const SMALL: f32 = 0.72;
+
 /// The events of one direction of a slab test, as far as they have happened.
 #[derive(Clone, Copy, Debug)]
 struct Slab {
@@ -56,6 +59,11 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
     let top = look.heading(&mut figure, &format!("Slabs of {place}"), "");
     let now = moment.event.as_ref();
     slabs.retain(|slab| !walk.leaves_out(slab.axis));
+    // Of more than there is room for, the latest.
+    let room =
+        if slabs.iter().any(|slab| matches!(slab.narrow, Some(Visit::Narrow { empty: true, .. }))) { 1.0 } else { 0.0 };
+    let fit = ((size.y - top - room * look.line()) / (look.text * 1.9 * SMALL)).max(4.0) as usize - 1;
+    slabs.drain(..slabs.len().saturating_sub(fit));
     let rows = slabs.iter().map(|slab| row(slab, now, hide)).collect();
     let current = now.and_then(slab_of).and_then(|(_, axis)| slabs.iter().position(|slab| slab.axis == axis));
     let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];

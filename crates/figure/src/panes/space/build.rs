@@ -29,6 +29,9 @@ const CELLS: usize = 1024;
 /// Of the cells that the box of a primitive meets, most that are drawn in space.
 const MET: usize = 48;
 
+/// Most sets on a curve that is drawn.
+const CURVE: usize = 400;
+
 /// Most weighed splits in one picture.
 const TICKS: usize = 120;
 
@@ -47,6 +50,7 @@ pub fn space_of_build_to(build: &Build<'_>, moment: &GrowMoment, depth: Depth) -
     drawing.nodes();
     drawing.changes();
     drawing.waiting();
+    drawing.curve();
     drawing.shared();
     drawing.splits();
     drawing.current();
@@ -254,6 +258,37 @@ impl Drawing<'_> {
             for form in self.build.nodes.look(self.build.structure, id, node.bounds, self.build.flat) {
                 self.add(role, Some(Place::Node(id)), form);
             }
+        }
+    }
+
+    /// The line through the middles of the sets in the order of their codes, and which neighbour each has chosen.
+    fn curve(&mut self) {
+        let (moment, flat) = (self.moment, self.build.flat);
+        if moment.curve.is_empty() || moment.curve.len() > CURVE {
+            if !moment.curve.is_empty() {
+                self.notes.push(format!("a curve through {} sets, not drawn", moment.curve.len()));
+            }
+            return;
+        }
+        let seen = |at: Vec3| if flat { at.with_z(0.0) } else { at };
+        for pair in moment.curve.windows(2) {
+            let place = Some(Place::Node(pair[1].0));
+            self.add(Role::Line, place, Form::Segment(seen(pair[0].1), seen(pair[1].1)));
+        }
+        let middle = |node: NodeId| moment.curve.iter().find(|(own, _)| *own == node).map(|(_, at)| seen(*at));
+        for (node, nearest) in &moment.preferred {
+            if let (Some(from), Some(to)) = (middle(*node), middle(*nearest)) {
+                // Not quite to the middle: two that chose each other have two heads.
+                self.add(Role::Candidate, Some(Place::Node(*node)), Form::Arrow(from, from.lerp(to, 0.8)));
+            }
+        }
+        for (node, at) in &moment.curve {
+            self.add(Role::Tick, Some(Place::Node(*node)), Form::Point(seen(*at)));
+        }
+        if let Some(Grow::Rank { node, rank, first, second, third, x, y, z }) = moment.event {
+            let text = format!("{}: code {first}{second}{third}…", rank + 1);
+            let form = Form::Label { at: seen(Vec3::new(x, y, z)), within: None, text };
+            self.add(Role::Tick, Some(Place::Node(node)), form);
         }
     }
 

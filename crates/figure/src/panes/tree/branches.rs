@@ -37,6 +37,11 @@ pub(crate) trait Tree {
     fn path(&self) -> Vec<NodeId>;
     /// How the nodes lie below the root of that path.
     fn levels(&self) -> Cow<'_, Levels>;
+    /// Whether a node is none, but the ground on which the trees of a forest stand: it is not drawn.
+    fn is_ground(&self, node: NodeId) -> bool {
+        let _ = node;
+        false
+    }
     /// Which rays of a packet took part in a node, or wait to.
     fn lanes(&self, node: NodeId) -> Option<Lanes> {
         let _ = node;

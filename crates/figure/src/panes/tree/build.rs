@@ -24,8 +24,19 @@ pub(crate) fn tree_with(moment: &GrowMoment, touched: Vec<NodeId>, view: &TreeVi
         look.nothing(&mut figure, "Tree", "No node has come to be yet.");
         return figure;
     }
-    draw_tree(&Growing { moment, touched, path: moment.path() }, view, size, look)
+    let (mut path, roots) = (moment.path(), moment.roots());
+    let forest = (2..=FEW).contains(&roots.len()) && moment.nodes.len() <= FEW && !moment.curve.is_empty();
+    let forest = if forest { roots } else { Vec::new() };
+    // Behind the last node: its number is never shown.
+    let ground = NodeId(moment.nodes.last_key_value().map_or(0, |(last, _)| last.0 + 1));
+    if !forest.is_empty() {
+        path.insert(0, ground);
+    }
+    draw_tree(&Growing { moment, touched, path, forest, ground }, view, size, look)
 }
+
+/// Forests of so many nodes are drawn whole.
+const FEW: usize = 72;
 
 /// The state of a node that grows.
 pub(crate) fn node_role(moment: &GrowMoment, id: NodeId) -> Role {
@@ -43,10 +54,21 @@ struct Growing<'a> {
     moment: &'a GrowMoment,
     touched: Vec<NodeId>,
     path: Vec<NodeId>,
+    /// The roots of several trees that are still to be put together, in their order.
+    forest: Vec<NodeId>,
+    /// What they stand on.
+    ground: NodeId,
 }
 
 impl Tree for Growing<'_> {
+    fn is_ground(&self, node: NodeId) -> bool {
+        node == self.ground
+    }
+
     fn children(&self, node: NodeId) -> Vec<NodeId> {
+        if node == self.ground {
+            return self.forest.clone();
+        }
         self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default()
     }
 

@@ -99,6 +99,7 @@ impl<'a> Outside<'a> {
     /// The ancestors that did not fit as a line of numbers, with what waits beside them.
     pub(super) fn crumbs(&self, figure: &mut Figure, tree: &dyn Tree, above: &[NodeId], top: f32, right: f32) {
         let (u, left) = (self.look.text, self.look.margin());
+        let above: Vec<NodeId> = above.iter().copied().filter(|node| !tree.is_ground(*node)).collect();
         let sign = |text: &str| Piece { text: text.to_owned(), role: Role::Quiet, place: None, face: Face::Regular };
         let name = |node: NodeId, role| Piece {
             text: node.to_string(),

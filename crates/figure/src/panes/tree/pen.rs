@@ -28,6 +28,9 @@ pub(super) struct Pen<'a> {
 impl Pen<'_> {
     /// Half the width of a node's mark: long numbers stretch the circle.
     fn half_width(&self, node: NodeId) -> f32 {
+        if self.tree.is_ground(node) {
+            return 0.0;
+        }
         let text = text_width(&node.to_string(), Face::MonoMedium, self.sizes.digits);
         (text / 2.0 + self.sizes.ends()).max(self.sizes.radius())
     }
@@ -119,11 +122,14 @@ impl Pen<'_> {
     pub(super) fn draw(&self, figure: &mut Figure, branches: &Branches, at: &[Vec2]) {
         let path = self.tree.path();
         for (index, branch) in branches.shown.iter().enumerate() {
+            if self.tree.is_ground(branch.node) {
+                continue;
+            }
             for &child in &branch.children {
                 self.edge(figure, &path, (branch, at[index]), (&branches.shown[child], at[child]));
             }
         }
-        for (branch, at) in branches.shown.iter().zip(at) {
+        for (branch, at) in branches.shown.iter().zip(at).filter(|(branch, _)| !self.tree.is_ground(branch.node)) {
             self.node(figure, branch, *at);
         }
     }

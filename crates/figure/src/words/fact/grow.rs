@@ -19,11 +19,12 @@ const LEAF: Symbol = Symbol { sign: "□", name: "leaf", role: Role::Seen, rank:
 const TOUCHED: Symbol = Symbol { sign: "○", name: "looked at", role: Role::Here, rank: 2 };
 const REMOVED: Symbol = Symbol { sign: "×", name: "removed", role: Role::Dropped, rank: 5 };
 const MERGED: Symbol = Symbol { sign: "▽", name: "merged", role: Role::Plane, rank: 6 };
+const RANKED: Symbol = Symbol { sign: "○", name: "on the curve", role: Role::Line, rank: 2 };
 const SPLIT: Symbol = Symbol { sign: "△", name: "taken", role: Role::Plane, rank: 6 };
 
 /// Every symbol of a build, in the order of a legend.
 pub(crate) const SYMBOLS: &[Symbol] =
-    &[GROWS, RASTERISED, PRUNED, WEIGHED, SPLIT, MERGED, SHARED, LEAF, TOUCHED, REMOVED, STORED];
+    &[GROWS, RASTERISED, PRUNED, WEIGHED, RANKED, SPLIT, MERGED, SHARED, LEAF, TOUCHED, REMOVED, STORED];
 
 impl Fact for Grow {
     fn name(&self) -> &'static str {
@@ -49,6 +50,7 @@ impl Fact for Grow {
             Grow::Leaf { .. } => LEAF,
             Grow::Touch { .. } => TOUCHED,
             Grow::Remove { .. } => REMOVED,
+            Grow::Rank { .. } => RANKED,
             Grow::Merge { .. } => MERGED,
             Grow::Split { .. } | Grow::Divide { .. } | Grow::Refine { .. } => SPLIT,
             _ => return None,
@@ -74,6 +76,8 @@ impl Fact for Grow {
             Grow::Leaf { .. } => "the node stays a leaf",
             Grow::Settle { .. } => "a reference is stored",
             Grow::Remove { .. } => "a reference is removed",
+            Grow::Rank { .. } => "a set gets its place on the curve",
+            Grow::Prefer { .. } => "a set chooses a neighbour",
             Grow::Merge { .. } => "two nodes are merged",
             Grow::Move { .. } => "a node moves",
             Grow::Refit { .. } => "a volume is fitted anew",
@@ -103,6 +107,7 @@ fn many(name: &str, volume: VolumeName) -> String {
         "rasterise" => "cells met by boxes",
         "widen.same" => "primitives that lay in the box",
         "touch" => "nodes looked at",
+        "prefer" => "neighbours chosen",
         "settle" => "references stored",
         "remove" => "references removed",
         "open" => "nodes",

@@ -1,5 +1,6 @@
 //! What events of walks and of builds have in common, and how views call them.
 
+mod fit;
 pub(crate) mod grow;
 mod packet;
 mod reveal;
@@ -75,6 +76,7 @@ impl Fact for Event {
             Event::Build(grow) => grow.symbol(),
             Event::Board(reveal) => reveal.symbol(),
             Event::Pair(trial) => trial.symbol(),
+            Event::Fit(fit) => fit.symbol(),
             Event::Packet(visit) => visit.symbol(),
         }
     }
@@ -85,6 +87,7 @@ impl Fact for Event {
             Event::Build(grow) => grow.short(volume),
             Event::Board(reveal) => reveal.short(volume),
             Event::Pair(trial) => trial.short(volume),
+            Event::Fit(fit) => fit.short(volume),
             Event::Packet(visit) => visit.short(volume),
         }
     }
@@ -95,6 +98,7 @@ impl Fact for Event {
             Event::Build(grow) => grow.sentence(volume),
             Event::Board(reveal) => reveal.sentence(volume),
             Event::Pair(trial) => trial.sentence(volume),
+            Event::Fit(fit) => fit.sentence(volume),
             Event::Packet(visit) => visit.sentence(volume),
         }
     }
@@ -156,7 +160,7 @@ pub fn veiled(event: &Event) -> Event {
         Event::Packet(PacketVisit { lanes, step: PacketStep::Lane(visit) }) => {
             Event::Packet(PacketVisit { lanes: *lanes, step: PacketStep::Lane(veiled_visit(visit)) })
         }
-        Event::Build(_) | Event::Board(_) | Event::Pair(_) | Event::Packet(_) => *event,
+        Event::Build(_) | Event::Fit(_) | Event::Board(_) | Event::Pair(_) | Event::Packet(_) => *event,
     }
 }
 

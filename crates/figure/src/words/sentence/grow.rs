@@ -71,6 +71,12 @@ pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
         }
         Grow::Settle { prim, place } => format!("A reference to primitive {prim} is stored in {place}."),
         Grow::Remove { prim, place } => format!("The reference to primitive {prim} is removed from {place}."),
+        Grow::Rank { node, rank, first, second, third, .. } => {
+            format!("The code of node {node} begins {first}{second}{third}: it is number {} on the curve.", rank + 1)
+        }
+        Grow::Prefer { node, nearest } => {
+            format!("Of its neighbours on the curve node {node} has the smallest common volume with node {nearest}.")
+        }
         Grow::Merge { node, left, right, .. } => {
             format!("Nodes {left} and {right} become the children of node {node}.")
         }
