@@ -115,7 +115,7 @@ fn the_planes_of_a_box_carry_their_numbers_and_the_line_its_ts() {
         let texts: Vec<&str> = figure.marks.iter().filter_map(label_box).map(|(.., text)| text).collect();
         let says = |text: &str| texts.iter().any(|label| label.starts_with(text));
         // Every plane that was cut, to the end: its line, with its number at it.
-        for cut in slab.cuts.iter().filter(|cut| !cut.axis.is_upright()) {
+        for cut in slab.cuts.iter().filter(|cut| !cut.axis.leaves_plane()) {
             for at in [cut.low, cut.high] {
                 let plane = format!("{} = {}", cut.axis, raystep_figure::number(at));
                 assert!(says(&plane), "{said}: no label {plane:?} among {texts:?}");
@@ -129,7 +129,7 @@ fn the_planes_of_a_box_carry_their_numbers_and_the_line_its_ts() {
         let ts: Vec<(&str, f32)> = match moment.event {
             Some(Visit::Volume { t_near, t_far, .. }) => vec![("t_near", t_near), ("t_far", t_far)],
             _ => {
-                let cut = slab.cuts.iter().find(|cut| cut.axis == slab.axis && !cut.axis.is_upright());
+                let cut = slab.cuts.iter().find(|cut| cut.axis == slab.axis && !cut.axis.leaves_plane());
                 cut.and_then(|cut| cut.t).map_or(Vec::new(), |[t1, t2]| vec![("t1", t1), ("t2", t2)])
             }
         };
@@ -150,7 +150,7 @@ fn the_planes_of_a_box_carry_their_numbers_and_the_line_its_ts() {
         let look = Look::WINDOW;
         let height = ruler_height(walk, &look);
         let ruler = ruler(walk, moment, false, Vec2::new(790.0, height), &look);
-        let known = slab.cuts.iter().filter(|cut| !cut.axis.is_upright()).filter_map(|cut| cut.t);
+        let known = slab.cuts.iter().filter(|cut| !cut.axis.leaves_plane()).filter_map(|cut| cut.t);
         let told =
             |says: &str| ruler.marks.iter().any(|mark| matches!(&mark.ink, Ink::Text { text, .. } if text == says));
         for t in known.flatten() {

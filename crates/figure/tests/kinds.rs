@@ -5,8 +5,8 @@ use std::borrow::Cow;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{
-    Accel, Arrangement, Axes, BvhVolume, CellId, Fit, Grow, NestedRule, PAIRS, Place, Prims, Ray, Reveal, Rule, Shape,
-    Sphere, Structure, Trial, Triangle, Value, fit_around,
+    Accel, Arrangement, Axes, BvhVolume, CellId, Fit, Grow, KdLayout, NestedRule, PAIRS, Place, Prims, Ray, Reveal,
+    Rule, Shape, Sphere, Structure, Trial, Triangle, Value, fit_around,
 };
 use raystep_figure::{
     Anchor, Ask, Board, Build, Depth, Face, Fact, Figure, Film, Fitting, Form, Ink, Instant, Kind, Look, Map, Maps,
@@ -71,7 +71,10 @@ fn walks_and_builds_draw_the_panes_that_they_name() {
         let structure = Structure::build(&prims, &rule, &mut grown).unwrap();
         structure.intersect(&prims, &ray, &mut walked);
         let (structure, prims, nodes, flat) = (&structure, &prims, &Nodes::of(&structure), true);
-        check(&format!("a walk, {kind}"), &Walk { structure, prims, nodes, ray, events: &walked, lost: 0, flat });
+        check(
+            &format!("a walk, {kind}"),
+            &Walk { structure, prims, nodes, ray, events: &walked, lost: 0, flat, layout: KdLayout::Compact },
+        );
         check(
             &format!("a build, {kind}"),
             &Build {

@@ -1,7 +1,7 @@
 //! The panes on a small flat scene: what they draw, and that nothing is cut off at any step.
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Change, Grow, PrimId, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_accel::{Accel, Change, Grow, KdLayout, PrimId, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
 use raystep_figure::*;
 
 /// Six discs, a structure over them and a walk through it.
@@ -35,7 +35,7 @@ impl Played {
 
     fn walk(&self) -> Walk<'_> {
         let Played { structure, prims, nodes, ray, events, .. } = self;
-        Walk { structure, prims, nodes, ray: *ray, events, lost: 0, flat: true }
+        Walk { structure, prims, nodes, ray: *ray, events, lost: 0, flat: true, layout: KdLayout::Compact }
     }
 
     /// The step of the `nth` event of this name.

@@ -1,7 +1,7 @@
 //! The pictures of every slide, at its beats and at steps between them: what a reader can take in at once.
 
 use glam::Vec2;
-use raystep_accel::{Place, Structure};
+use raystep_accel::{KdLayout, Place, Structure};
 use raystep_figure::{
     Ask, Build, Depth, Figure, Fitting, Form, Ink, Look, Nodes, PacketWalk, Pane, Reel, Role, Space, Walk,
 };
@@ -40,7 +40,16 @@ fn every_play(check: &mut dyn FnMut(&Slide, &Stage, &Play, &Reel<'_>, &Nodes)) {
                 let reel = match &play.tape {
                     Tape::Walk(walk) => {
                         let (ray, events, lost) = (walk.ray, &walk.events[..], walk.lost);
-                        Reel::new(Walk { structure, prims, nodes: &nodes, ray, events, lost, flat })
+                        Reel::new(Walk {
+                            structure,
+                            prims,
+                            nodes: &nodes,
+                            ray,
+                            events,
+                            lost,
+                            flat,
+                            layout: KdLayout::Compact,
+                        })
                     }
                     Tape::Build(build) => Reel::new(Build {
                         structure,

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{Accel, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
+use raystep_accel::{Accel, KdLayout, Place, Prims, Ray, Rule, Shape, Sphere, Structure, Visit};
 use raystep_figure::{
     Anchor, Face, Figure, Ink, Look, Moment, Nodes, Role, TreeView, Walk, text_width, tree, tree_height,
 };
@@ -41,7 +41,7 @@ impl Stand {
 
     fn walk(&self) -> Walk<'_> {
         let Stand { structure, prims, nodes, ray, events, .. } = self;
-        Walk { structure, prims, nodes, ray: *ray, events, lost: 0, flat: true }
+        Walk { structure, prims, nodes, ray: *ray, events, lost: 0, flat: true, layout: KdLayout::Compact }
     }
 
     /// The tree at a few steps of the walk.

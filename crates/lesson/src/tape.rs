@@ -206,7 +206,9 @@ impl Tape {
     pub fn care(&self) -> Care {
         match self {
             Tape::Board(filled) => filled.care(),
-            Tape::Walk(_) | Tape::Walks(_) | Tape::Packet(_) | Tape::Build(_) | Tape::Pairs(_) | Tape::Fit(_) => Care::Full,
+            Tape::Walk(_) | Tape::Walks(_) | Tape::Packet(_) | Tape::Build(_) | Tape::Pairs(_) | Tape::Fit(_) => {
+                Care::Full
+            }
         }
     }
 
