@@ -110,7 +110,11 @@ fn fill(harness: &mut Window, name: &str, text: &str) {
     harness.get_by_role_and_label(egui::accesskit::Role::TextInput, name).focus();
     harness.run_steps(2);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    harness.event(egui::Event::Text(text.to_owned()));
+    if text.is_empty() {
+        harness.key_press(Key::Delete);
+    } else {
+        harness.event(egui::Event::Text(text.to_owned()));
+    }
     harness.run_steps(2);
 }
 
@@ -120,8 +124,12 @@ fn every_choice_writes_what_the_command_line_writes() {
         let (by_window, by_command) = (folder(&format!("chosen-{name}")), folder(&format!("asked-{name}")));
         let mut harness = dialog(slide);
         let step = harness.state().state.view.step;
-        chosen.iter().for_each(|chosen| choose(&mut harness, chosen));
-        filled.iter().for_each(|(name, text)| fill(&mut harness, name, text));
+        for chosen in chosen {
+            choose(&mut harness, chosen);
+        }
+        for (name, text) in filled {
+            fill(&mut harness, name, text);
+        }
         fill(&mut harness, "Folder", &by_window.to_string_lossy());
         choose(&mut harness, "Write");
         let stage = harness.state().state.view.stage.name();
@@ -179,7 +187,9 @@ fn every_choice_writes_what_the_command_line_writes() {
 fn what_makes_no_sense_is_greyed_and_says_why() {
     let says = |slide: &str, chosen: &[&str], greyed: &str| {
         let mut harness = dialog(slide);
-        chosen.iter().for_each(|chosen| choose(&mut harness, chosen));
+        for chosen in chosen {
+            choose(&mut harness, chosen);
+        }
         assert!(harness.query_by_label_contains(greyed).is_some(), "{slide}: {greyed}");
     };
     says("2/12", &[], "View tree: This structure has no tree.");
@@ -195,8 +205,12 @@ fn what_makes_no_sense_is_greyed_and_says_why() {
 fn what_cannot_be_exported_is_said_in_the_dialog() {
     let check = |chosen: &[&str], filled: &[(&str, &str)], says: &str| {
         let mut harness = dialog("5/33");
-        chosen.iter().for_each(|chosen| choose(&mut harness, chosen));
-        filled.iter().for_each(|(name, text)| fill(&mut harness, name, text));
+        for chosen in chosen {
+            choose(&mut harness, chosen);
+        }
+        for (name, text) in filled {
+            fill(&mut harness, name, text);
+        }
         choose(&mut harness, "Write");
         until_said(&mut harness, says);
     };

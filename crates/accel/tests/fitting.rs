@@ -123,11 +123,12 @@ fn an_oriented_box_is_the_smallest_that_was_tried() {
         let axes: Vec<&str> = events.iter().filter_map(pushed).collect();
         let all = axes.iter().filter(|axis| ["u", "v", "w"].contains(axis)).count();
         assert!(all == axes.len() && ["u", "v", "w"].iter().all(|axis| axes.contains(axis)), "{name}: {axes:?}");
-        if name != "many" && name != "round" {
-            // With few points what was chosen by is all there is.
-            let surface = outline.measure(Measure::Area);
-            assert!((surface - least).abs() <= 1e-3 * surface + 1e-5, "{name}: {surface} {least}");
-        }
+        // Where few points choose for many, the box around all of them is larger than theirs.
+        let surface = outline.measure(Measure::Area);
+        let near = 1e-3 * surface + 1e-5;
+        assert!(surface >= least - near, "{name}: {surface} {least}");
+        let all = set.iter().all(|shape| matches!(shape, Shape::Triangle(_))) && set.len() * 3 <= 32;
+        assert!(!all || surface <= least + near, "{name}: {surface} {least}");
     }
 }
 

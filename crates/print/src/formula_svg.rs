@@ -7,7 +7,7 @@ use crate::escaped::escaped;
 use crate::formula::{draw, extent};
 use crate::glyphs::{Glyphs, Strokes};
 
-/// A formula as an SVG file of its own, as large as its [`Extent`].
+/// A formula as an SVG file of its own, as large as its [`extent`].
 pub fn formula(tex: &str, size: f32, color: Color) -> String {
     let room = extent(tex, size);
     let mut glyphs = Glyphs::default();

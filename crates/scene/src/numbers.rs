@@ -11,7 +11,7 @@ impl Scene {
     /// segment, the corners of a polygon. Of anything else nothing.
     pub fn numbers(&self, prim: PrimId) -> Option<Vec<f32>> {
         let Prims::Few(shapes) = &self.prims else { return None };
-        let flat = |points: &[Vec2]| points.iter().flat_map(|point| point.to_array()).collect();
+        let flat = |points: &[Vec2]| points.iter().flat_map(Vec2::to_array).collect();
         match shapes.get(prim.index()).filter(|_| self.flat)? {
             Shape::Sphere(disc) => Some(vec![disc.center.x, disc.center.y, disc.radius]),
             Shape::Wall(wall) => Some(flat(&[wall.from, wall.to])),

@@ -219,8 +219,12 @@ impl Link {
 /// pair's body.
 fn is_known(key: &str, value: &str) -> bool {
     let mut rules = Rule::KINDS.iter().filter_map(|kind| Rule::default_for(kind).ok());
-    if rules.clone().any(|rule| rule.parameters().iter().any(|parameter| parameter.key == key)) {
-        return rules.any(|mut rule| rule.set(key, value).is_ok());
+    // Cuts by hand are no parameter that is offered, but one that is set.
+    if rules.clone().any(|mut rule| rule.set(key, value).is_ok()) {
+        return true;
+    }
+    if rules.any(|rule| rule.parameters().iter().any(|parameter| parameter.key == key)) {
+        return false;
     }
     value.split(' ').all(|part| part.parse::<f64>().is_ok_and(f64::is_finite))
 }

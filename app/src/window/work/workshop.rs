@@ -303,10 +303,7 @@ fn make(order: Order, task: &Task) -> Result<Made, Failure> {
 /// left, with all rays, and then times, one after the other.
 fn further(built: Built, order: &Order, task: &Task) -> Result<Built, Failure> {
     let Some(Tape::Board(filled)) = &built.told else { return Ok(built) };
-    let moved = match Tape::Board(filled.clone()).moved(&order.view.settings) {
-        Tape::Board(moved) => moved,
-        _ => return Ok(built),
-    };
+    let Tape::Board(moved) = Tape::Board(filled.clone()).moved(&order.view.settings) else { return Ok(built) };
     let cancelled = |Cancelled| Failure::Cancelled;
     let scene = built.scene.clone();
     let measured = match order.care {

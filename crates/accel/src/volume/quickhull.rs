@@ -46,7 +46,7 @@ pub(super) fn quickhull(
 ) -> Result<Found, Cancelled> {
     let told = Told { points, base };
     // Two points far apart, the one furthest from their line, the one furthest from their plane.
-    let a = furthest(points, glam::DVec3::length_squared, watch)?;
+    let a = furthest(points, DVec3::length_squared, watch)?;
     told.seed(a, points[a].length(), 1, watch);
     let b = furthest(points, |p| (p - points[a]).length_squared(), watch)?;
     let along = points[b] - points[a];

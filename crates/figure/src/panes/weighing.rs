@@ -252,7 +252,9 @@ fn tags(figure: &mut Figure, area: &Area, now: Candidate, sides: Option<&Sides>,
 fn bars(figure: &mut Figure, now: Candidate, top: f32, area: &Area, look: &Look) {
     let (u, small) = (look.text, look.small());
     let [whole, below, above] = now.sizes;
-    let (left, right) = (area.min.x.min(u * 6.0), area.max.x);
+    // The names of both sides stand before their bars.
+    let names = text_width("p above", Face::Medium, small);
+    let (left, right) = (area.min.x.min(u * 6.0).max(look.margin() + names + u * 0.6), area.max.x);
     figure.add(Role::Panel, None, line(Vec2::new(0.0, top), Vec2::new(figure.size.x, top)));
     let y = top + u * 1.1;
     let title = "Chances";

@@ -106,7 +106,9 @@ impl Board {
             }
         }
         // What names no number of the meter was told already.
-        plans.iter_mut().for_each(|plan| plan.settings.retain(|setting| setting.value != "NaN"));
+        for plan in &mut plans {
+            plan.settings.retain(|setting| setting.value != "NaN");
+        }
         plans
     }
 

@@ -173,6 +173,9 @@ fn rays(scene: &Scene, power: u32) -> Vec<Ray> {
 }
 
 /// How fast rays walk through what a plan says, or through two fast levels, whatever the scene is made of; and how many
+/// Whether a ray hits something.
+type Asks<'a> = Box<dyn Fn(&Ray) -> bool + 'a>;
+
 /// primitives there are.
 fn speed_of(
     plan: Option<&Plan>,
@@ -187,7 +190,7 @@ fn speed_of(
     let pace = Pace { clock: &clock, go_on: &goes_on, seconds };
     let begun = clock();
     let mut hits = 0_u64;
-    let (number, ask): (f64, Box<dyn Fn(&Ray) -> bool + '_>) = match (&scene.prims, plan, fast) {
+    let (number, ask): (f64, Asks<'_>) = match (&scene.prims, plan, fast) {
         (Prims::Instances(instances), _, true) => {
             let built = TwoLevels::build(instances, &Settings::default());
             (instances.triangles() as f64, Box::new(move |ray| built.intersect(ray).is_some()))

@@ -205,9 +205,9 @@ impl Drawing<'_> {
 
     /// How large a sphere is, where it stands.
     fn size(&mut self) {
-        let radius = match self.moment.event {
-            Some(Fit::Try { radius, .. } | Fit::Ball { radius, .. } | Fit::Sphere { radius, .. }) => radius,
-            _ => return,
+        let Some(Fit::Try { radius, .. } | Fit::Ball { radius, .. } | Fit::Sphere { radius, .. }) = self.moment.event
+        else {
+            return;
         };
         let (Some(Outline::Sphere(sphere)), role) = (match &self.moment.tried {
             Some(tried) => (Some(tried), Role::Candidate),

@@ -62,11 +62,11 @@ struct Growing<'a> {
 
 impl Tree for Growing<'_> {
     fn is_ground(&self, node: NodeId) -> bool {
-        node == self.ground
+        !self.forest.is_empty() && node == self.ground
     }
 
     fn children(&self, node: NodeId) -> Vec<NodeId> {
-        if node == self.ground {
+        if self.is_ground(node) {
             return self.forest.clone();
         }
         self.moment.nodes.get(&node).map(|node| node.children.clone()).unwrap_or_default()

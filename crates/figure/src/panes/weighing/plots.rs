@@ -339,6 +339,11 @@ impl Plot<'_> {
         for center in points {
             self.figure.add(Role::Edge, place, Ink::Circle { center, radius: u * 0.2 });
         }
+        // What is weighed now may be the least so far: then one label says both.
+        let is_least = match (&least, &here) {
+            (Some((least, ..)), Some((here, _))) => taken.is_none() && least.distance(*here) < u * 0.5,
+            _ => false,
+        };
         if let Some((at, ink, cost)) = least {
             self.figure.add(Role::Best, place, ink);
             self.figure.add(Role::Best, place, Ink::Circle { center: at, radius: u * 0.34 });
@@ -347,7 +352,9 @@ impl Plot<'_> {
                 Some(_) => format!("least: {}", number(cost)),
                 None => format!("least so far: {}", number(cost)),
             };
-            self.beside_dot(axis, at, &says, Role::Best, u * 1.3);
+            if !is_least {
+                self.beside_dot(axis, at, &says, Role::Best, u * 1.3);
+            }
         }
         if let Some((center, cost)) = by_hand {
             self.figure.add(Role::Tick, place, Ink::Circle { center, radius: u * 0.5 });
@@ -365,7 +372,8 @@ impl Plot<'_> {
             self.figure.add(Role::Tick, place, Ink::Circle { center: at, radius: u * 0.5 });
             let cut = VolumeName::of(self.build.structure).cut;
             let whose = if tried.is_some() { format!("your {cut}:") } else { "cost".to_owned() };
-            self.beside_dot(axis, at, &format!("{whose} {}", number(last.cost)), Role::Value, -u * 1.3);
+            let so_far = if is_least { ", the least so far" } else { "" };
+            self.beside_dot(axis, at, &format!("{whose} {}{so_far}", number(last.cost)), Role::Value, -u * 1.3);
             let says = match order {
                 Some(_) => format!("{} | {}", last.below, last.above),
                 None => format!("{axis} = {}", number(last.plane)),
