@@ -8,7 +8,6 @@ use raystep_accel::Grain;
 use raystep_figure::Theme;
 use raystep_print::Lettering;
 
-use super::usual_folder;
 use crate::export::{Format, Order, Piece, STEP_MILLIS, Size, There, View, Which as Steps, delay, has_ffmpeg, span};
 use crate::fault::Fault;
 use crate::shown::playback::Playback;
@@ -185,4 +184,10 @@ impl Form {
         let folder = PathBuf::from(self.folder.trim());
         Ok(Wish { order, which, all_rays, folder })
     }
+}
+
+/// The folder that is offered.
+fn usual_folder() -> String {
+    let home = std::env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
+    home.join("raystep").to_string_lossy().into_owned()
 }

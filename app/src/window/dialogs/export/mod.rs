@@ -4,7 +4,7 @@ mod form;
 mod picked;
 mod rows;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use egui::{Key, RichText, ScrollArea, Ui, vec2};
 use raystep_figure::{Face, Role, Theme};
@@ -118,10 +118,4 @@ impl Dialog {
 fn sentence(words: &str) -> String {
     let mut letters = words.trim_end_matches('.').chars();
     letters.next().map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
-}
-
-/// The folder that is offered.
-fn usual_folder() -> String {
-    let home = std::env::var_os("HOME").map(PathBuf::from).unwrap_or_default();
-    home.join("raystep").to_string_lossy().into_owned()
 }
