@@ -125,7 +125,8 @@ fn an_oriented_box_is_the_smallest_that_was_tried() {
         assert!(all == axes.len() && ["u", "v", "w"].iter().all(|axis| axes.contains(axis)), "{name}: {axes:?}");
         // Where few points choose for many, the box around all of them is larger than theirs.
         let surface = outline.measure(Measure::Area);
-        let near = 1e-3 * surface + 1e-5;
+        // Single precision moves the centre, and all sides grow by that: by some 10^-6 where they are about two long.
+        let near = 1e-3 * surface + 4e-5;
         assert!(surface >= least - near, "{name}: {surface} {least}");
         let all = set.iter().all(|shape| matches!(shape, Shape::Triangle(_))) && set.len() * 3 <= 32;
         assert!(!all || surface <= least + near, "{name}: {surface} {least}");
