@@ -76,11 +76,12 @@ fn a_heat_map_ends_where_something_else_is_looked_at() {
         press(&mut harness, key);
         settle(&mut harness);
         assert!(harness.state().state.heat().is_none(), "{key:?}");
-        harness.state_mut().state.show_slide(0);
-        settle(&mut harness);
-        let slides = &harness.state().state.library.slides;
-        let slide = slides.iter().position(|slide| slide.id() == "5/33").unwrap();
-        harness.state_mut().state.show_slide(slide);
+        for id in ["2/12", "5/33"] {
+            let slides = &harness.state().state.library.slides;
+            let slide = slides.iter().position(|slide| slide.id() == id).unwrap();
+            harness.state_mut().state.show_slide(slide);
+            settle(&mut harness);
+        }
         harness.state_mut().state.show_stage(StageKind::Solid);
         settle(&mut harness);
     }
