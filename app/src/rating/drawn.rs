@@ -34,7 +34,7 @@ impl Rating {
             tests: rated.tests as f32,
             visits: rated.visits as f32,
             boxes: rated.boxes as f32,
-            nodes: rated.nodes as f32,
+            nodes: rated.nodes.map_or(f32::NAN, |nodes| nodes as f32),
             bytes: rated.bytes as f32,
             content: f32::NAN,
             area: f32::NAN,
@@ -50,7 +50,7 @@ impl Rating {
             timed: true,
         };
         let events = rated.iter().enumerate().map(event).collect();
-        Rating { panels, events, names: rated.iter().map(|rated| rated.name.clone()).collect() }
+        Rating { panels, events, names: rated.iter().map(|rated| rated.what.name().to_owned()).collect() }
     }
 
     /// A board with a row and a point for each.
@@ -81,14 +81,14 @@ fn table(rated: &[Rated], about: String, times: bool) -> Table {
             digits(rated.tests),
             unless(digits(rated.visits)),
             if rated.boxes > 0.0 { digits(rated.boxes) } else { none() },
-            unless(whole(rated.nodes)),
+            unless(rated.nodes.map_or_else(none, whole)),
             unless(whole(rated.bytes)),
         ];
         if times {
             cells.push(unless(digits(rated.build_ms)));
             cells.push(digits(rated.ray_us));
         }
-        Row { entry, name: rated.name.clone(), note: String::new(), cells }
+        Row { entry, name: rated.what.name().to_owned(), note: String::new(), cells }
     };
     let (title, of) = ("Which is best?".to_owned(), "structure".to_owned());
     Table { title, about, of, columns, rows: rated.iter().enumerate().map(row).collect() }
@@ -121,7 +121,7 @@ fn chart(rated: &[Rated]) -> Option<Chart> {
         (scale("steps per ray: nodes, cells and boxes", &Rated::steps)?, scale("tests per ray", &|r| r.tests)?);
     let point = |(entry, rated): (usize, &Rated)| Drawn {
         entry,
-        name: rated.name.clone(),
+        name: rated.what.name().to_owned(),
         note: String::new(),
         curve: Curve::Point([rated.steps(), rated.tests]),
         moves: false,

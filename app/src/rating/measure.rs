@@ -4,19 +4,17 @@ use std::time::Instant;
 
 use glam::Vec2;
 use rayon::prelude::*;
-use raystep_accel::{Accel, Cost, Grow, Observer, Primitives, Ray, RayError, Rule, Structure};
+use raystep_accel::{Cost, Primitives, Ray, RayError, Rule};
 use raystep_figure::Camera;
 use raystep_scene::Scene;
 
-use crate::shown::kind_name::kind_name;
+use super::candidate::{Built, Candidate};
 
 /// What a structure costs over a scene and some rays.
 #[derive(Clone, Debug)]
 pub(crate) struct Rated {
-    /// What it is called.
-    pub(crate) name: String,
-    /// How it was built.
-    pub(crate) rule: Rule,
+    /// What it is.
+    pub(crate) what: Candidate,
     /// Rays that were shot: brute force over many primitives is asked by fewer.
     pub(crate) rays: u64,
     /// Tests of primitives, a ray.
@@ -25,8 +23,8 @@ pub(crate) struct Rated {
     pub(crate) visits: f64,
     /// Volumes tested, a ray.
     pub(crate) boxes: f64,
-    /// Nodes or cells that there are.
-    pub(crate) nodes: u64,
+    /// Nodes or cells that there are, where they are counted.
+    pub(crate) nodes: Option<u64>,
     /// What it takes in memory.
     pub(crate) bytes: u64,
     /// Milliseconds of its building.
@@ -43,13 +41,12 @@ impl Rated {
 
     /// Whether it is no structure at all.
     pub(crate) fn is_list(&self) -> bool {
-        matches!(self.rule, Rule::List)
+        is_list(&self.what)
     }
 }
 
-/// Every kind of structure, with the usual parameters.
-pub(crate) fn rules() -> Vec<Rule> {
-    Rule::KINDS.into_iter().filter_map(|kind| Rule::default_for(kind).ok()).collect()
+fn is_list(what: &Candidate) -> bool {
+    matches!(what, Candidate::Textbook(Rule::List))
 }
 
 /// The rays through the middles of a picture's pixels.
@@ -70,42 +67,35 @@ const TIMED: f64 = 0.25;
 const BETWEEN: usize = 64;
 
 /// Builds a structure and shoots the rays; nothing if `go_on` says so.
-pub(crate) fn rate(scene: &Scene, rule: &Rule, rays: &[Ray], go_on: &(dyn Fn() -> bool + Sync)) -> Option<Rated> {
-    let rule = if scene.flat { rule.flat() } else { *rule };
+pub(crate) fn rate(scene: &Scene, what: Candidate, rays: &[Ray], go_on: &(dyn Fn() -> bool + Sync)) -> Option<Rated> {
     let begun = Instant::now();
-    let structure = Structure::build(&scene.prims, &rule, &mut Watch(go_on)).ok()?;
+    let built = what.build(scene, go_on)?;
     let build_ms = begun.elapsed().as_secs_f64() * 1e3;
-    let most = if matches!(rule, Rule::List) { MOST_TESTS / scene.prims.len().max(1) as f64 } else { f64::INFINITY };
+    let most = if is_list(&what) { MOST_TESTS / scene.prims.len().max(1) as f64 } else { f64::INFINITY };
     let every = ((rays.len() as f64 / most.max(1.0)).ceil() as usize).max(1);
     let some: Vec<Ray> = rays.iter().copied().step_by(every).collect();
-    let one = |ray: &Ray| {
-        let mut cost = Cost::default();
-        go_on().then(|| structure.intersect(&scene.prims, ray, &mut cost))?;
-        Some(cost)
-    };
+    let one = |ray: &Ray| go_on().then(|| built.cost(scene, ray));
     let both = |mut a: Cost, b: Cost| {
         a += b;
         Some(a)
     };
     let all = some.par_iter().map(one).try_reduce(Cost::default, both)?;
     let each = |count: u64| count as f64 / some.len().max(1) as f64;
-    let cells = structure.grid().map_or(0, |grid| grid.cell_count() as u64);
     Some(Rated {
-        name: kind_name(rule.kind()).to_owned(),
-        rule,
+        what,
         rays: some.len() as u64,
         tests: each(all.prim_tests),
         visits: each(all.node_visits + all.cell_steps),
         boxes: each(all.box_tests),
-        nodes: structure.node_count() as u64 + cells,
-        bytes: structure.bytes() as u64,
+        nodes: built.nodes(),
+        bytes: built.bytes(),
         build_ms,
-        ray_us: timed(&structure, scene, &some, go_on)?,
+        ray_us: timed(&built, scene, &some, go_on)?,
     })
 }
 
 /// Microseconds of a ray.
-fn timed(structure: &Structure, scene: &Scene, rays: &[Ray], go_on: &(dyn Fn() -> bool + Sync)) -> Option<f64> {
+fn timed(built: &Built, scene: &Scene, rays: &[Ray], go_on: &(dyn Fn() -> bool + Sync)) -> Option<f64> {
     let begun = Instant::now();
     let mut shot = 0;
     // Rays from all over the picture, in an order that has no pattern in common with its rows.
@@ -115,11 +105,7 @@ fn timed(structure: &Structure, scene: &Scene, rays: &[Ray], go_on: &(dyn Fn() -
             return None;
         }
         for _ in 0..BETWEEN.min(rays.len() - shot) {
-            std::hint::black_box(structure.intersect(
-                &scene.prims,
-                &rays[shot.wrapping_mul(step) % rays.len()],
-                &mut (),
-            ));
+            built.shoot(scene, &rays[shot.wrapping_mul(step) % rays.len()]);
             shot += 1;
         }
     }
@@ -132,15 +118,4 @@ fn coprime(a: usize, b: usize) -> bool {
         (a, b) = (b, a % b);
     }
     a == 1
-}
-
-/// Lets a builder give up.
-struct Watch<'a>(&'a (dyn Fn() -> bool + Sync));
-
-impl Observer<Grow> for Watch<'_> {
-    fn on(&mut self, _: Grow) {}
-
-    fn cancelled(&self) -> bool {
-        !(self.0)()
-    }
 }

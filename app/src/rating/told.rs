@@ -53,7 +53,9 @@ pub(crate) fn told(rated: &[Rated], times: bool) -> Vec<String> {
 }
 
 fn sentence(rated: &[Rated], index: usize, own: &Rated, times: bool) -> String {
-    let structures: Vec<(usize, &Rated)> = rated.iter().enumerate().filter(|(_, other)| !other.is_list()).collect();
+    // Like is compared with like: those of the textbook with each other, and those at full speed.
+    let alike = |other: &Rated| !other.is_list() && other.what.is_fast() == own.what.is_fast();
+    let structures: Vec<(usize, &Rated)> = rated.iter().enumerate().filter(|(_, other)| alike(other)).collect();
     let measures = || MEASURES.iter().filter(|measure| times || !measure.time);
     let best = |measure: &Measure| {
         let least = |a: &&(usize, &Rated), b: &&(usize, &Rated)| (measure.of)(a.1).total_cmp(&(measure.of)(b.1));
@@ -61,11 +63,11 @@ fn sentence(rated: &[Rated], index: usize, own: &Rated, times: bool) -> String {
     };
     if own.is_list() {
         let against = best(&MEASURES[0]).map_or_else(String::new, |(_, least)| {
-            format!(", {} times those of the {}", number((own.tests / least.tests) as f32), named(&least.name))
+            format!(", {} times those of the {}", number((own.tests / least.tests) as f32), named(least.what.name()))
         });
         return format!(
             "{}: nothing is built and nothing stored; {} tests a ray{against}.",
-            own.name,
+            own.what.name(),
             number(own.tests as f32)
         );
     }
@@ -83,17 +85,17 @@ fn sentence(rated: &[Rated], index: usize, own: &Rated, times: bool) -> String {
         .collect();
     behind.sort_by(|a, b| a.0.total_cmp(&b.0));
     let against = |&(factor, measure, other): &(f64, &Measure, &Rated)| {
-        format!("{} times the {} of the {}", number(factor as f32), measure.name, named(&other.name))
+        format!("{} times the {} of the {}", number(factor as f32), measure.name, named(other.what.name()))
     };
     let far = behind.last().filter(|(factor, ..)| *factor >= 2.0 && factor.is_finite()).map(against);
     let near = behind.first().map(against).unwrap_or_default();
     match (first.as_slice(), far) {
         ([], Some(far)) if behind.len() > 1 => {
-            format!("{}: first in nothing; at best {near}, at worst {far}.", own.name)
+            format!("{}: first in nothing; at best {near}, at worst {far}.", own.what.name())
         }
-        ([], _) => format!("{}: first in nothing; at best {near}.", own.name),
-        (first, Some(far)) => format!("{}: {}; for that, {far}.", own.name, listed(first)),
-        (first, None) => format!("{}: {}.", own.name, listed(first)),
+        ([], _) => format!("{}: first in nothing; at best {near}.", own.what.name()),
+        (first, Some(far)) => format!("{}: {}; for that, {far}.", own.what.name(), listed(first)),
+        (first, None) => format!("{}: {}.", own.what.name(), listed(first)),
     }
 }
 
@@ -120,13 +122,15 @@ fn listed(parts: &[String]) -> String {
 #[cfg(test)]
 mod tests {
     use raystep_accel::Rule;
+    use raystep_fast::FastKind;
 
     use super::*;
+    use crate::rating::Candidate;
 
     fn rated(kind: &str, [tests, visits, build_ms, ray_us]: [f64; 4], bytes: u64) -> Rated {
         let rule = Rule::default_for(kind).unwrap();
-        let name = crate::shown::kind_name::kind_name(kind).to_owned();
-        Rated { name, rule, rays: 100, tests, visits, boxes: 0.0, nodes: 9, bytes, build_ms, ray_us }
+        let what = Candidate::Textbook(rule);
+        Rated { what, rays: 100, tests, visits, boxes: 0.0, nodes: Some(9), bytes, build_ms, ray_us }
     }
 
     #[test]
@@ -146,6 +150,18 @@ mod tests {
                  time to build of the grid.",
                 "BVH: first in nothing; at best 1.5 times the tests of the kd-tree, at worst 20 times the time to build \
                  of the grid.",
+            ]
+        );
+        let fast = |kind, numbers, bytes| Rated { what: Candidate::Fast(kind), ..rated("kd", numbers, bytes) };
+        let more = [fast(FastKind::Bvh2, [1.0, 8.0, 2.0, 0.2], 9000), fast(FastKind::Bvh8, [2.0, 4.0, 3.0, 0.1], 9500)];
+        let more = told(&[&all[..], &more].concat(), true);
+        assert_eq!(more[..4], told(&all, true), "those of the textbook are compared with each other");
+        assert_eq!(
+            more[4..],
+            [
+                "Fast BVH2: fewest tests (1 a ray), quickest to build (2 ms) and smallest (9000 bytes); for that, 2 times \
+                 the time of a ray of the fast BVH8.",
+                "Fast BVH8: fewest steps (4 a ray) and quickest rays (0.1 µs); for that, 2 times the tests of the fast BVH2.",
             ]
         );
         let counts = told(&all, false);

@@ -1,11 +1,11 @@
 //! Heat maps of any structure over any solid scene: what each ray of a camera costs, pixel by pixel.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use glam::Vec2;
 use rayon::prelude::*;
-use raystep_accel::{Accel, Cost, Ray, RayError, Reveal, Structure, Want};
-use raystep_fast::{AnyFast, Fast};
+use raystep_accel::{Accel, Cost, Prims, Ray, RayError, Reveal, Structure, Want};
+use raystep_fast::{AnyFast, Fast, FastKind, Settings};
 use raystep_figure::{Board, Camera, Instant, Map, Maps, Panel, Pixel, Reel};
 use raystep_lesson::Column;
 use raystep_scene::Scene;
@@ -36,10 +36,31 @@ pub(crate) enum Walked {
     /// A structure of the textbook.
     Textbook(Arc<Structure>),
     /// A structure of the last chapter at full speed: what is counted is its own work.
-    Fast(Arc<AnyFast>),
+    Fast(Arc<Quick>),
 }
 
+/// A fast structure that is built when the first ray needs it.
+pub(crate) type Quick = LazyLock<AnyFast, Box<dyn FnOnce() -> AnyFast + Send>>;
+
 impl Walked {
+    /// A fast structure over a scene of triangles, still to be built; nothing over other shapes.
+    pub(crate) fn fast(scene: &Arc<Scene>, kind: FastKind) -> Option<Walked> {
+        let Prims::Mesh(_) = scene.prims else { return None };
+        let scene = scene.clone();
+        let build = move || match &scene.prims {
+            Prims::Mesh(mesh) => kind.build(mesh, &Settings::default()),
+            Prims::Few(_) => unreachable!("looked at above"),
+        };
+        Some(Walked::Fast(Arc::new(LazyLock::new(Box::new(build)))))
+    }
+
+    /// Builds it, if it is not built.
+    pub(crate) fn build(&self) {
+        if let Walked::Fast(fast) = self {
+            LazyLock::force(fast);
+        }
+    }
+
     /// What a ray costs.
     pub(crate) fn cost(&self, scene: &Scene, ray: &Ray) -> Cost {
         let mut cost = Cost::default();
@@ -173,16 +194,16 @@ fn capital(words: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use raystep_accel::{Prims, Rule};
-    use raystep_fast::{FastKind, Settings, Work};
+    use raystep_accel::Rule;
+    use raystep_fast::Work;
 
     use super::*;
 
     fn wish(kind: &str, of: Column) -> Wish {
-        let scene = Scene::named("teapot:3x3").unwrap();
-        let walked = match (FastKind::named(kind), &scene.prims) {
-            (Some(fast), Prims::Mesh(mesh)) => Walked::Fast(Arc::new(fast.build(mesh, &Settings::default()))),
-            _ => {
+        let scene = Arc::new(Scene::named("teapot:3x3").unwrap());
+        let walked = match FastKind::named(kind) {
+            Some(fast) => Walked::fast(&scene, fast).unwrap(),
+            None => {
                 let rule = Rule::default_for(kind).unwrap();
                 Walked::Textbook(Arc::new(Structure::build(&scene.prims, &rule, &mut ()).unwrap()))
             }
@@ -190,7 +211,7 @@ mod tests {
         let view = scene.close_view();
         let camera = Camera::Solid { eye: view.eye, target: view.target, up: view.up, fov_degrees: view.fov_degrees };
         let structures = vec![(kind.to_owned(), walked)];
-        Wish { scene: Arc::new(scene), structures, of, camera, size: Vec2::new(60.0, 40.0) }
+        Wish { scene, structures, of, camera, size: Vec2::new(60.0, 40.0) }
     }
 
     #[test]

@@ -12,6 +12,10 @@ pub(crate) fn kind_name(kind: &str) -> &str {
         "octree" => "Octree",
         "bsp" => "BSP tree",
         "bvh" => "BVH",
+        "fast-grid" => "Fast grid",
+        "fast-kd" => "Fast kd-tree",
+        "fast-bvh2" => "Fast BVH2",
+        "fast-bvh8" => "Fast BVH8",
         other => other,
     }
 }

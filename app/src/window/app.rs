@@ -306,6 +306,12 @@ impl App {
         Some(self.underway.heat().0?.pixel)
     }
 
+    /// The structures of the heat map that is shown, by their names.
+    pub fn heat_names(&self) -> Vec<String> {
+        let maps = self.underway.heat().0.and_then(|level| level.heated.maps());
+        maps.map_or_else(Vec::new, |maps| maps.maps.iter().map(|map| map.name.clone()).collect())
+    }
+
     /// The ray of the pixel of a heat map that was clicked last, and what was counted of it.
     pub fn stepped(&self) -> Option<(Ray, u32)> {
         self.stepped
@@ -669,6 +675,7 @@ impl App {
                 panes::Asked::Try(cut) => self.state.try_cut(cut),
                 panes::Asked::Say(sentence) => self.say(ui, sentence),
                 panes::Asked::Count(of) => self.state.count(of),
+                panes::Asked::Quick(kind) => self.state.quick = kind,
                 panes::Asked::PixelRay { ray, count, of, seen } => {
                     self.kept.sight.aspect = seen.aspect;
                     self.stepped = Some((ray, count));

@@ -68,6 +68,22 @@ fn a_key_shows_what_each_ray_costs_and_a_click_steps_it() {
 }
 
 #[test]
+fn a_structure_at_full_speed_stands_beside_the_map() {
+    let mut harness = solid("5/33");
+    press(&mut harness, Key::H);
+    settle(&mut harness);
+    for (choice, shown) in [("Fast BVH8", vec!["kd-tree", "Fast BVH8"]), ("none at full speed", vec!["kd-tree"])] {
+        harness.get_by_label("At full speed beside it").click();
+        harness.run_steps(3);
+        harness.get_by_label(choice).click();
+        harness.run_steps(3);
+        settle(&mut harness);
+        assert_eq!(harness.state().heat_names(), shown);
+        assert_eq!(harness.state().heat_pixel(), Some(1), "as fine as the window");
+    }
+}
+
+#[test]
 fn a_heat_map_ends_where_something_else_is_looked_at() {
     let mut harness = solid("5/33");
     for key in [Key::ArrowRight, Key::ArrowLeft, Key::PageDown, Key::Backspace] {

@@ -121,47 +121,75 @@ fn hardest(playback: &raystep::shown::Playback, slide: &raystep_lesson::Slide) -
     asked.map(|posed| posed.before).or(last).unwrap_or(0)
 }
 
+/// Opens every slide, on each of its stages, at its hardest step; `RAYSTEP_SLIDE=5/33` that slide alone.
+fn at_the_hardest_step(shot: &Shot<'_>, mut look: impl FnMut(&mut Window, &str)) {
+    let only = std::env::var("RAYSTEP_SLIDE").ok();
+    let Some(mut harness) = shot.window(1.0) else { return };
+    let slides = harness.state().state.library.slides.clone();
+    for (index, slide) in
+        slides.iter().enumerate().filter(|(_, slide)| only.as_ref().is_none_or(|id| *id == slide.id()))
+    {
+        for stage in StageKind::ALL.into_iter().filter(|kind| slide.stage(*kind).is_some()) {
+            let state = &mut harness.state_mut().state;
+            state.show_slide(index);
+            state.show_stage(stage);
+            settle(&mut harness);
+            let playback = harness.state().state.playback().expect("a walk").clone();
+            harness.state_mut().state.go(hardest(&playback, slide));
+            harness.run_steps(4);
+            let [width, height] = shot.size;
+            let name = format!("{}-{stage:?}-{width}x{height}", slide.id().replace('/', "-"));
+            look(&mut harness, &name.to_lowercase());
+        }
+    }
+}
+
+/// Writes what the window shows.
+fn write(harness: &mut Window, folder: &Path, name: &str) {
+    let picture = harness.render().expect("a picture");
+    picture.save(folder.join(format!("{name}.png"))).expect("the picture is written");
+}
+
+/// A folder beside the tests' own.
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::create_dir_all(&folder).expect("a folder for the pictures");
+    println!("{}", folder.display());
+    folder
+}
+
 #[test]
 #[ignore = "writes pictures of every slide before a class to look at; RAYSTEP_SLIDE=5/33 those of one"]
 fn every_slide_before_a_class() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("class-pictures");
-    std::fs::create_dir_all(&folder).expect("a folder for the pictures");
-    let only = std::env::var("RAYSTEP_SLIDE").ok();
-    let sizes = [[1920.0, 1080.0], [1280.0, 720.0], [1024.0, 768.0]];
-    for size in sizes {
+    let folder = folder("class-pictures");
+    for size in [[1920.0, 1080.0], [1280.0, 720.0], [1024.0, 768.0]] {
         let shot = Shot { slide: "1/1", stage: StageKind::Flat, theme: "projector", size, present: true };
-        let Some(mut harness) = shot.window(1.0) else { return };
-        let slides = harness.state().state.library.slides.clone();
-        for (index, slide) in
-            slides.iter().enumerate().filter(|(_, slide)| only.as_ref().is_none_or(|id| *id == slide.id()))
-        {
-            for stage in StageKind::ALL.into_iter().filter(|kind| slide.stage(*kind).is_some()) {
-                let state = &mut harness.state_mut().state;
-                state.show_slide(index);
-                state.show_stage(stage);
-                settle(&mut harness);
-                let playback = harness.state().state.playback().expect("a walk").clone();
-                harness.state_mut().state.go(hardest(&playback, slide));
-                for part in ["beat", "question", "answer"] {
-                    harness.run_steps(4);
-                    let picture = harness.render().expect("a picture");
-                    let name = format!("{}-{stage:?}-{}x{}-{part}.png", slide.id().replace('/', "-"), size[0], size[1]);
-                    picture.save(folder.join(name.to_lowercase())).expect("the picture is written");
-                    harness.state_mut().state.apply(Command::Answer(0));
-                    harness.run_steps(2);
-                    harness.state_mut().state.apply(Command::Onward);
-                }
+        at_the_hardest_step(&shot, |harness, name| {
+            for part in ["beat", "question", "answer"] {
+                harness.run_steps(4);
+                write(harness, &folder, &format!("{name}-{part}"));
+                harness.state_mut().state.apply(Command::Answer(0));
+                harness.run_steps(2);
+                harness.state_mut().state.apply(Command::Onward);
             }
-        }
+        });
     }
-    println!("{}", folder.display());
+}
+
+#[test]
+#[ignore = "writes pictures of every slide at home to look at; RAYSTEP_SLIDE=5/33 those of one"]
+fn every_slide_at_five_sizes() {
+    let folder = folder("study-pictures");
+    for size in [[1024.0, 768.0], [1280.0, 800.0], [1366.0, 768.0], [1600.0, 1000.0], [2560.0, 1440.0]] {
+        let shot = study("1/1", StageKind::Flat, "light", size);
+        at_the_hardest_step(&shot, |harness, name| write(harness, &folder, name));
+    }
 }
 
 #[test]
 #[ignore = "writes 120 pictures to look at; see the README"]
 fn every_size_stage_and_theme() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("window-pictures");
-    std::fs::create_dir_all(&folder).expect("a folder for the pictures");
+    let folder = folder("window-pictures");
     for slide in ["2/13b", "3/20", "5/33", "7/56b", "5/30"] {
         for stage in [StageKind::Flat, StageKind::Solid] {
             for theme in ["light", "dark", "projector"] {
@@ -172,5 +200,4 @@ fn every_size_stage_and_theme() {
             }
         }
     }
-    println!("{}", folder.display());
 }

@@ -54,6 +54,9 @@ impl FastKind {
     pub const ALL: [FastKind; 6] =
         [FastKind::Grid, FastKind::Kd, FastKind::Bvh2, FastKind::Bvh8, FastKind::Packets8, FastKind::Packets16];
 
+    /// Those that take one ray at a time.
+    pub const ALONE: [FastKind; 4] = [FastKind::Grid, FastKind::Kd, FastKind::Bvh2, FastKind::Bvh8];
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {

@@ -10,7 +10,6 @@ use std::time::{Duration, Instant};
 use clap::{Args, ValueEnum};
 use glam::Vec2;
 use raystep_accel::{Prims, Rule, Structure};
-use raystep_fast::Settings;
 use raystep_figure::{Ask, Figure, Image, Ink, Look as Letters, Maps, Pane, Role, Theme, whole};
 use raystep_lesson::Column;
 use raystep_print::{png, svg};
@@ -98,7 +97,7 @@ pub(crate) fn run(arguments: &HeatmapArguments) -> Result<(), Fault> {
     }
     let read: Vec<&Path> = arguments.subject.mesh.iter().map(PathBuf::as_path).collect();
     files::may_write(&arguments.out, &read)?;
-    let scene = arguments.subject.scene()?;
+    let scene = Arc::new(arguments.subject.scene()?);
     if scene.flat {
         return Err(Fault::new(format!(
             "{} is flat: a ray through a pixel would fall onto it from above; name a solid scene or a mesh",
@@ -123,7 +122,7 @@ pub(crate) fn run(arguments: &HeatmapArguments) -> Result<(), Fault> {
             return files::write(&arguments.out, &bytes);
         }
     };
-    let wish = Wish { scene: Arc::new(scene), structures: vec![(name, walked)], of, camera, size };
+    let wish = Wish { scene, structures: vec![(name, walked)], of, camera, size };
     // What somebody would see first who waits for it.
     let begun = Instant::now();
     let coarse = rays.map(|side| side.div_ceil(COARSE).max(1));
@@ -159,12 +158,13 @@ fn said(rays: [u32; 2], took: &Duration, what: &str) {
 }
 
 /// The structure that is named, and what it is called.
-fn walked(subject: &Subject, scene: &Scene) -> Result<(String, Walked), Fault> {
+fn walked(subject: &Subject, scene: &Arc<Scene>) -> Result<(String, Walked), Fault> {
     if let Some(kind) = subject.fast()? {
-        let Prims::Mesh(mesh) = &scene.prims else {
-            return Err(Fault::new(format!("{} is no mesh: {} stands over triangles alone", scene.name, kind.name())));
-        };
-        return Ok((kind.name().to_owned(), Walked::Fast(Arc::new(kind.build(mesh, &Settings::default())))));
+        let walked = Walked::fast(scene, kind).ok_or_else(|| {
+            Fault::new(format!("{} is no mesh: {} stands over triangles alone", scene.name, kind.name()))
+        })?;
+        walked.build();
+        return Ok((kind.name().to_owned(), walked));
     }
     let rule = subject.rule(false)?;
     let structure = Structure::build(&scene.prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))?;

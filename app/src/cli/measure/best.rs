@@ -10,7 +10,7 @@ use super::{MeasureArguments, bar};
 use crate::cli::subject;
 use crate::cli::told::{Align, Format, Grid, Page, to_csv, to_json};
 use crate::fault::Fault;
-use crate::rating::{Rated, rate, rays, rules, told};
+use crate::rating::{Candidate, Rated, rate, rays, told};
 
 /// A structure as files hold it; times are left out unless they are asked for.
 #[derive(Serialize)]
@@ -21,7 +21,7 @@ struct Record {
     tests_per_ray: f64,
     visits_per_ray: f64,
     boxes_per_ray: f64,
-    nodes: u64,
+    nodes: Option<u64>,
     bytes: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     build_ms: Option<f64>,
@@ -45,11 +45,11 @@ pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
     let pixels: glam::Vec2 = shot.size.into();
     let wrong = |error: raystep_accel::RayError| Fault::new(format!("the camera shoots no rays: {error}"));
     let rays = rays(&shot.camera, [pixels.x as u32, pixels.y as u32]).map_err(wrong)?;
-    let rules = rules();
-    let bar: ProgressBar = bar(rules.len() as u64, "structures");
+    let candidates = Candidate::all(&scene);
+    let bar: ProgressBar = bar(candidates.len() as u64, "structures");
     let mut rated = Vec::new();
-    for rule in &rules {
-        rated.extend(rate(&scene, rule, &rays, &|| true));
+    for what in candidates {
+        rated.extend(rate(&scene, what, &rays, &|| true));
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -79,10 +79,9 @@ pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
 }
 
 fn record(rated: &Rated, times: bool) -> Record {
-    let parameters: String = rated.rule.parameters().iter().map(|p| format!(" {}={}", p.key, p.value)).collect();
     Record {
-        structure: rated.rule.kind(),
-        rule: format!("{}{parameters}", rated.rule.kind()),
+        structure: rated.what.kind(),
+        rule: rated.what.written(),
         rays: rated.rays,
         tests_per_ray: rated.tests,
         visits_per_ray: rated.visits,
@@ -104,7 +103,8 @@ fn tell(page: &mut Page, rated: &[Rated], times: bool) {
     let mut grid = Grid::new([("structure", Align::Left)].into_iter().chain(heads));
     for rated in rated {
         let [tests, visits, boxes] = [rated.tests, rated.visits, rated.boxes].map(|value| format!("{value:.2}"));
-        let mut cells = vec![rated.name.clone(), tests, visits, boxes, whole(rated.nodes), whole(rated.bytes)];
+        let nodes = rated.nodes.map_or_else(String::new, whole);
+        let mut cells = vec![rated.what.name().to_owned(), tests, visits, boxes, nodes, whole(rated.bytes)];
         if times {
             cells.extend([number(rated.build_ms as f32), number(rated.ray_us as f32)]);
         }

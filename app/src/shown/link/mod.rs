@@ -6,6 +6,7 @@ mod text;
 
 use glam::{Vec2, Vec3};
 use raystep_accel::{Grain, HandCut, Interval, Mistake, Ray, Rule};
+use raystep_fast::FastKind;
 use raystep_figure::{Camera, Depth};
 use raystep_lesson::{Column, Library, Plays, Slide, Stage, StageKind};
 
@@ -53,6 +54,8 @@ pub struct Link {
     pub pace: Pace,
     /// What a heat map counts that stands where space does.
     pub heat: Option<Column>,
+    /// Which structure at full speed stands beside that heat map.
+    pub fast: Option<FastKind>,
     /// Where the mesh lies that is shown instead of the slide's scene.
     pub mesh: Option<String>,
     /// Where playing and the arrow keys stop.
@@ -85,6 +88,7 @@ impl Default for Link {
             mistake: None,
             pace: Pace::Event,
             heat: None,
+            fast: None,
             mesh: None,
             grain: Grain::Decision,
             speed: QUARTERS,
@@ -114,6 +118,7 @@ impl Link {
             mistake,
             pace: state.pace,
             heat: state.heat(),
+            fast: state.heat().and(state.quick),
             mesh,
             aspect: if state.view.camera.is_some() { aspect } else { ASPECT },
             grain: state.grain,
@@ -252,6 +257,10 @@ impl Link {
             _ => state.reopen(view),
         }
         state.accompany(beside, self.pace, heat);
+        if self.fast.is_some() && heat.is_none() {
+            wrong.push("a structure at full speed stands beside a heat map alone, and there is none".to_owned());
+        }
+        state.quick = heat.and(self.fast);
         wrong
     }
 

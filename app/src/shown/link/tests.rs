@@ -82,6 +82,7 @@ fn any_link() -> impl Strategy<Value = Link> {
             proptest::option::of(mistake()),
             proptest::sample::select(vec![Pace::Event, Pace::T]),
             proptest::option::of(proptest::sample::select(Column::COUNTS.to_vec())),
+            proptest::option::of(proptest::sample::select(FastKind::ALONE.to_vec())),
         ),
         proptest::option::of(text),
         proptest::sample::select(vec![Grain::Arithmetic, Grain::Decision, Grain::Visit]),
@@ -89,7 +90,7 @@ fn any_link() -> impl Strategy<Value = Link> {
         any::<[bool; 2]>(),
     );
     (place, look).prop_map(|((slide, stage, ray, own, step, set, shapes, tried, example, camera), look)| {
-        let (aspect, depth, part, beside, (mistake, pace, heat), mesh, grain, speed, [present, by_hand]) = look;
+        let (aspect, depth, part, beside, (mistake, pace, heat, fast), mesh, grain, speed, [present, by_hand]) = look;
         Link {
             slide: if slide.trim().is_empty() { "5/33".to_owned() } else { slide },
             stage,
@@ -108,6 +109,7 @@ fn any_link() -> impl Strategy<Value = Link> {
             mistake,
             pace,
             heat,
+            fast,
             mesh,
             grain,
             speed,
@@ -285,6 +287,7 @@ fn every_wrong_link_gets_a_sentence() {
     check("5/33?example=none", "example=none: there are slab-no-swap, slab-strict");
     check("5/33?mistake=slab-strict", "slide 5/33 has no mistake \"slab-strict\"; there are kd-left-first, kd-any-hit");
     check("5/33?heat=time", "heat=time: there are tests, visits, boxes");
+    check("5/33?heat=tests&fast=bvh", "fast=bvh: there are fast-grid, fast-kd, fast-bvh2, fast-bvh8");
     check("5/33?levels=0", "levels=0: path, or a number from 1 to 64");
     check("5/33?beside=kdd", "beside=kdd: there are list, grid");
     check("5/33?grain=fine", "grain=fine: there are arithmetic, decision and visit");

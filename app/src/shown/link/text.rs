@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
 use raystep_accel::{Grain, HandCut, Interval, Mistake, Ray, Rule};
+use raystep_fast::FastKind;
 use raystep_figure::Depth;
 use raystep_lesson::{Column, StageKind};
 
@@ -38,7 +39,7 @@ const MOST_NUMBERS: usize = 2048;
 const GRAINS: [Grain; 3] = [Grain::Arithmetic, Grain::Decision, Grain::Visit];
 const KEYS: [&str; 21] = [
     "stage", "ray", "own", "step", "set", "shape", "try", "example", "camera", "aspect", "levels", "part", "beside",
-    "mistake", "pace", "heat", "mesh", "grain", "speed", "present", "hand",
+    "mistake", "pace", "heat", "fast", "mesh", "grain", "speed", "present", "hand",
 ];
 
 impl fmt::Display for Link {
@@ -71,6 +72,7 @@ impl fmt::Display for Link {
         add("mistake", self.mistake.map(|mistake| mistake.name().to_owned()));
         add("pace", (self.pace == Pace::T).then(|| "t".to_owned()));
         add("heat", self.heat.map(|of| of.name().to_owned()));
+        add("fast", self.fast.map(|kind| kind.name().to_owned()));
         add("mesh", self.mesh.clone());
         add("grain", (self.grain != Grain::Decision).then(|| self.grain.word().to_owned()));
         add("speed", (self.speed != QUARTERS).then(|| (f32::from(self.speed) / f32::from(QUARTERS)).to_string()));
@@ -179,6 +181,11 @@ impl Link {
                 let known = Column::COUNTS.into_iter().find(|of| of.name() == value);
                 self.heat =
                     Some(known.ok_or_else(|| format!("there are {}", Column::COUNTS.map(Column::name).join(", ")))?);
+            }
+            "fast" => {
+                let names = FastKind::ALONE.map(FastKind::name);
+                let known = FastKind::ALONE.into_iter().find(|kind| kind.name() == value);
+                self.fast = Some(known.ok_or_else(|| format!("there are {}", names.join(", ")))?);
             }
             "camera" => {
                 const NEEDED: &str = "three numbers are needed (the middle, and half the height) or ten (eye, target, \

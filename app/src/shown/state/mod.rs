@@ -14,6 +14,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use raystep_accel::{Grain, Interval, Mistake, NodeId, Place, Rule};
+use raystep_fast::FastKind;
 use raystep_figure::{Camera, Depth};
 use raystep_lesson::{Act, Column, Library, Slide, Stage, StageKind};
 use raystep_scene::Scene;
@@ -53,6 +54,8 @@ pub struct State {
     pub pace: Pace,
     /// What a heat map counts that is shown instead of space, where space is solid.
     heat: Option<Column>,
+    /// Which structure at full speed a heat map shows beside, where the scene is made of triangles.
+    pub quick: Option<FastKind>,
     /// Whether what can be set by hand stands below the lesson.
     pub by_hand: bool,
     /// Whether the presenter's page is shown.
@@ -121,7 +124,7 @@ pub(crate) struct Stamp {
     beside: (Beside, Pace),
     modes: [bool; 5],
     lecture: Lecture,
-    heat: Option<Column>,
+    heat: Option<(Column, Option<FastKind>)>,
     answered: Option<Answered>,
 }
 
@@ -160,6 +163,7 @@ impl State {
             rivals: Rivals::of(["list"]),
             pace: Pace::Event,
             heat: None,
+            quick: None,
             by_hand: false,
             present: false,
             lecture: Lecture::default(),
@@ -209,7 +213,7 @@ impl State {
             beside: (self.beside, self.pace),
             modes: [self.playing, self.predict, self.locked, self.present, self.asking],
             lecture: self.lecture.clone(),
-            heat: self.heat,
+            heat: self.heat.map(|of| (of, self.quick)),
             answered: self.answered,
         }
     }

@@ -5,7 +5,6 @@ use glam::Vec2;
 use raystep_figure::{Ask, Face, Look, Pane, Role, Theme};
 
 use crate::rating::told;
-use crate::shown::kind_name::kind_name;
 use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::painter::paint_figure;
@@ -30,8 +29,11 @@ pub(super) fn page(ui: &Ui, judging: &Judging, theme: &Theme) -> bool {
                 ui.set_width(size.x - 14.0);
                 ui.label(RichText::new("What each is good at").font(font(Face::Bold, 15.0)));
                 ui.add_space(4.0);
-                let small = RichText::new("Less is better in every column. A step is a node, a cell or a box.");
-                ui.label(small.small().color(ink(theme, Role::Quiet)));
+                let mut small = "Less is better in every column. A step is a node, a cell or a box.".to_owned();
+                if judged.rated.iter().any(|rated| rated.what.is_fast()) {
+                    small += " \u{201c}Fast\u{201d} are those of the last chapter at full speed; they are compared with each other.";
+                }
+                ui.label(RichText::new(small).small().color(ink(theme, Role::Quiet)));
                 for sentence in told(&judged.rated, true) {
                     ui.add_space(6.0);
                     let (name, rest) = sentence.split_once(':').unwrap_or(("", &sentence));
@@ -54,9 +56,9 @@ pub(super) fn page(ui: &Ui, judging: &Judging, theme: &Theme) -> bool {
         ui.add_space(6.0);
         ui.horizontal(|ui| {
             let close = ui.button("Close").clicked();
-            if let Some(rule) = judging.underway() {
+            if let Some(what) = judging.underway() {
                 ui.spinner();
-                ui.label(format!("Building and measuring: {}", kind_name(rule.kind())));
+                ui.label(format!("Building and measuring: {}", what.name()));
             }
             close
         })

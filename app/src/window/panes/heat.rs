@@ -1,9 +1,12 @@
 //! A heat map where space would be: its rays are those of the same camera, and each pixel leads into a walk.
 
+use std::sync::Arc;
+
 use egui::{
     Align, Align2, ComboBox, CursorIcon, Label, Layout, PointerButton, Rect, RichText, Sense, Ui, UiBuilder, vec2,
 };
-use raystep_accel::Aabb;
+use raystep_accel::{Aabb, Prims};
+use raystep_fast::FastKind;
 use raystep_figure::{Ask, Camera, Face, Look, Maps, Role};
 use raystep_lesson::Column;
 
@@ -85,8 +88,8 @@ pub(super) fn show(
     }
 }
 
-/// What is to be counted: through the structure that is shown, and the one beside it.
-fn wish(page: Page<'_>, kept: &Kept, room: Rect, of: Column, look: &Look) -> Option<Wish> {
+/// What is to be counted: through the structure that is shown, the one beside it, and one at full speed.
+fn wish(page: Page<'_>, kept: &mut Kept, room: Rect, of: Column, look: &Look) -> Option<Wish> {
     let pictures = kept.pictures.as_ref()?;
     let space = pictures.space.as_deref()?;
     let playback = page.state.playback()?;
@@ -95,7 +98,11 @@ fn wish(page: Page<'_>, kept: &Kept, room: Rect, of: Column, look: &Look) -> Opt
         let walked = Walked::Textbook(playback.play.structure.clone());
         (kind_name(playback.rule.kind()).to_owned(), walked)
     };
-    let structures: Vec<_> = std::iter::once(named(playback)).chain(beside.map(|beside| named(beside))).collect();
+    let scene = &playback.play.scene;
+    let fast =
+        page.state.quick.and_then(|kind| Some((kind_name(kind.name()).to_owned(), kept.heat.fast(scene, kind)?)));
+    let own = std::iter::once(named(playback));
+    let structures: Vec<_> = own.chain(beside.map(|beside| named(beside))).chain(fast).collect();
     let size = Maps::picture(glam_size(room), structures.len(), look);
     // What is seen fills the width; higher than wide there would be nothing but sky.
     let size = glam::Vec2::new(size.x, size.y.min(size.x)).floor();
@@ -115,6 +122,10 @@ fn choices(ui: &mut Ui, page: Page<'_>, strip: Rect, of: Column, asked: &mut Vec
             asked.extend(rival::structures(ui, page.state, kind).map(Asked::Compare));
             ui.label("beside");
         }
+        let triangles = |playback: &Arc<Playback>| matches!(playback.play.scene.prims, Prims::Mesh(_));
+        if page.state.playback().is_some_and(triangles) {
+            asked.extend(quick(ui, page.state.quick).map(Asked::Quick));
+        }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             ui.label(RichText::new("Heat map").font(font(Face::Bold, 13.5)));
             let combo = ComboBox::from_id_salt("counted").width(150.0).selected_text(words(of)).show_ui(ui, |ui| {
@@ -131,6 +142,21 @@ fn choices(ui: &mut Ui, page: Page<'_>, strip: Rect, of: Column, asked: &mut Vec
             }
         });
     });
+}
+
+/// Which structure at full speed stands beside, or none.
+fn quick(ui: &mut Ui, now: Option<FastKind>) -> Option<Option<FastKind>> {
+    let name = |kind: Option<FastKind>| kind.map_or("none at full speed", |kind| kind_name(kind.name()));
+    let mut chosen = None;
+    let combo = ComboBox::from_id_salt("quick").width(132.0).selected_text(name(now)).show_ui(ui, |ui| {
+        for kind in std::iter::once(None).chain(FastKind::ALONE.map(Some)) {
+            if ui.selectable_label(kind == now, name(kind)).clicked() {
+                chosen = Some(kind);
+            }
+        }
+    });
+    controls::name(&combo.response, "At full speed beside it");
+    chosen
 }
 
 /// How many rays the map is made of.

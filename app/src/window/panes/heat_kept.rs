@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
+use raystep_fast::FastKind;
 use raystep_figure::{Ask, Figure, Pane};
+use raystep_scene::Scene;
 
-use crate::shown::heat::{Heated, Wish};
+use crate::shown::heat::{Heated, Walked, Wish};
 
 /// What is asked for, and what was drawn.
 #[derive(Default)]
@@ -13,6 +15,8 @@ pub(crate) struct HeatKept {
     wish: Option<Wish>,
     /// What was asked for last.
     last: Option<Wish>,
+    /// The structure at full speed that stands beside, and over what it is built.
+    fast: Option<(Arc<Scene>, FastKind, Walked)>,
     /// The maps as they were drawn, in a room of this size with such letters.
     drawn: Option<(Arc<Heated>, [f32; 3], Arc<Figure>)>,
 }
@@ -24,6 +28,16 @@ impl HeatKept {
         self.last = Some(wish.clone());
         self.wish = Some(wish);
         other
+    }
+
+    /// A structure at full speed over a scene: the same one as long as neither changes; nothing over other shapes than
+    /// triangles.
+    pub(super) fn fast(&mut self, scene: &Arc<Scene>, kind: FastKind) -> Option<Walked> {
+        let fits = |(over, own, _): &&(Arc<Scene>, FastKind, _)| Arc::ptr_eq(over, scene) && *own == kind;
+        if self.fast.as_ref().filter(fits).is_none() {
+            self.fast = Some((scene.clone(), kind, Walked::fast(scene, kind)?));
+        }
+        self.fast.as_ref().map(|(.., walked)| walked.clone())
     }
 
     /// What the pane has asked for in the last frame.

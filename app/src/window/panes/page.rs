@@ -5,6 +5,7 @@ use std::sync::Arc;
 use egui::Ui;
 use glam::Vec3;
 use raystep_accel::{HandCut, Interval, Place, Ray};
+use raystep_fast::FastKind;
 use raystep_figure::{Depth, Grip, Pixel, Theme, TreeView};
 use raystep_lesson::Column;
 use raystep_paint::Mesh;
@@ -81,6 +82,8 @@ pub(crate) enum Asked {
     Say(String),
     /// Something else is counted in the heat map.
     Count(Column),
+    /// Another structure at full speed beside the heat map, or none.
+    Quick(Option<FastKind>),
     /// A click on a pixel of the heat map: its ray and what was counted of it, and from where the ray is seen well.
     PixelRay { ray: Ray, count: u32, of: Column, seen: Seen },
     /// A click on a pixel of a board's heat map.

@@ -131,6 +131,7 @@ fn level(wish: Wish, pixel: Option<u32>, task: &Task) -> Option<Level> {
     let pixel = match pixel {
         Some(pixel) => pixel,
         None => {
+            wish.structures.iter().for_each(|(_, walked)| walked.build());
             let begun = Instant::now();
             wish.clone().count(TRIAL, &|| !task.is_stopped())?;
             let each = begun.elapsed().as_secs_f64() / f64::from(TRIAL[0] * TRIAL[1]);

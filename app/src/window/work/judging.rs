@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use raystep_accel::{Ray, Rule};
+use raystep_accel::Ray;
 use raystep_scene::Scene;
 
 use super::bench::{Bench, Broken};
 use super::task::Task;
-use crate::rating::{Rated, Rating, rate, rules};
+use crate::rating::{Candidate, Rated, Rating, rate};
 
 /// What was measured so far.
 pub(crate) struct Judged {
@@ -19,12 +19,12 @@ pub(crate) struct Judged {
     /// The same, ready to be drawn.
     pub(crate) rating: Arc<Rating>,
     /// Those that are still to be measured.
-    left: Vec<Rule>,
+    left: Vec<Candidate>,
 }
 
 /// Builds and measures.
 pub(crate) struct Judging {
-    bench: Bench<Rule, Result<Rated, ()>>,
+    bench: Bench<Candidate, Result<Rated, ()>>,
     judged: Option<Judged>,
 }
 
@@ -45,7 +45,7 @@ impl Judging {
         self.bench.cancel();
         let rating = Arc::new(Rating::of(&scene, &[], true));
         // The last one is taken first.
-        let left = rules().into_iter().rev().collect();
+        let left = Candidate::all(&scene).into_iter().rev().collect();
         self.judged = Some(Judged { scene, rays: Arc::new(rays), rated: Vec::new(), rating, left });
     }
 
@@ -61,7 +61,7 @@ impl Judging {
     }
 
     /// What is being measured.
-    pub(crate) fn underway(&self) -> Option<&Rule> {
+    pub(crate) fn underway(&self) -> Option<&Candidate> {
         self.bench.wanted()
     }
 
@@ -81,11 +81,11 @@ impl Judging {
         if self.bench.wanted().is_some() {
             return;
         }
-        if let Some(rule) = judged.left.pop() {
+        if let Some(what) = judged.left.pop() {
             let (scene, rays) = (judged.scene.clone(), judged.rays.clone());
             let task = Task::new("Measuring", "");
-            let work = move |task: &Task| rate(&scene, &rule, &rays, &|| !task.is_stopped()).ok_or(());
-            self.bench.begin(rule, task, false, work);
+            let work = move |task: &Task| rate(&scene, what, &rays, &|| !task.is_stopped()).ok_or(());
+            self.bench.begin(what, task, false, work);
         }
     }
 }
