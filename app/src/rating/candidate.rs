@@ -67,7 +67,7 @@ impl Candidate {
             (Candidate::Fast(kind), Prims::Mesh(mesh)) => {
                 go_on().then(|| Built::Fast(Box::new(kind.build(mesh, &Settings::default()))))
             }
-            (Candidate::Fast(_), Prims::Few(_)) => None,
+            (Candidate::Fast(_), Prims::Few(_) | Prims::Instances(_)) => None,
         }
     }
 }

@@ -49,7 +49,7 @@ impl Walked {
         let scene = scene.clone();
         let build = move || match &scene.prims {
             Prims::Mesh(mesh) => kind.build(mesh, &Settings::default()),
-            Prims::Few(_) => unreachable!("looked at above"),
+            Prims::Few(_) | Prims::Instances(_) => unreachable!("looked at above"),
         };
         Some(Walked::Fast(Arc::new(LazyLock::new(Box::new(build)))))
     }

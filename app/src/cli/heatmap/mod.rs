@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use glam::Vec2;
-use raystep_accel::{Prims, Rule, Structure};
+use raystep_accel::{Rule, Structure};
 use raystep_figure::{Ask, Figure, Image, Ink, Look as Letters, Maps, Pane, Role, Theme, whole};
 use raystep_lesson::Column;
 use raystep_print::{png, svg};

@@ -37,7 +37,7 @@ const MOST_SET: usize = 256;
 const MOST_NUMBERS: usize = 2048;
 
 const GRAINS: [Grain; 3] = [Grain::Arithmetic, Grain::Decision, Grain::Visit];
-const KEYS: [&str; 21] = [
+const KEYS: [&str; 22] = [
     "stage", "ray", "own", "step", "set", "shape", "try", "example", "camera", "aspect", "levels", "part", "beside",
     "mistake", "pace", "heat", "fast", "mesh", "grain", "speed", "present", "hand",
 ];
