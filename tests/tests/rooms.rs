@@ -262,7 +262,8 @@ fn circle<'a>(room: &str, sources: &'a Sources) -> BTreeSet<&'a str> {
             let home = home(path, &handed);
             known.extend(file(&home));
             // Who takes what a folder hands on knows the folder, and with it all that its own file knows.
-            known.extend(file(path).filter(|hand| home != *path && !lies_in(module, hand)));
+            let hand = file(path).filter(|_| home != *path);
+            known.extend(hand.filter(|hand| !lies_in(module, hand) && !lies_in(hand, module)));
         }
         known.remove(module);
     }
