@@ -20,6 +20,11 @@ pub(super) fn pressed(ui: &Ui, present: bool) -> Vec<Command> {
     ui.input(|input| input.events.iter().filter_map(|event| command(event, false, present)).collect())
 }
 
+/// Whether Shift is held: what runs forth runs back.
+pub(super) fn shift(ui: &Ui) -> bool {
+    ui.input(|input| input.modifiers.shift)
+}
+
 /// The command of an event; `focused` leaves only those with Ctrl and the F keys, which no button takes.
 fn command(event: &Event, focused: bool, present: bool) -> Option<Command> {
     let (key, modifiers) = match event {

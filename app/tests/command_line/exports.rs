@@ -1,7 +1,7 @@
 //! Pictures to take away, as `raystep export` writes them.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use super::{folder, raystep, refused, text};
@@ -218,5 +218,30 @@ fn two_programs_that_write_one_file_do_not_mix() {
     for path in found {
         let name = text(path.file_name().unwrap().as_encoded_bytes());
         assert!(alone[&name] == std::fs::read(&path).unwrap(), "{name}");
+    }
+}
+
+#[test]
+fn a_slide_is_drawn_twice_with_the_same_bytes() {
+    let folder = folder("export");
+    let call = |format: &str, out: &str| {
+        let arguments = [
+            "export", "--slide", "5/33", "--stage", "flat", "--size", "640x400", "--steps", "1..2", "--format", format,
+            "--out", out,
+        ];
+        let output = raystep(&folder, &arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let mut files: Vec<PathBuf> =
+            std::fs::read_dir(folder.join(out)).unwrap().map(|entry| entry.unwrap().path()).collect();
+        files.sort();
+        files
+            .into_iter()
+            .map(|file| (file.file_name().unwrap().to_owned(), std::fs::read(&file).unwrap()))
+            .collect::<Vec<_>>()
+    };
+    for (format, count) in [("png", 2), ("svg", 2), ("pdf", 2), ("apng", 1), ("gif", 1), ("json", 1)] {
+        let first = call(format, &format!("{format}-first"));
+        assert_eq!(first.len(), count);
+        assert!(first == call(format, &format!("{format}-again")), "{format} differs");
     }
 }

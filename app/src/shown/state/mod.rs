@@ -1,23 +1,26 @@
 //! The window's state: pure data that commands change. It knows no widget, file or clock.
 
 mod answering;
+mod choosing;
+mod comparing;
 #[cfg(test)]
 mod given_away;
 mod heat;
 mod held;
 mod lecturing;
 mod linking;
+mod looking;
 mod stepping;
+mod undoing;
 mod wanting;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use raystep_accel::{Grain, Interval, Mistake, NodeId, Place, Rule};
+use raystep_accel::{Grain, Interval, NodeId, Place};
 use raystep_fast::FastKind;
 use raystep_figure::{Camera, Depth};
-use raystep_lesson::{Act, Column, Library, Slide, Stage, StageKind};
-use raystep_scene::Scene;
+use raystep_lesson::{Column, Library, Slide, Stage, StageKind};
 
 use super::beside::{Beside, Pace, Rivals};
 use super::command::{Command, QUARTERS};
@@ -25,7 +28,7 @@ use super::history::History;
 use super::lecture::Lecture;
 use super::playback::Playback;
 use super::steps::coarser;
-use super::view::{RayChoice, View};
+use super::view::View;
 
 /// Everything that a command can change.
 #[derive(Clone, Debug)]
@@ -279,254 +282,6 @@ impl State {
             Command::ResetScene => self.reset_scene(),
             Command::CutHere => self.cut_here(),
             _ => {}
-        }
-    }
-
-    /// To another slide.
-    pub fn show_slide(&mut self, slide: usize) {
-        if slide >= self.library.slides.len() || slide == self.target().slide {
-            return;
-        }
-        self.leave();
-        let stage = opening_stage(&self.library, slide, self.wished);
-        self.want(View::of_slide(slide, stage), Landing::Opening);
-    }
-
-    /// What is shown is left for another slide.
-    fn leave(&mut self) {
-        self.keep();
-        self.left.insert(self.view.slide, self.view.clone());
-        self.beside = Beside::Nothing;
-        self.heat = None;
-    }
-
-    /// To the slide's other stage.
-    pub fn show_stage(&mut self, stage: StageKind) {
-        let View { slide, stage: now, .. } = *self.target();
-        let offered = self.library.slides.get(slide).is_some_and(|slide| slide.stage(stage).is_some());
-        if offered && stage != now {
-            self.wished = stage;
-            self.heat = None;
-            self.keep();
-            self.want(View::of_slide(slide, stage), Landing::Opening);
-        }
-    }
-
-    /// Another ray; `drag` says that it belongs to a change that is under way.
-    pub fn show_ray(&mut self, ray: RayChoice, drag: bool) {
-        if ray == self.target().ray {
-            return;
-        }
-        if !drag {
-            self.keep();
-        }
-        let landing = if matches!(ray, RayChoice::Named(_)) { Landing::Opening } else { Landing::Keep };
-        self.want(View { ray, part: None, ..self.target().clone() }, landing);
-    }
-
-    /// The ray of that name, on whichever stage it walks.
-    pub fn show_named_ray(&mut self, name: &str) {
-        let index = |stage: &Stage| stage.rays.iter().position(|ray| ray.name == name);
-        let Some(slide) = self.slide() else { return };
-        let mut stages = self.stage().into_iter().chain(&slide.stages);
-        let found = stages.find_map(|stage| Some((stage.kind, index(stage)?)));
-        if let Some((stage, ray)) = found {
-            self.show_stage(stage);
-            self.show_ray(RayChoice::Named(ray), true);
-        }
-    }
-
-    /// How the structure is built that is shown, or asked for over the same scene.
-    pub fn rule(&self) -> Option<Rule> {
-        let mut rule = self.playback.as_ref()?.rule;
-        let target = self.target();
-        if target.same_scene(&self.view) {
-            for (key, value) in &target.settings {
-                // What cannot be set is said when the structure is built.
-                let _ = rule.set(key, value);
-            }
-        }
-        Some(rule)
-    }
-
-    /// A parameter of the structure, as part of a change that is under way.
-    pub fn set(&mut self, key: &str, value: &str) {
-        self.set_and_stand(key, value, Landing::Keep);
-    }
-
-    fn set_and_stand(&mut self, key: &str, value: &str, landing: Landing) {
-        let mut view = self.target().clone();
-        view.settings.retain(|(known, _)| known != key);
-        view.settings.push((key.to_owned(), value.to_owned()));
-        self.want(view, landing);
-    }
-
-    /// Does what the beat offers, if it does.
-    fn take_up(&mut self, offer: usize) {
-        let Some(act) = self.offers().get(offer).map(|offer| offer.act.clone()) else { return };
-        match act {
-            Act::Set(settings) => {
-                // Several parameters are one change.
-                self.keep();
-                for (key, value) in &settings {
-                    self.set(key, value);
-                }
-            }
-            Act::Compare(kind) => self.compare(kind),
-            // It stands over the page, which is no matter of what is shown.
-            Act::Best => {}
-            Act::Slide(id) => {
-                let slide = self.library.slide(&id).map(|slide| &slide.file);
-                let index = self.library.slides.iter().position(|other| Some(&other.file) == slide);
-                if let Some(index) = index {
-                    self.show_slide(index);
-                }
-            }
-        }
-    }
-
-    /// Whether what a beat offers with this number is to measure all structures.
-    pub fn offers_best(&self, offer: u8) -> bool {
-        self.offers().get(usize::from(offer)).is_some_and(|offer| offer.act == Act::Best)
-    }
-
-    /// A mesh instead of the slide's scene, with a ray through it.
-    pub fn show_mesh(&mut self, mesh: Arc<Scene>, ray: raystep_accel::Ray) {
-        self.keep();
-        let (stage, ray) = (StageKind::Solid, RayChoice::Own(ray));
-        let (mesh, own, camera, part) = (Some(mesh), None, None, None);
-        let view = View { stage, ray, mesh, own, example: None, camera, part, ..self.target().clone() };
-        self.want(view, Landing::Opening);
-    }
-
-    /// The small scene and the ray on which a mistake shows.
-    pub fn show_example(&mut self, mistake: Mistake) {
-        self.keep();
-        let view = View::of_slide(self.view.slide, self.view.stage);
-        let ray = RayChoice::Own(mistake.example().ray);
-        self.want(View { ray, example: Some(mistake), ..view }, Landing::Opening);
-    }
-
-    /// Another structure beside the walk.
-    pub fn compare(&mut self, kind: &'static str) {
-        self.compare_all(Rivals::of([kind]));
-    }
-
-    /// Other structures beside the walk: in a flat scene all of them, in a solid one the first.
-    pub fn compare_all(&mut self, rivals: Rivals) {
-        // A packet is compared with one structure at a time.
-        let flat = self.playback.as_ref().is_none_or(|playback| {
-            playback.play.scene.flat && playback.play.tape.plays() != raystep_lesson::Plays::Packet
-        });
-        self.beside = match rivals.kinds().next() {
-            None => Beside::Nothing,
-            Some(first) => {
-                self.rivals = rivals;
-                if rivals.count() > 1 && flat { Beside::Abreast(rivals) } else { Beside::Structure(first) }
-            }
-        };
-    }
-
-    /// Another place to look from, as part of a change that is under way.
-    pub fn turn(&mut self, camera: Camera) {
-        self.see(Some(camera));
-    }
-
-    /// Another place to look from; nothing for the slide's own.
-    pub fn look(&mut self, camera: Option<Camera>) {
-        if camera != self.view.camera {
-            self.keep();
-            self.see(camera);
-        }
-    }
-
-    fn see(&mut self, camera: Option<Camera>) {
-        self.change_look(|view| view.camera = camera);
-    }
-
-    /// How many boxes of a tree are drawn in space.
-    pub fn depth(&self) -> Depth {
-        let own = self.stage().and_then(|stage| stage.levels).map_or(Depth::Path, Depth::Down);
-        self.view.depth.unwrap_or(own)
-    }
-
-    /// So many boxes of a tree in space, as part of a change that is under way.
-    pub fn show_depth(&mut self, depth: Depth) {
-        self.change_look(|view| view.depth = Some(depth));
-    }
-
-    /// The boxes of one level more, or of one less; above the first there is the path alone.
-    fn step_depth(&mut self, deeper: bool) {
-        let Some(deepest) = self.playback.as_ref().and_then(|playback| playback.reel().deepest()) else { return };
-        let now = match self.depth() {
-            Depth::Path => 0,
-            Depth::Down(level) => level.min(deepest),
-        };
-        let level = if deeper { (now + 1).min(deepest) } else { now.saturating_sub(1) };
-        if level != now {
-            self.keep();
-            self.show_depth(if level == 0 { Depth::Path } else { Depth::Down(level) });
-        }
-    }
-
-    /// A part of the ray on the ruler, or all of it; as part of a change that is under way.
-    pub fn show_part(&mut self, part: Option<Interval>) {
-        self.change_look(|view| view.part = part);
-    }
-
-    /// Changes how what is shown, and what shall be shown of the same scene, is looked at.
-    fn change_look(&mut self, change: impl Fn(&mut View)) {
-        change(&mut self.view);
-        if let Some(wanted) = &mut self.wanted
-            && wanted.same_scene(&self.view)
-        {
-            change(wanted);
-        }
-    }
-
-    /// Remembers the view before a change that undo shall take back in one.
-    pub fn keep(&mut self) {
-        self.anchor = None;
-        // What was asked for last counts, also where its walk is not there yet.
-        self.history.keep((self.wanted.as_ref().unwrap_or(&self.view), self.opens()));
-    }
-
-    /// Whether there is something to undo, and to redo.
-    pub fn undoable(&self) -> (bool, bool) {
-        self.history.available()
-    }
-
-    fn restore(&mut self) {
-        let View { slide, stage, .. } = *self.target();
-        let own = View::of_slide(slide, first_stage(&self.library, slide, stage));
-        if !own.same_walk(self.target()) {
-            self.keep();
-            self.want(own, Landing::Opening);
-        } else if !self.view.looks_its_own() {
-            self.keep();
-            self.change_look(|view| *view = view.clone().looking_as(&own));
-        }
-        (self.view.tried, self.trial) = (None, None);
-        self.beside = Beside::Nothing;
-        self.heat = None;
-    }
-
-    /// Whether what is wanted is to open where its slide does, and does not stand there yet.
-    fn opens(&self) -> bool {
-        self.wanted.is_some() && self.landing == Landing::Opening
-    }
-
-    fn undo(&mut self) {
-        let now = (self.target().clone(), self.opens());
-        if let Some((view, opens)) = self.history.undo(now) {
-            self.want(view, if opens { Landing::Opening } else { Landing::Named });
-        }
-    }
-
-    fn redo(&mut self) {
-        let now = (self.target().clone(), self.opens());
-        if let Some((view, opens)) = self.history.redo(now) {
-            self.want(view, if opens { Landing::Opening } else { Landing::Named });
         }
     }
 }

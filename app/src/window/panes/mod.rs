@@ -25,9 +25,11 @@ mod sight;
 mod solid;
 mod space;
 pub(super) mod speaker;
+mod spoken;
 mod stage;
 pub(super) mod study;
 mod trial;
+mod underway;
 
 pub(super) use hold::Moved;
 pub(super) use notices::Notices;
