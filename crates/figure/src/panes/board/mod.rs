@@ -174,7 +174,10 @@ fn layout<'a>(panels: &'a [Panel], filled: Filled, ask: &Ask<'_>) -> (Look, Vec<
             match panel {
                 Panel::Chart(_) if wide => room.x *= chart,
                 Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => room.y *= 0.55,
-                Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
+                Panel::Table(table) => {
+                    let close = matches!(panels[index + 1], Panel::Maps(_));
+                    room.y = table.height(close, &look).min(room.y * 0.7);
+                }
                 Panel::Meter(meter) => room.y = meter.height(&look).min(room.y * 0.7),
             }
         }

@@ -30,6 +30,8 @@ pub struct Column {
     pub role: Role,
     /// Whether a row shows it while a question about the row is open.
     pub given: bool,
+    /// Whether it holds words or code, which begin below each other.
+    pub words: bool,
 }
 
 /// A row.
@@ -48,6 +50,8 @@ pub struct Row {
 /// How large a table is set: sizes follow from its letters.
 struct Set {
     text: f32,
+    /// The height of a row.
+    high: f32,
     /// The widths of the columns, the first one that of the names.
     widths: Vec<f32>,
     gap: f32,
@@ -55,13 +59,15 @@ struct Set {
 
 /// Most that letters grow where there is room.
 const LARGEST: f32 = 1.3;
-/// A row's height in letters.
+/// A row's height in letters, and where there is little room.
 const ROW: f32 = 2.5;
+const CLOSE: f32 = 1.8;
 
 impl Table {
-    /// How high it stands in letters of the usual size.
-    pub(super) fn height(&self, look: &Look) -> f32 {
-        look.text * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5 + 3.5)
+    /// How high it stands in letters of the usual size; where pictures need the room, with its rows close together.
+    pub(super) fn height(&self, close: bool, look: &Look) -> f32 {
+        let row = if close { CLOSE } else { ROW };
+        look.text * (row * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5 + 3.5)
     }
 
     /// How wide and how high it is at least, in letters.
@@ -79,13 +85,17 @@ impl Table {
     fn set(&self, room: Vec2, look: &Look) -> Set {
         let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
         let across = (room.x - 2.0 * look.margin()) / natural;
-        let up = (room.y - look.text * 3.0) / (ROW * self.rows.len() as f32 + self.head_lines() as f32 * 1.5 + 0.8);
-        let text = across.min(up).clamp(look.text * 0.72, look.text * LARGEST);
+        let (rows, heads) = (self.rows.len() as f32, self.head_lines() as f32 * 1.5);
+        let up = |row: f32| (room.y - look.text * 3.0) / (row * rows + heads + 0.8);
+        // Rows stand closer before their letters are small.
+        let text = up(ROW).max(up(CLOSE).min(look.text));
+        let text = across.min(text).clamp(look.text * 0.72, look.text * LARGEST);
+        let high = ((room.y - look.text * 3.0 - text * (heads + 0.8)) / rows.max(1.0)).clamp(text * CLOSE, text * ROW);
         let widths = self.widths(text);
         let used: f32 = widths.iter().sum();
         // Eyes follow short rows: spare room goes between the columns, up to a point.
         let gap = ((room.x - 2.0 * look.margin() - used) / widths.len() as f32).clamp(text * 0.8, text * 4.0);
-        Set { text, widths, gap }
+        Set { text, high, widths, gap }
     }
 
     fn widths(&self, text: f32) -> Vec<f32> {
@@ -137,7 +147,7 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, look: &Look) -> Fi
     let mut figure = Figure::new(room);
     let top = look.heading(&mut figure, &table.title, &table.about) + look.text * 0.6;
     let set = table.set(room, look);
-    let Set { text, ref widths, gap } = set;
+    let Set { text, high, ref widths, gap } = set;
     let left = look.margin();
     // The right ends of the columns; a column's share of spare room lies before it.
     let ends: Vec<f32> = widths
@@ -153,17 +163,17 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, look: &Look) -> Fi
     let head_bottom = top + heads as f32 * text * 1.5;
     let at = Vec2::new(left, head_bottom - text * 0.9);
     write(&mut figure, Role::Quiet, None, at, &table.of, small, Face::Regular, Anchor::Start);
-    for (column, end) in table.columns.iter().zip(&ends[1..]) {
+    for ((column, end), wide) in table.columns.iter().zip(&ends[1..]).zip(&widths[1..]) {
         let lines = lines_of(&column.head);
+        let (x, anchor) = if column.words { (end - wide, Anchor::Start) } else { (*end, Anchor::End) };
         for (index, head) in lines.iter().rev().enumerate() {
-            let at = Vec2::new(*end, head_bottom - text * 0.9 - index as f32 * text * 1.35);
+            let at = Vec2::new(x, head_bottom - text * 0.9 - index as f32 * text * 1.35);
             let face = if lines.len() > 1 && index + 1 == lines.len() { Face::Bold } else { Face::Regular };
-            write(&mut figure, Role::Quiet, None, at, head, small, face, Anchor::End);
+            write(&mut figure, Role::Quiet, None, at, head, small, face, anchor);
         }
     }
     figure.add(Role::Text, None, line(Vec2::new(left, head_bottom), Vec2::new(right, head_bottom)));
 
-    let high = text * ROW;
     for (index, row) in table.rows.iter().enumerate() {
         let y = head_bottom + high * (index as f32 + 0.5);
         let (shown, asked) = (filled.shows(row.entry), filled.is_asked(row.entry));
@@ -186,6 +196,9 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, look: &Look) -> Fi
                 figure.add(Role::Guess, None, block(corner, Vec2::new(width, text * 1.5), text * 0.3));
                 let at = Vec2::new(end - width * 0.5, y);
                 write(&mut figure, Role::Guess, None, at, "?", text, Face::Bold, Anchor::Middle);
+            } else if (shown || asked) && column.words {
+                let at = Vec2::new(end - widths[index + 1], y);
+                write(&mut figure, column.role, place, at, cell, text, Face::Mono, Anchor::Start);
             } else if shown || asked {
                 let (before, behind) = table.at_point(index, cell);
                 let (_, after) = table.around_points(index, text);
