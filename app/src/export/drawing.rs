@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_figure::{
     Ask, Camera, Figure, ListingLine, Look, Pane, Reel, Scenery, Space, Still, Theme, close_up, crop, inset_size,
-    set_inset, stage as picture_of,
+    is_nearer, set_inset, stage as picture_of,
 };
 use raystep_lesson::Tape;
 use raystep_print::{Part, Plate, drawn, part, plate, set_in};
@@ -94,8 +94,11 @@ impl Sheet<'_> {
         let mut figure = self.seen(&shown, &camera, size);
         // What is but a dot there is seen from near in a corner.
         let inset = (!self.still.flat()).then(|| Some((self.still.detail()?, inset_size(size)?))).flatten();
-        if let Some(((title, bounds), size)) = inset {
-            let camera = eye::framed(&camera, &bounds, size);
+        let framed = inset.map(|((title, bounds), inset)| {
+            let near = eye::framed(&camera, &bounds, inset);
+            (title, is_nearer(bounds.center(), (&near, inset), (&camera, size)).then_some((near, inset)))
+        });
+        if let Some((title, Some((camera, size)))) = framed {
             let shaded = ground.scenery(&camera, size * self.fineness(), self.order.theme);
             let scenery = shaded.as_deref().map_or(Scenery::Left, Scenery::Shaded);
             let small = close_up(&shown, self.reel.prims(), &camera, size, scenery);

@@ -61,7 +61,7 @@ impl Rating {
 
 /// A row for each.
 fn table(rated: &[Rated], about: String, times: bool) -> Table {
-    let column = |head: &str, role: Role| Column { head: head.to_owned(), role, given: false };
+    let column = |head: &str, role: Role| Column { head: head.to_owned(), role, given: false, words: false };
     let mut columns = vec![
         column("Measured here|tests per ray", Role::Missed),
         column("|nodes or cells per ray", Role::Value),

@@ -144,6 +144,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
             Column::Tests | Column::Vain => Role::Missed,
         },
         given: matches!(column, Column::Printed | Column::Total | Column::Before),
+        words: matches!(column, Column::Before | Column::After),
     });
     let rows = table.rows.iter().enumerate().map(|(place, row)| {
         let entry = entry(filled, panel, place);

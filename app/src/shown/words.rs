@@ -1,7 +1,7 @@
 //! What is said about a walk in short: structures, questions and answers by name.
 
 use raystep_accel::{Event, Grow};
-use raystep_figure::{Answer, told, value};
+use raystep_figure::{Answer, coordinate, told, value};
 use raystep_lesson::Choice;
 
 use super::playback::Posed;
@@ -29,7 +29,9 @@ pub(crate) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
 /// What stands on an answer's button.
 pub(crate) fn label(choice: &Choice) -> String {
     let cut = match choice.own {
-        Some(Event::Build(Grow::Weigh { axis, .. })) => Some(format!("{axis} = {}", value(&choice.value))),
+        Some(Event::Build(Grow::Weigh { axis, .. })) => {
+            Some(format!("{} = {}", coordinate(axis), value(&choice.value)))
+        }
         _ => None,
     };
     choice.label.clone().or(cut).unwrap_or_else(|| value(&choice.value))

@@ -40,8 +40,11 @@ pub use panes::{
     tree_height, tree_of_build, work, work_of_build,
 };
 pub use stage::{
-    Camera, Scenery, Shaded, axes, close_up, crop, inset_size, is_label, labels, pointed_at, set_inset, shaded, stage,
+    Camera, Scenery, Shaded, axes, close_up, crop, inset_size, is_label, is_nearer, labels, pointed_at, set_inset,
+    shaded, stage,
 };
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
-pub use words::{Answer, Fact, Symbol, VolumeName, fill, number, sentence, short, told, value, veiled, whole};
+pub use words::{
+    Answer, Fact, Symbol, VolumeName, coordinate, fill, number, sentence, short, told, value, veiled, whole,
+};
 pub use world::{Depth, Form, Nodes, Space, SpaceMark, circles, contour, faces, forms_of, lines};

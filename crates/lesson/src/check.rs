@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use raystep_accel::{Event, Rule, Value};
+use raystep_accel::{Event, Rule, Value, Visit};
 use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
@@ -393,7 +393,12 @@ impl Checker<'_> {
             };
             match right {
                 Value::Number(_) if crate::choices::is_cut(ask, event) => allowed.extend(crate::choices::CUTS),
-                Value::Place(_) | Value::Number(_) => allowed.extend(event.fields().iter().filter(alike)),
+                Value::Place(_) | Value::Number(_) => {
+                    allowed.extend(event.fields().iter().filter(alike));
+                    if matches!(event, Event::Walk(Visit::Split { .. })) {
+                        allowed.extend(crate::choices::SIBLINGS);
+                    }
+                }
                 Value::Lanes(_) => {
                     allowed.extend(crate::choices::LANES);
                     allowed.extend(event.fields().iter().filter(alike));

@@ -15,6 +15,9 @@ pub(crate) const ALIKE: &str = "alike";
 /// every ray that there is, those that the right answer leaves out.
 pub(crate) const LANES: [&str; 3] = ["lanes", "all", "rest"];
 
+/// What a slide calls the children of a split as they lie in memory.
+pub(crate) const SIBLINGS: [&str; 2] = ["first", "second"];
+
 /// Most answers of a question about rays: there are four keys.
 const LETTERS: usize = 4;
 
@@ -48,13 +51,16 @@ impl Ask {
             // Boxes cannot be chosen from.
             Value::Box(_) => Vec::new(),
         };
-        let choice = |(answer, value): (String, Value)| Choice {
-            label: self.label(&answer).or_else(|| side(&play.structure, &event, &value, play.scene.flat)),
-            value,
-            place: if let Value::Place(place) = value { Some(place) } else { None },
-            right: same(&value, &right),
-            reason: if same(&value, &right) { None } else { self.reason(&answer) },
-            own: None,
+        let choice = |(answer, value): (String, Value)| {
+            let answer = self.sibling(&play.structure, &event, &value).map_or(answer, str::to_owned);
+            Choice {
+                label: self.label(&answer).or_else(|| side(&play.structure, &event, &value, play.scene.flat)),
+                value,
+                place: if let Value::Place(place) = value { Some(place) } else { None },
+                right: same(&value, &right),
+                reason: if same(&value, &right) { None } else { self.reason(&answer) },
+                own: None,
+            }
         };
         values.into_iter().map(choice).collect()
     }
@@ -121,6 +127,13 @@ impl Ask {
     fn reason(&self, answer: &str) -> Option<String> {
         let said = |answer: &str| self.reasons.iter().find(|reason| reason.answer == answer);
         said(answer).or_else(|| said("else")).map(|reason| reason.text.clone())
+    }
+
+    /// What the slide calls a child by its place among the two, if it does.
+    fn sibling(&self, structure: &Structure, event: &Event, value: &Value) -> Option<&'static str> {
+        let lower = is_lower(structure, event, value)?;
+        let name = SIBLINGS[usize::from(!lower)];
+        self.reasons.iter().any(|reason| reason.answer == name).then_some(name)
     }
 
     /// What the slide writes on the button of an answer.
@@ -287,11 +300,9 @@ fn axes(flat: bool) -> Vec<(String, Value)> {
 
 /// On which side of the split a child lies, in words: a button says more than an id.
 fn side(structure: &Structure, event: &Event, value: &Value, flat: bool) -> Option<String> {
-    let (Event::Walk(Visit::Split { node, .. }), Value::Place(Place::Node(child))) = (event, value) else {
-        return None;
-    };
+    let lower = is_lower(structure, event, value)?;
+    let Event::Walk(Visit::Split { node, .. }) = event else { return None };
     let (axis, _) = structure.split(*node)?;
-    let lower = structure.children(*node).first() == Some(child);
     let word = match (axis.axis()?, flat) {
         (Axis::X, true) => ["left", "right"],
         (Axis::Y, true) | (Axis::Z, false) => ["lower", "upper"],
@@ -300,6 +311,16 @@ fn side(structure: &Structure, event: &Event, value: &Value, flat: bool) -> Opti
         (Axis::Z, true) => return None,
     };
     Some(word[usize::from(!lower)].to_owned())
+}
+
+/// Of a child of a split, whether it is the lower one, which lies first in memory.
+fn is_lower(structure: &Structure, event: &Event, value: &Value) -> Option<bool> {
+    match (event, value) {
+        (Event::Walk(Visit::Split { node, .. }), Value::Place(Place::Node(child))) => {
+            Some(structure.children(*node).first() == Some(child))
+        }
+        _ => None,
+    }
 }
 
 /// Whether two values read the same: numbers, in the three digits that a student sees.

@@ -1,7 +1,7 @@
 //! A small picture in a corner of a solid stage: the leaf, the cell or the hit that is a dot in the large one.
 
 use egui::{Align2, Rect, StrokeKind, Ui, pos2, vec2};
-use raystep_figure::{Camera, Face, Role, Scenery, close_up, inset_size};
+use raystep_figure::{Camera, Face, Role, Scenery, close_up, inset_size, is_nearer};
 
 use super::page::Page;
 use super::sight::Sight;
@@ -20,6 +20,9 @@ pub(super) fn show(ui: &Ui, page: Page<'_>, sight: &mut Sight, pictures: &Pictur
     let size = vec2(size.x, size.y);
     let inset = Rect::from_min_size(rect.right_top() + vec2(-size.x - 12.0, 12.0), size);
     let near = eye::framed(camera, &bounds, glam_size(inset));
+    if !is_nearer(bounds.center(), (&near, glam_size(inset)), (camera, glam_size(rect))) {
+        return;
+    }
     let (prims, theme) = (&pictures.playback.play.scene.prims, page.theme);
     sight.solid_inset.show(ui, inset, space, prims, page.mesh, &near, theme, Role::Page, &pictures.lit(page.lit));
     let figure = close_up(space, prims, &near, glam_size(inset), Scenery::Left);

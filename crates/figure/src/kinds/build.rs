@@ -84,8 +84,8 @@ impl Kind for Build<'_> {
             }
             Pane::Cells => cells_of_build(self, moment, size, look),
             Pane::Listing => listing("Build", ask.lines, self.fact(at.step()), self.flat, size, look),
-            Pane::Stack if nodes => stack_of_build(moment, size, look),
-            Pane::Bin if nodes => bin_of_build(moment, size, look),
+            Pane::Stack if nodes => stack_of_build(self, moment, size, look),
+            Pane::Bin if nodes => bin_of_build(self, moment, size, look),
             Pane::Work => work_of_build(self, moment, size, look),
             Pane::Timeline => timeline_of_build(self, at.step(), hide, size, look),
             _ => return None,
@@ -163,7 +163,8 @@ impl Kind for Build<'_> {
     }
 
     fn stacked(&self, at: &Instant) -> usize {
-        at.state::<GrowMoment>().waiting.len()
+        let moment: &GrowMoment = at.state();
+        if self.joins() { moment.apart().len().min(JOINED) } else { moment.waiting.len() }
     }
 
     fn here(&self, at: &Instant) -> Option<Place> {
@@ -194,7 +195,7 @@ impl Kind for Build<'_> {
     fn tally(&self, at: &Instant) -> String {
         let moment: &GrowMoment = at.state();
         if let Some(change) = self.change(moment) {
-            return counted(self.touched(moment, change).len() as u64, "node touched", "nodes touched");
+            return counted(self.touched(moment, change).len() as u64, "node looked at", "nodes looked at");
         }
         let stored = counted(moment.tally.stored, "reference stored", "references stored");
         weighed(self, moment).map_or_else(|| stored.clone(), |weighed| format!("{weighed} · {stored}"))
@@ -213,6 +214,9 @@ impl Kind for Build<'_> {
         at.state_mut::<GrowMoment>().guesses = guesses.iter().filter_map(plane).collect();
     }
 }
+
+/// Of the sets that are left to be joined there is room for so many.
+const JOINED: usize = 4;
 
 /// Letters that leave the picture of a weighing its room.
 fn legible<'a>(ask: &Ask<'a>) -> Ask<'a> {

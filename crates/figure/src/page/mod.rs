@@ -10,5 +10,5 @@ pub use figure::{Anchor, Figure, Image, Ink, Mark};
 pub use look::{Look, nothing};
 pub(crate) use look::{block, line, wrapped, write};
 pub use motion::Motion;
-pub(crate) use table::{Entry, Table};
+pub(crate) use table::{CLOSE, Entry, Table};
 pub(crate) use ticks::Ticks;

@@ -34,19 +34,24 @@ impl Entry {
     }
 }
 
+/// How high a row is in its letters, where there is room and where there is little.
+const APART: f32 = 1.9;
+pub(crate) const CLOSE: f32 = 1.4;
+
 impl Table {
     /// Draws the table from `top` to at most `bottom`, in smaller letters if it is too large. Returns where it ends.
     pub(crate) fn draw(&self, figure: &mut Figure, top: f32, bottom: f32, look: &Look) -> f32 {
         let room = figure.size.x - 2.0 * look.margin();
         let natural = self.widths(look.text);
         let total: f32 = natural.iter().sum();
-        let high = (bottom - top) / ((self.rows.len() as f32 + 1.0) * look.text * 1.9);
-        let size = look.text * (room / total.max(1.0)).min(high).clamp(0.6, 1.0);
+        // Rows stand closer before their letters are smaller.
+        let high = (bottom - top) / (self.rows.len() as f32 + 1.0);
+        let size = look.text * (room / total.max(1.0)).min(high / (look.text * CLOSE)).clamp(0.6, 1.0);
         let widths = self.widths(size);
         // Spare room goes between the columns, up to a point: eyes follow short rows.
         let used: f32 = widths.iter().sum();
         let spare = ((room - used) / widths.len().max(1) as f32).clamp(0.0, size * 2.0);
-        let row_height = size * 1.9;
+        let row_height = (size * APART).min(high.max(size * CLOSE));
 
         let rights: Vec<f32> = widths
             .iter()

@@ -4,10 +4,14 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::moments::{GrowMoment, Moment, PacketMoment};
+use super::stack::JOINED;
+use crate::moments::{Build, GrowMoment, Moment, PacketMoment};
 use crate::page::{Anchor, Figure, Ink, Look, block, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
+
+/// How what waits is taken out.
+const OPENED: &str = ", opened from the top";
 
 /// Something that waits, and what is known of it.
 struct Item {
@@ -21,13 +25,16 @@ pub fn bin(moment: &Moment, size: Vec2, look: &Look) -> Figure {
         place: Place::Node(waiting.node),
         says: format!("[{}, {}]", number(waiting.near), number(waiting.far)),
     };
-    draw("Stack", "waits", &moment.stack.iter().map(item).collect::<Vec<_>>(), size, look)
+    draw("Stack", OPENED, &moment.stack.iter().map(item).collect::<Vec<_>>(), size, look)
 }
 
-/// The nodes that a builder has yet to build.
-pub fn bin_of_build(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
+/// The nodes that a builder has yet to build; of one that joins sets, those that are left.
+pub fn bin_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
     let item = |node: &raystep_accel::NodeId| Item { place: Place::Node(*node), says: String::new() };
-    draw("Still to be built", "waits", &moment.waiting.iter().map(item).collect::<Vec<_>>(), size, look)
+    if build.joins() {
+        return draw(JOINED, "", &moment.apart().iter().map(item).collect::<Vec<_>>(), size, look);
+    }
+    draw("Still to be built", OPENED, &moment.waiting.iter().map(item).collect::<Vec<_>>(), size, look)
 }
 
 /// The nodes that wait for the rays of a packet.
@@ -37,11 +44,11 @@ pub(crate) fn bin_of_packet(moment: &PacketMoment, size: Vec2, look: &Look) -> F
         let says = if rays.len() == 1 { format!("ray {}", rays[0]) } else { format!("rays {}", rays.join(" ")) };
         Item { place: Place::Node(*node), says }
     };
-    draw("Stack", "waits", &moment.stack.iter().map(item).collect::<Vec<_>>(), size, look)
+    draw("Stack", OPENED, &moment.stack.iter().map(item).collect::<Vec<_>>(), size, look)
 }
 
-/// The bin with what lies in it, the first at the bottom. Where not all of it has room, the lowest is the rest.
-fn draw(title: &str, word: &str, items: &[Item], size: Vec2, look: &Look) -> Figure {
+/// The bin with what lies in it, the first at the bottom, and in which `order` it goes. Where not all of it has room, the lowest is the rest.
+fn draw(title: &str, order: &str, items: &[Item], size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, title, "");
     let u = look.text;
@@ -82,9 +89,9 @@ fn draw(title: &str, word: &str, items: &[Item], size: Vec2, look: &Look) -> Fig
         bottom -= height + gap;
     }
     let says = match items.len() {
-        0 => format!("nothing {word}"),
-        1 => format!("1 node {word}"),
-        many => format!("{many} nodes {}, opened from the top", word.trim_end_matches('s')),
+        0 => "nothing waits".to_owned(),
+        1 => "1 node waits".to_owned(),
+        many => format!("{many} nodes wait{order}"),
     };
     let at = Vec2::new(left, size.y - u * 0.75);
     let short = says.split(',').next().unwrap_or_default().to_owned();

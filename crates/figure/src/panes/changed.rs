@@ -7,7 +7,7 @@ use crate::moments::{GrowMoment, Moment, Walk};
 use crate::page::{Anchor, Figure, Look, write};
 use crate::theme::fonts::elided;
 use crate::theme::{Face, Role, text_width};
-use crate::words::{number, value, whole};
+use crate::words::{coordinate, number, value, whole};
 
 /// A value that is followed from step to step. What stands behind the `_` of its name is set lower.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,7 +131,7 @@ fn of_walk(walk: &Walk<'_>, moment: &Moment, later: &Moment) -> Vec<Watched> {
 
     all.count("on the stack", at.stack.len() as u64);
     all.count("tests", moment.cost.prim_tests);
-    all.count("tests saved", moment.cost.skips);
+    all.count("tests skipped", moment.cost.skips);
     all.place("nearest", moment.best.map(|hit| Place::Prim(hit.prim)));
     all.number("t_best", Some(moment.best.map_or(f32::INFINITY, |hit| hit.t)));
     all.loud();
@@ -146,7 +146,7 @@ fn of_build(moment: &GrowMoment) -> Vec<Watched> {
     let extent = (!moment.bounds.is_empty()).then(|| value(&raystep_accel::Value::Box(moment.bounds)));
     all.says("box", extent);
     if let Some(weighed) = moment.weighed.last() {
-        all.number(weighed.axis.name(), Some(weighed.plane));
+        all.number(coordinate(weighed.axis), Some(weighed.plane));
         all.count("n_below", u64::from(weighed.below));
         all.count("n_above", u64::from(weighed.above));
         // Chances are followed where the builder tells them.

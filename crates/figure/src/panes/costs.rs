@@ -8,7 +8,7 @@ use raystep_accel::{Direction, FreePlane, Grow, Place};
 use crate::moments::{GrowMoment, Weighed};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::{VolumeName, number};
+use crate::words::{VolumeName, coordinate, number};
 
 /// Most dots of one curve; of more, evenly spaced ones.
 const MOST: usize = 80;
@@ -101,7 +101,7 @@ fn remark(moment: &GrowMoment, cut: &str, hide: bool) -> String {
         let before = moment.weighed.iter().position(|weighed| weighed.free == free);
         match before.filter(|_| axis == Direction::Normal) {
             Some(before) => format!("candidate {}", before + 1),
-            None => format!("{axis} = {}", number(plane)),
+            None => format!("{} = {}", coordinate(axis), number(plane)),
         }
     };
     let taken = moment.node.and_then(|node| moment.nodes.get(&node)?.split);

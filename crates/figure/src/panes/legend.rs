@@ -86,7 +86,7 @@ pub(crate) const OF_CHANGE: &[(Role, &str)] = &[
     (Role::Best, "sets a side of the box"),
     (Role::Guess, "possible answer"),
     (Role::Waiting, "still to come"),
-    (Role::Plane, "cut, or touched by the change"),
+    (Role::Plane, "cut, or looked at by the change"),
     (Role::Seen, "done"),
     (Role::Dropped, "deleted"),
 ];

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::Place;
 
-use crate::moments::{GrowMoment, Moment, Walk};
+use crate::moments::{Build, GrowMoment, Moment, Walk};
 use crate::page::{Anchor, Figure, Look, block, write};
 use crate::theme::{Face, Role};
 use crate::words::number;
@@ -33,15 +33,28 @@ pub fn stack(walk: &Walk<'_>, moment: &Moment, size: Vec2, look: &Look) -> Figur
     draw("Stack", remark, &rows, nothing, size, look)
 }
 
-/// The nodes that a builder has yet to build, the next one on top.
-pub fn stack_of_build(moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
+/// The nodes that a builder has yet to build, the next one on top; of one that joins sets, those that are left.
+pub fn stack_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
     let row = |place, role, word| Row { place, role, interval: String::new(), word };
+    if build.joins() {
+        let sets = moment.apart();
+        let rows: Vec<Row> = sets.iter().map(|node| row(Place::Node(*node), Role::Seen, "")).collect();
+        return draw(JOINED, "", &rows, nothing_apart(moment), size, look);
+    }
     let many = moment.waiting.len();
     let waiting = moment.waiting.iter().rev().enumerate();
     let waiting = waiting.map(|(index, node)| row(Place::Node(*node), Role::Waiting, word(index, many)));
     let rows: Vec<Row> = waiting.collect();
     let remark = if many > 1 { "built from the top" } else { "" };
     draw("Still to be built", remark, &rows, "Nothing waits.", size, look)
+}
+
+/// What stands over the sets that are left to be joined.
+pub(super) const JOINED: &str = "Still to be merged";
+
+/// What is said where no two sets are left.
+fn nothing_apart(moment: &GrowMoment) -> &'static str {
+    if moment.tally.joined > 0 { "One set is left." } else { "The other sets are still to come." }
 }
 
 /// How high a row is, and the gap under it.

@@ -34,9 +34,10 @@ pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     let u = look.text;
     let ruler = Vec2::new(size.x, u * (6.6 + 1.9 * walkers.len() as f32));
     let high = (size.y - ruler.y).max(u * 10.0);
+    let top = below_heads(walkers, wide, &look);
     let waits = walkers.iter().any(|walker| walker.walk.structure.node_count() > 0);
     for (index, walker) in walkers.iter().enumerate() {
-        let mut column = column(walker, waits, Vec2::new(wide, high), &look);
+        let mut column = column(walker, top, waits, Vec2::new(wide, high), &look);
         crop(&mut column, 0.0);
         let corner = Vec2::new(wide * index as f32, 0.0);
         figure.marks.extend(column.marks.into_iter().map(|mark| mark.moved(corner)));
@@ -63,10 +64,10 @@ fn map(walkers: &[Walker<'_>], ask: &Ask<'_>) -> Figure {
     let rows = walkers.len().div_ceil(across);
     let size = Vec2::new(ask.size.x / across as f32, ask.size.y / rows as f32);
     let look = Look { text: ask.look.text.min(size.x / 26.0).min(size.y / 18.0), ..ask.look };
+    let top = below_heads(walkers, size.x, &look);
     for (index, walker) in walkers.iter().enumerate() {
         let mut column = Figure::new(size);
         head(&mut column, walker, size, &look);
-        let top = look.text * 4.4;
         let picture = Vec2::new(size.x - 2.0 * look.margin(), size.y - top - look.text * 4.6);
         picture_and_counts(&mut column, walker, top, picture, &look);
         crop(&mut column, 0.0);
@@ -87,9 +88,41 @@ fn head(figure: &mut Figure, walker: &Walker<'_>, size: Vec2, look: &Look) {
     let (u, left) = (look.text, look.margin());
     let at = Vec2::new(left, u * 1.5);
     write(figure, Role::Text, None, at, walker.name, u * 1.25, Face::Bold, Anchor::Start);
-    let under = at + Vec2::new(0.0, u * 1.6);
-    let note = elided(walker.note, Face::Regular, look.small(), size.x - 2.0 * left);
-    write(figure, Role::Quiet, None, under, &note, look.small(), Face::Regular, Anchor::Start);
+    for (row, note) in note(walker, size.x, look).iter().enumerate() {
+        let under = at + Vec2::new(0.0, u * (1.6 + NOTE * row as f32));
+        let note = elided(note, Face::Regular, look.small(), size.x - 2.0 * left);
+        write(figure, Role::Quiet, None, under, &note, look.small(), Face::Regular, Anchor::Start);
+    }
+}
+
+/// How it was built, in as many lines as that takes in a column so wide.
+fn note(walker: &Walker<'_>, wide: f32, look: &Look) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in walker.note.split(", ") {
+        match lines.last_mut() {
+            Some(line) => {
+                let longer = format!("{line}, {part}");
+                // With the comma that follows.
+                if text_width(&format!("{longer},"), Face::Regular, look.small()) <= wide - 2.0 * look.margin() {
+                    *line = longer;
+                } else {
+                    line.push(',');
+                    lines.push(part.to_owned());
+                }
+            }
+            None => lines.push(part.to_owned()),
+        }
+    }
+    lines
+}
+
+/// How high a further line of it is, in letters.
+const NOTE: f32 = 1.3;
+
+/// Where the pictures begin below the heads of all walks.
+fn below_heads(walkers: &[Walker<'_>], wide: f32, look: &Look) -> f32 {
+    let most = walkers.iter().map(|walker| note(walker, wide, look).len()).max().unwrap_or(1).max(1);
+    look.text * (4.4 + NOTE * (most - 1) as f32)
 }
 
 /// The picture of a walk, and below it what the walk has paid so far.
@@ -112,16 +145,15 @@ fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, pictur
     }
 }
 
-/// One walk: its picture over its counters over its tree or cells over its stack, for which there is room if anything
+/// One walk: from `top` on its picture over its counters over its tree or cells over its stack, for which there is room if anything
 /// `waits` in any of the walks.
-fn column(walker: &Walker<'_>, waits: bool, size: Vec2, look: &Look) -> Figure {
+fn column(walker: &Walker<'_>, top: f32, waits: bool, size: Vec2, look: &Look) -> Figure {
     let Walker { walk, moment, .. } = *walker;
     let mut figure = Figure::new(size);
     let u = look.text;
     let left = look.margin();
     head(&mut figure, walker, size, look);
     let below = if waits { u * 4.6 } else { 0.0 };
-    let top = u * 4.4;
     let counters = u * 4.4;
     let picture = Vec2::new(size.x - 2.0 * left, ((size.y - top - counters - below) * 0.55).min(size.x * 0.75));
     picture_and_counts(&mut figure, walker, top, picture, look);
@@ -131,7 +163,11 @@ fn column(walker: &Walker<'_>, waits: bool, size: Vec2, look: &Look) -> Figure {
     let bare = Look { titles: false, ..*look };
     let part = match Pane::best_of(walk.structure) {
         Some(Pane::Tree) => Some(tree(walk, moment, &TreeView::default(), room, &bare)),
-        Some(Pane::Cells) => Some(cells(walk, moment, false, room, look)),
+        // A table of three rows, as large as a tree.
+        Some(Pane::Cells) => {
+            let text = (u * 1.35).min(room.y / 14.0).min(room.x / 28.0).max(u);
+            Some(cells(walk, moment, false, room, &Look { text, ..*look }))
+        }
         _ => None,
     };
     let part = part.into_iter().flat_map(|part| part.marks);

@@ -18,7 +18,7 @@ use crate::moments::{Build, GrowMoment, Weighed};
 use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
 use crate::stage::{Camera, Scenery, crop, stage};
 use crate::theme::{Face, Role, text_width};
-use crate::words::number;
+use crate::words::{Piece, come_out, number};
 use crate::world::{Form, Space, SpaceMark};
 
 /// A node that is smaller than this part of the whole box is shown alone.
@@ -168,6 +168,8 @@ fn picture(
     sides: Option<&Sides>,
     look: &Look,
 ) {
+    // The plots stand at axes of their own.
+    space.marks.retain(|mark| !matches!(mark.form, Form::Axes(_)));
     let weighs = matches!(moment.event, Some(Grow::Weigh { .. }));
     if weighs {
         space.marks.retain(|mark| mark.role == Role::Guess || mark.role != Role::Candidate && !is_label(mark));
@@ -272,6 +274,8 @@ fn bars(figure: &mut Figure, now: Candidate, top: f32, area: &Area, look: &Look)
     figure.add(Role::Hidden, None, line(end, end + Vec2::new(0.0, u * 5.6)));
     let place = Some(Place::Node(now.node));
     let rows = |count: u32| (count as f32).min(ROWS as f32) / (now.below.max(now.above) as f32).clamp(1.0, ROWS as f32);
+    let exact = |x: f32| Piece::Number { x, bracketed: false };
+    let equals = || Piece::Text(" = ".to_owned());
     let sides = [
         (Role::Below, "p below", below, now.below, now.chances[0]),
         (Role::Above, "p above", above, now.above, now.chances[1]),
@@ -287,10 +291,11 @@ fn bars(figure: &mut Figure, now: Candidate, top: f32, area: &Area, look: &Look)
             let at = Vec2::new(left, y - height * 0.5 + height * row as f32 / count.min(ROWS as u32) as f32);
             figure.add(Role::Hidden, None, line(at, at + Vec2::new(length, 0.0)));
         }
-        let says = format!("{count} · {} = {}", number(chance), number(count as f32 * chance));
+        let says =
+            come_out(&[Piece::Text(format!("{count} · ")), exact(chance), equals(), exact(count as f32 * chance)]);
         let (at, size_of, face) = (Vec2::new(left + u * 0.8, y), small, Face::Mono);
         figure.add(role, place, Ink::Text { at, text: says, size: size_of, face, anchor: Anchor::Start, boxed: true });
-        let says = format!("{} / {} = {}", number(size), number(whole), number(chance));
+        let says = come_out(&[exact(size), Piece::Text(" / ".to_owned()), exact(whole), equals(), exact(chance)]);
         write(figure, Role::Text, place, Vec2::new(right + u * 1.2, y), &says, small, Face::Mono, Anchor::Start);
     }
 }

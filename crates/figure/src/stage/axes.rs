@@ -16,6 +16,13 @@ const CORNER: f32 = 44.0;
 /// An axis that is seen shorter than this, in parts of its length, points at the eye or away from it.
 const SHORT: f32 = 0.2;
 
+/// Where they stand in a picture of this size: its corners.
+pub(super) fn room(size: Vec2) -> [Vec2; 2] {
+    let reach = LENGTH + 22.0;
+    let foot = Vec2::new(CORNER, size.y - CORNER);
+    [foot - reach, foot + reach]
+}
+
 /// The three axes as this camera sees them; in a flat scene, whose rulers say it, nothing.
 pub fn axes(camera: &Camera, size: Vec2) -> Figure {
     let mut figure = Figure::new(size);

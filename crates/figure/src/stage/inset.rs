@@ -1,18 +1,30 @@
 //! A small picture in a corner of a large one.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
-use super::crop;
+use super::lens::Lens;
+use super::{Camera, crop};
 use crate::page::{Anchor, Figure, Ink};
 use crate::theme::{Face, Role, text_width};
 
 /// Distance from the corner, in points.
 const CORNER: f32 = 12.0;
 
+/// A small picture that is not so many times as large repeats what the large one shows.
+const NEARER: f32 = 1.5;
+
 /// How large a small picture is in one of this size; nothing where there is no room for it.
 pub fn inset_size(page: Vec2) -> Option<Vec2> {
     let fits = page.x >= 420.0 && page.y >= 330.0;
     fits.then(|| Vec2::new((page.x * 0.3).clamp(170.0, 300.0), (page.y * 0.34).clamp(130.0, 240.0)))
+}
+
+/// Whether a small picture shows more of a point than the large one does, or that lies outside of the large one: each is a
+/// camera and the size of its picture.
+pub fn is_nearer(at: Vec3, small: (&Camera, Vec2), large: (&Camera, Vec2)) -> bool {
+    let [near, whole] = [small, large].map(|(camera, size)| Lens::new(camera, size));
+    let seen = whole.point(at).is_some_and(|(at, _)| at.cmpge(Vec2::ZERO).all() && at.cmple(large.1).all());
+    !seen || near.scale_at(at) >= NEARER * whole.scale_at(at)
 }
 
 /// Sets a small picture into the upper corner of a large one that holds less, with its title at its foot.

@@ -3,6 +3,7 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::{Aabb, Place};
 
+use super::axes;
 use super::crop::polygon;
 use super::lens::Lens;
 use super::spot::{ASIDE, HALF, Spot};
@@ -249,6 +250,11 @@ fn obstacles(space: &Space, lens: &Lens, figure: &Figure) -> Obstacles {
         let ends = [corner(around.max.x, around.min.y), corner(around.min.x, around.max.y)];
         let origin = corner(around.min.x, around.min.y);
         found.lines.extend(ends.into_iter().filter_map(|end| Some((origin?, end?, 2.0))));
+    }
+    // The axes are drawn afterwards.
+    if !space.flat {
+        let [min, max] = axes::room(figure.size);
+        found.spots.push((Spot { min, max }, HOPELESS));
     }
     // A small place in space must not disappear behind what is said of it.
     let page = figure.size.x * figure.size.y;

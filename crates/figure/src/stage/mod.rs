@@ -25,7 +25,7 @@ use crate::world::{Form, Space, SpaceMark, corners};
 pub use axes::axes;
 pub use camera::Camera;
 pub use crop::crop;
-pub use inset::{inset_size, set_inset};
+pub use inset::{inset_size, is_nearer, set_inset};
 pub use labels::pointed_at;
 pub use shaded::{Shaded, shaded};
 

@@ -1,14 +1,18 @@
 //! Words and numbers: what an event says, and the one formatter of numbers.
 
+mod coordinate;
 pub(crate) mod fact;
 mod number;
 mod sentence;
+mod sum;
 mod template;
 mod volume;
 
+pub use coordinate::coordinate;
 pub(crate) use fact::veiled_visit;
 pub use fact::{Answer, Fact, Symbol, sentence, short, veiled};
 pub(crate) use number::{counted, mask};
 pub use number::{number, value, whole};
+pub(crate) use sum::{Piece, come_out};
 pub use template::{fill, told};
 pub use volume::VolumeName;

@@ -5,6 +5,11 @@ use raystep_accel::{Lanes, Value};
 /// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros, and from 10,000 on
 /// with commas between the thousands.
 pub fn number(x: f32) -> String {
+    digits(x, 3)
+}
+
+/// The same with so many significant digits, where a sum takes more of them.
+pub(crate) fn digits(x: f32, count: usize) -> String {
     if x.is_nan() {
         return "NaN".to_owned();
     }
@@ -19,7 +24,7 @@ pub fn number(x: f32) -> String {
     } else {
         // Digits after the point so that three count: 5.14, 0.328, 0.00123.
         let (_, exponent) = parts(size);
-        let digits = trimmed(&format!("{:.*}", (2 - exponent).max(0) as usize, size));
+        let digits = trimmed(&format!("{:.*}", (count as i32 - 1 - exponent).max(0) as usize, size));
         if digits.contains('.') { digits } else { grouped(digits) }
     };
     if x < 0.0 { format!("−{digits}") } else { digits }

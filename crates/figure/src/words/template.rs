@@ -2,12 +2,15 @@
 
 use raystep_accel::Value;
 
-use crate::words::{Fact, counted, number, value};
+use crate::words::{Fact, Piece, come_out, counted, value};
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
-/// `{{prims reference}}` counts: 1 reference, 2 references; `{{lanes ray}}` counts those that take part.
+/// `{{prims reference}}` counts: 1 reference, 2 references; `{{lanes ray}}` counts those that take part. Sums come out in
+/// the digits that are shown.
 pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
-    let mut filled = String::with_capacity(template.len());
+    let mut pieces = Vec::new();
+    // The text since the last number.
+    let mut filled = String::new();
     let mut rest = template;
     while let Some(start) = rest.find("{{") {
         let (before, opened) = rest.split_at(start);
@@ -25,16 +28,18 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
             Some(Value::Lanes(lanes)) if !noun.is_empty() => {
                 filled.push_str(&counted(u64::from(lanes.count()), noun, &format!("{noun}s")));
             }
-            // Nobody reads "3.5 − −1".
-            Some(Value::Number(x)) if x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']) => {
-                filled.push_str(&format!("({})", number(x)));
+            Some(Value::Number(x)) => {
+                // Nobody reads "3.5 − −1".
+                let bracketed = x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']);
+                pieces.extend([Piece::Text(std::mem::take(&mut filled)), Piece::Number { x, bracketed }]);
             }
             Some(found) => filled.push_str(&value(&found)),
             None => filled.push_str(&opened[..end + 2]),
         }
         rest = &opened[end + 2..];
     }
-    filled + rest
+    pieces.push(Piece::Text(filled + rest));
+    come_out(&pieces)
 }
 
 /// The template filled as prose: a place that begins a sentence begins with a capital letter.

@@ -31,6 +31,11 @@ impl VolumeName {
         VolumeName { one, many, cut: "way" }
     }
 
+    /// What the nodes of this tree are drawn as, in a word for several.
+    pub(crate) fn drawn(structure: &Structure) -> &'static str {
+        if matches!(structure, Structure::Bsp(_)) { "cells" } else { VolumeName::of(structure).many }
+    }
+
     /// What is tested in this structure.
     pub fn of(structure: &Structure) -> VolumeName {
         let Structure::Bvh(tree) = structure else { return VolumeName::BOX };

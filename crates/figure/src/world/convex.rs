@@ -5,6 +5,9 @@ use raystep_accel::{ConvexCell, FreePlane};
 
 use super::space::Form;
 
+/// How long a normal is drawn, in diagonals of its cell.
+const ARROW: f32 = 0.12;
+
 /// What a cell looks like: its floor in a flat scene, its edges in a solid one.
 pub(crate) fn cell(cell: &ConvexCell, flat: bool) -> Vec<Form> {
     if flat {
@@ -32,4 +35,16 @@ pub(crate) fn sheet(cell: &ConvexCell, plane: FreePlane, flat: bool) -> Option<F
     let first = corners.iter().min_by(|a, b| place(a).total_cmp(&place(b)))?;
     let last = corners.iter().max_by(|a, b| place(a).total_cmp(&place(b)))?;
     Some(Form::Segment(first.with_z(0.0), last.with_z(0.0)))
+}
+
+/// The normal of a plane, an arrow out of the middle of what of the plane lies in a cell.
+pub(crate) fn normal(cell: &ConvexCell, plane: FreePlane, flat: bool) -> Option<Form> {
+    let corners = cell.section(plane);
+    if corners.is_empty() {
+        return None;
+    }
+    let middle = corners.iter().sum::<Vec3>() / corners.len() as f32;
+    let middle = if flat { middle.with_z(0.0) } else { middle };
+    let length = ARROW * cell.bounds().extent().length();
+    Some(Form::Arrow(middle, middle + length * plane.normal.normalize()))
 }

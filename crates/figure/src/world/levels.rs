@@ -81,11 +81,11 @@ pub(crate) fn frontier(level: usize, most: usize, children: impl Fn(NodeId) -> V
     row
 }
 
-/// What of a tree with levels down to `deepest` is drawn.
-pub(crate) fn drawn(depth: Depth, deepest: usize) -> String {
+/// What of a tree with levels down to `deepest` is drawn: of its `volumes`.
+pub(crate) fn drawn(volumes: &str, depth: Depth, deepest: usize) -> String {
     match depth {
-        Depth::Path => format!("boxes: the end of the path and its siblings, of {} levels", deepest + 1),
-        Depth::Down(level) => format!("boxes: down to level {level} of {deepest}"),
+        Depth::Path => format!("{volumes}: the end of the path and its siblings, of {} levels", deepest + 1),
+        Depth::Down(level) => format!("{volumes}: down to level {level} of {deepest}"),
     }
 }
 

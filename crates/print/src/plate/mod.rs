@@ -135,7 +135,7 @@ impl Page<'_> {
         let below = self.pictures(middle, picture);
         if self.has(Part::Text) {
             said.fill(&mut self.figure, Role::Page);
-            let caption = self.caption(size.x * 0.6 - 1.5 * EDGE);
+            let caption = self.caption(size.x * 0.6 - 1.5 * EDGE, said.size().y - 2.0 * EDGE);
             set_in(&mut self.figure, caption, said.min + EDGE);
             if self.has(Part::Legend) {
                 self.legend(Area::new(size.x * 0.62, said.min.y + EDGE * 0.5, size.x - EDGE, said.max.y));

@@ -7,6 +7,9 @@ use super::compose::{Area, enlarge, set_in};
 use super::{CLOSER, CODE, EDGE, Page, Part, SAID, TEXT};
 use crate::prose;
 
+/// How high the work is that is counted in a number and a few words.
+const WORK: f32 = 9.0 * TEXT;
+
 impl Page<'_> {
     pub(super) fn space(&mut self, area: Area, picture: &dyn Fn(Vec2) -> Figure) {
         area.fill(&mut self.figure, Role::Panel);
@@ -38,11 +41,16 @@ impl Page<'_> {
         set_in(&mut self.figure, strip, inner.min);
     }
 
-    /// The heading and the text below it, as one figure of this width.
-    pub(super) fn caption(&self, width: f32) -> Figure {
-        let mut said = prose(self.plate.heading, width, SAID * 1.2, Face::Bold, Role::Text);
-        let text = prose(self.plate.caption, width, SAID, Face::Regular, Role::Text);
-        let top = said.size.y + SAID * 0.7;
+    /// The heading and the text below it, as one figure of this width; in smaller letters rather than higher than this.
+    pub(super) fn caption(&self, width: f32, high: f32) -> Figure {
+        let set = |part: f32| self.caption_in(width, SAID * part);
+        [1.0, 0.93, 0.86].into_iter().map(set).find(|said| said.size.y <= high).unwrap_or_else(|| set(0.8))
+    }
+
+    fn caption_in(&self, width: f32, letters: f32) -> Figure {
+        let mut said = prose(self.plate.heading, width, letters * 1.2, Face::Bold, Role::Text);
+        let text = prose(self.plate.caption, width, letters, Face::Regular, Role::Text);
+        let top = said.size.y + letters * 0.7;
         let height = top + text.size.y;
         set_in(&mut said, text, Vec2::new(0.0, top));
         said.size.y = height;
@@ -50,7 +58,7 @@ impl Page<'_> {
     }
 
     pub(super) fn said(&mut self, area: Area) {
-        let caption = self.caption(area.size().x);
+        let caption = self.caption(area.size().x, area.size().y);
         let end = area.min.y + caption.size.y;
         set_in(&mut self.figure, caption, area.min);
         let margin = TEXT * 0.8;
@@ -116,7 +124,7 @@ impl Page<'_> {
         let others = self.has_pane(Part::Stack, Pane::Stack) || self.has_pane(Part::Work, Pane::Work);
         let (top, rest) = match (self.has_listing(), others) {
             (false, _) => area.split_top(0.0),
-            (true, true) => area.split_top(wanted.min(area.size().y * 0.6).min(area.size().y - self.below_code())),
+            (true, true) => area.split_top(wanted.min(self.code_height(area.size().y))),
             (true, false) => area.split_top(area.size().y),
         };
         if self.has_listing() {
@@ -129,10 +137,16 @@ impl Page<'_> {
         }
     }
 
-    /// How high what stands below the listing must be, where that follows from what it shows.
-    fn below_code(&self) -> f32 {
+    /// How high a listing may be, of so much: what stands below it comes first where its height follows from what it shows,
+    /// and what waits needs no more room than its rows.
+    fn code_height(&self, of: f32) -> f32 {
         let work = self.plate.still.height(Pane::Work, &self.look).filter(|_| self.has(Part::Work));
-        work.map_or(0.0, |height| height + self.stack_height() + EDGE)
+        let left = |work: f32| of - work - self.stack_height() - EDGE;
+        match work {
+            Some(work) => left(work).min(of * 0.6),
+            None if self.has_pane(Part::Stack, Pane::Stack) => left(WORK).clamp(of * 0.6, of * 0.72),
+            None => of * 0.6,
+        }
     }
 
     /// How high the stack is with all its rows.
@@ -151,7 +165,7 @@ impl Page<'_> {
     pub(super) fn stack_and_work(&mut self, area: Area) {
         let mut rest = area;
         if self.has_pane(Part::Stack, Pane::Stack) {
-            let work = self.plate.still.height(Pane::Work, &self.look).unwrap_or(9.0 * TEXT);
+            let work = self.plate.still.height(Pane::Work, &self.look).unwrap_or(WORK);
             let work = if self.has(Part::Work) { work } else { 0.0 };
             let most = (area.size().y - work).max(area.size().y * 0.25);
             let (top, below) = area.split_top(self.stack_height().min(most));

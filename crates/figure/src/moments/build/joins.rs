@@ -2,7 +2,14 @@
 
 use raystep_accel::{Aabb, Grow, NodeId};
 
-use super::{GrowMoment, GrowNode};
+use super::{Build, GrowMoment, GrowNode};
+
+impl Build<'_> {
+    /// Whether this builder puts sets together, and divides none.
+    pub(crate) fn joins(&self) -> bool {
+        self.events.iter().any(|event| matches!(event, Grow::Merge { .. }))
+    }
+}
 
 impl GrowMoment {
     /// Two nodes become the children of a third, which may have stood before with others below it.
@@ -32,6 +39,12 @@ impl GrowMoment {
     /// The sets on the curve in their order, each the root of a tree of its own.
     pub(crate) fn roots(&self) -> Vec<NodeId> {
         self.curve.iter().map(|(node, _)| *node).collect()
+    }
+
+    /// The sets that no node holds together yet, if there are several.
+    pub(crate) fn apart(&self) -> Vec<NodeId> {
+        let sets: Vec<NodeId> = self.nodes.keys().filter(|node| !self.parents.contains_key(node)).copied().collect();
+        if sets.len() > 1 { sets } else { Vec::new() }
     }
 
     /// On the curve, two sets become one in the place of the first.

@@ -132,11 +132,14 @@ pub(super) fn legend(figure: &mut Figure, legend: &Legend<'_>, corner: Vec2, hig
         let size = Vec2::new((room * share / largest).max(1.0), step * 0.8);
         figure.add(Role::Scene, None, block(Vec2::new(left, y), size, 0.0));
     }
-    let under = Vec2::new(top.x, corner.y + high + u * 0.9);
+    // The next map begins beside it: long words take two lines.
     let says = format!("{of} per ray");
-    write(figure, Role::Quiet, None, under, &says, small, Face::Regular, Anchor::Start);
-    let bars = Vec2::new(top.x, under.y + u * 1.3);
-    write(figure, Role::Quiet, None, bars, "bars: share of rays", small, Face::Regular, Anchor::Start);
+    let fits = text_width(&says, Face::Regular, small) <= left + room - top.x;
+    let words = if fits { vec![says.as_str()] } else { vec![of, "per ray"] };
+    for (row, says) in words.into_iter().chain(["bars: share of rays"]).enumerate() {
+        let at = Vec2::new(top.x, corner.y + high + u * (0.9 + 1.3 * row as f32));
+        write(figure, Role::Quiet, None, at, says, small, Face::Regular, Anchor::Start);
+    }
 }
 
 /// A closed line.

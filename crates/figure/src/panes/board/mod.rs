@@ -20,6 +20,7 @@ pub use map::Map;
 pub use maps::{Maps, Pixel};
 pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
+use table::Lines;
 pub use table::{Column, Row, Table};
 
 use super::{Ask, Pane};
@@ -177,8 +178,8 @@ fn shown(panels: &[Panel], filled: Filled, ask: &Ask<'_>, wide: bool) -> Vec<boo
 /// How a board is set.
 struct Layout<'a> {
     look: Look,
-    /// The letters of its tables: one size for all of them.
-    tables: f32,
+    /// How its tables are set: all of them alike.
+    tables: Lines,
     /// The corner and the room of each panel that stands there.
     rooms: Vec<(&'a Panel, [Vec2; 2])>,
 }
@@ -200,7 +201,7 @@ fn layout<'a>(panels: &'a [Panel], filled: Filled, ask: &Ask<'_>) -> Layout<'a> 
         column = below;
     }
     let room = ask.size - corner;
-    let tables = table_letters(column, room, &look);
+    let tables = lines_of_tables(column, room, &look);
     for (panel, height) in column.iter().zip(heights(column, tables, room.y, &look)) {
         rooms.push((*panel, [corner, Vec2::new(room.x, height)]));
         corner.y += height;
@@ -209,7 +210,7 @@ fn layout<'a>(panels: &'a [Panel], filled: Filled, ask: &Ask<'_>) -> Layout<'a> 
 }
 
 /// How high a table or a meter stands; a picture is as high as there is room.
-fn own_height(panel: &Panel, tables: f32, look: &Look) -> Option<f32> {
+fn own_height(panel: &Panel, tables: Lines, look: &Look) -> Option<f32> {
     match panel {
         Panel::Table(table) => Some(table.height(tables, look)),
         Panel::Meter(meter) => Some(meter.height(look)),
@@ -217,22 +218,25 @@ fn own_height(panel: &Panel, tables: f32, look: &Look) -> Option<f32> {
     }
 }
 
-/// The letters of all tables of a column: as large as the room for all that stands there allows, within reason.
-fn table_letters(column: &[&Panel], room: Vec2, look: &Look) -> f32 {
+/// How all tables of a column are set: in letters as large as the room for all that stands there allows, within reason.
+fn lines_of_tables(column: &[&Panel], room: Vec2, look: &Look) -> Lines {
     let tables = || column.iter().filter_map(|panel| if let Panel::Table(table) = panel { Some(table) } else { None });
-    let pictures = column.iter().filter(|panel| own_height(panel, 0.0, look).is_none());
+    let is_picture = |panel: &&&Panel| matches!(panel, Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_));
+    let pictures = column.iter().filter(is_picture);
     let meters = column.iter().filter(|panel| matches!(panel, Panel::Meter(_)));
     let others: f32 = pictures.clone().chain(meters).map(|panel| letters(panel)[1] * look.text).sum();
-    let heads: f32 = tables().map(|table| table.height(0.0, look)).sum();
-    let lines: f32 = tables().map(|table| table.height(1.0, look) - table.height(0.0, look)).sum();
+    let row = if column.iter().any(|panel| matches!(panel, Panel::Maps(_))) { table::CLOSE } else { table::ROW };
+    let high = |text: f32| tables().map(|table| table.height(Lines { text, row }, look)).sum::<f32>();
+    let (heads, lines) = (high(0.0), high(1.0) - high(0.0));
     // Beside pictures it is they that grow.
     let largest = look.text * if pictures.count() > 0 { table::BESIDE } else { table::LARGEST };
     let across = tables().map(|table| table.across(room.x, look)).fold(largest, f32::min);
-    across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST)
+    let text = across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST);
+    Lines { text, row }
 }
 
 /// The heights of what stands one over the other in so much room.
-fn heights(column: &[&Panel], tables: f32, room: f32, look: &Look) -> Vec<f32> {
+fn heights(column: &[&Panel], tables: Lines, room: f32, look: &Look) -> Vec<f32> {
     let own: Vec<Option<f32>> = column.iter().map(|panel| own_height(panel, tables, look)).collect();
     let pictures = own.iter().filter(|height| height.is_none()).count();
     let left = room - own.iter().flatten().sum::<f32>();

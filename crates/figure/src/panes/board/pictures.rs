@@ -35,6 +35,11 @@ pub struct Picture {
     pub over: Option<(Vec<Form>, Camera)>,
 }
 
+/// Room below a picture for two lines of words, in letters.
+const BELOW: f32 = 4.4;
+/// Most that its words grow.
+const LARGEST: f32 = 1.35;
+
 /// Forms over a picture of this size, as far as they lie in it.
 fn over(forms: &[Form], camera: &Camera, size: Vec2) -> Figure {
     let mark = |form: &Form| SpaceMark { form: form.clone(), role: Role::Here, place: None };
@@ -54,14 +59,20 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
     let aspect = first.image.width as f32 / first.image.height.max(1) as f32;
     // As many columns as make the pictures largest; each has two lines of words below.
     let many = pictures.pictures.len();
-    let below = u * 4.4;
-    let fitting = |columns: usize| {
-        let rows = many.div_ceil(columns) as f32;
-        let across = (room.x - 2.0 * left - gap * (columns as f32 - 1.0)) / columns as f32;
-        (across / aspect).min((room.y - top) / rows - below)
+    let set = |letters: f32| {
+        let fitting = |columns: usize| {
+            let rows = many.div_ceil(columns) as f32;
+            let across = (room.x - 2.0 * left - gap * (columns as f32 - 1.0)) / columns as f32;
+            (across / aspect).min((room.y - top) / rows - letters * BELOW)
+        };
+        let each = (1..=many).map(|columns| (columns, fitting(columns)));
+        each.max_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap_or((1, 0.0))
     };
-    let columns = (1..=many).max_by(|a, b| fitting(*a).total_cmp(&fitting(*b))).unwrap_or(1);
-    let high = fitting(columns).max(u * 4.0);
+    // The words are larger where that makes no picture smaller.
+    let grown = u * LARGEST;
+    let u = if set(grown).1 >= set(u).1 { grown } else { u };
+    let (columns, high) = set(u);
+    let (high, below) = (high.max(u * 4.0), u * BELOW);
     let wide = high * aspect;
     for (index, picture) in pictures.pictures.iter().enumerate() {
         let (column, row) = ((index % columns) as f32, (index / columns) as f32);

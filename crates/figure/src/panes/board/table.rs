@@ -30,6 +30,8 @@ pub struct Column {
     pub role: Role,
     /// Whether a row shows it while a question about the row is open.
     pub given: bool,
+    /// Whether it holds words or code, which begin below each other.
+    pub words: bool,
 }
 
 /// A row.
@@ -45,6 +47,15 @@ pub struct Row {
     pub cells: Vec<String>,
 }
 
+/// How the rows of a board's tables are set.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lines {
+    /// The size of the letters.
+    pub(super) text: f32,
+    /// A row's height in letters.
+    pub(super) row: f32,
+}
+
 /// Where a table's columns lie.
 struct Set {
     /// The widths of the columns, the first one that of the names.
@@ -58,13 +69,14 @@ pub(super) const BESIDE: f32 = 1.15;
 pub(super) const SMALLEST: f32 = 0.72;
 /// The room of the heading, in letters of the board.
 const HEAD: f32 = 3.0;
-/// A row's height in letters.
-const ROW: f32 = 2.5;
+/// A row's height in letters, and where heat maps need the room.
+pub(super) const ROW: f32 = 2.5;
+pub(super) const CLOSE: f32 = 1.8;
 
 impl Table {
     /// How high it stands in letters of this size.
-    pub(super) fn height(&self, text: f32, look: &Look) -> f32 {
-        look.text * HEAD + text * (ROW * self.rows.len() as f32 + self.head_lines() as f32 * 1.5 + 0.8)
+    pub(super) fn height(&self, Lines { text, row }: Lines, look: &Look) -> f32 {
+        look.text * HEAD + text * (row * self.rows.len() as f32 + self.head_lines() as f32 * 1.5 + 0.8)
     }
 
     /// The largest letters in which it is no wider than this.
@@ -137,9 +149,10 @@ fn lines_of(head: &str) -> Vec<&str> {
     head.split('|').map(str::trim).collect()
 }
 
-pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, text: f32, look: &Look) -> Figure {
+pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
     let top = look.heading(&mut figure, &table.title, &table.about) + look.text * 0.6;
+    let Lines { text, row } = lines;
     let Set { widths, gap } = table.set(room, text, look);
     let left = look.margin();
     // The right ends of the columns; a column's share of spare room lies before it.
@@ -156,17 +169,18 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, text: f32, look: &
     let head_bottom = top + heads as f32 * text * 1.5;
     let at = Vec2::new(left, head_bottom - text * 0.9);
     write(&mut figure, Role::Quiet, None, at, &table.of, small, Face::Regular, Anchor::Start);
-    for (column, end) in table.columns.iter().zip(&ends[1..]) {
+    for ((column, end), wide) in table.columns.iter().zip(&ends[1..]).zip(&widths[1..]) {
         let lines = lines_of(&column.head);
+        let (x, anchor) = if column.words { (end - wide, Anchor::Start) } else { (*end, Anchor::End) };
         for (index, head) in lines.iter().rev().enumerate() {
-            let at = Vec2::new(*end, head_bottom - text * 0.9 - index as f32 * text * 1.35);
+            let at = Vec2::new(x, head_bottom - text * 0.9 - index as f32 * text * 1.35);
             let face = if lines.len() > 1 && index + 1 == lines.len() { Face::Bold } else { Face::Regular };
-            write(&mut figure, Role::Quiet, None, at, head, small, face, Anchor::End);
+            write(&mut figure, Role::Quiet, None, at, head, small, face, anchor);
         }
     }
     figure.add(Role::Text, None, line(Vec2::new(left, head_bottom), Vec2::new(right, head_bottom)));
 
-    let high = text * ROW;
+    let high = text * row;
     for (index, row) in table.rows.iter().enumerate() {
         let y = head_bottom + high * (index as f32 + 0.5);
         let (shown, asked) = (filled.shows(row.entry), filled.is_asked(row.entry));
@@ -189,6 +203,9 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, text: f32, look: &
                 figure.add(Role::Guess, None, block(corner, Vec2::new(width, text * 1.5), text * 0.3));
                 let at = Vec2::new(end - width * 0.5, y);
                 write(&mut figure, Role::Guess, None, at, "?", text, Face::Bold, Anchor::Middle);
+            } else if (shown || asked) && column.words {
+                let at = Vec2::new(end - widths[index + 1], y);
+                write(&mut figure, column.role, place, at, cell, text, Face::Mono, Anchor::Start);
             } else if shown || asked {
                 let (before, behind) = table.at_point(index, cell);
                 let (_, after) = table.around_points(index, text);

@@ -18,7 +18,7 @@ fn table(title: &str, rows: usize, from: usize) -> Panel {
         title: title.to_owned(),
         about: String::new(),
         of: "row".to_owned(),
-        columns: vec![Column { head: "number".to_owned(), role: Role::Value, given: false }],
+        columns: vec![Column { head: "number".to_owned(), role: Role::Value, given: false, words: false }],
         rows: (0..rows).map(row).collect(),
     })
 }

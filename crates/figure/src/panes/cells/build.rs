@@ -6,7 +6,7 @@ use raystep_accel::Place;
 use crate::moments::{Build, Fate, GrowMoment};
 use crate::page::{Anchor, Figure, Look, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::counted;
+use crate::words::{counted, whole};
 
 /// The cells that the current primitive's box meets, and what becomes of it in each.
 pub fn cells_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: &Look) -> Figure {
@@ -23,11 +23,11 @@ pub fn cells_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: 
     let coarse = nx * ny * nz;
     let mut grid_says = format!("{layers} = {}", counted(u64::from(coarse), "cell", "cells"));
     if moment.cell_count > coarse {
-        grid_says += &format!(", and {} inside them", moment.cell_count - coarse);
+        grid_says += &format!(", and {} inside them", whole(u64::from(moment.cell_count - coarse)));
     }
     let Some(prim) = moment.prim.filter(|_| !moment.rasterised.is_empty()) else {
         let filled = moment.cells.len() as u64;
-        let says = format!("{} of them {} to something.", filled, if filled == 1 { "refers" } else { "refer" });
+        let says = format!("{} of them {} to something.", whole(filled), if filled == 1 { "refers" } else { "refer" });
         look.nothing(&mut figure, &grid_says, &says);
         return figure;
     };
@@ -36,7 +36,7 @@ pub fn cells_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: 
     let remark = format!(
         "its box meets {}, {} to it",
         counted(moment.rasterised.len() as u64, "cell", "cells"),
-        if stored == 1 { "1 refers".to_owned() } else { format!("{stored} refer") },
+        if stored == 1 { "1 refers".to_owned() } else { format!("{} refer", whole(stored)) },
     );
     let top = look.heading(&mut figure, &title, &remark);
 

@@ -73,7 +73,7 @@ pub(crate) fn listing_of_packet(
     });
     let (Some((min, max)), Some(lanes)) = (current, lanes) else { return figure };
     // Beside the line or beside its numbers, wherever there is room.
-    let letters = look.text * 0.8;
+    let letters = look.text * 0.95;
     let width = strip_width(lanes, there, letters);
     let end_of_row = |y: f32| {
         let end = |mark: &Mark| match &mark.ink {

@@ -141,10 +141,10 @@ fn bars(
     let parts: Vec<u64> = walk.alone.iter().map(|cost| cost.node_visits).collect();
     row(1, "one by one", Role::Value, all, &parts);
     let alone: u64 = walk.alone.iter().map(|cost| cost.prim_tests).sum();
-    let saved = if moment.skips > 0 { format!(" · mailboxes saved {}", moment.skips) } else { String::new() };
+    let skipped = if moment.skips > 0 { format!(" · {} skipped", moment.skips) } else { String::new() };
     let tests = moment.tested.len() as u64;
     let says =
-        format!("{} of primitives so far; one by one {alone} in the end{saved}", counted(tests, "test", "tests"));
+        format!("{} of primitives so far; one by one {alone} in the end{skipped}", counted(tests, "test", "tests"));
     let at = Vec2::new(look.margin(), y + u * 3.2);
     say(figure, Role::Quiet, at, &says, look.small(), Anchor::Start);
 }

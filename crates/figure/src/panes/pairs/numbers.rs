@@ -1,7 +1,7 @@
 //! The numbers of a test on a line: the ray's t, shadows on a direction, a number and its limits.
 
 use glam::Vec2;
-use raystep_accel::{Probe, Step, Trial, Visit};
+use raystep_accel::{Part, Probe, Step, Trial, Visit};
 
 use super::tried::Tried;
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
@@ -43,7 +43,11 @@ impl Row {
 const SMALL: f32 = 0.9;
 
 /// The smallest letters, in those of the pane: of more rows than that only the last ones stand there.
-const SMALLEST: f32 = 0.55;
+const SMALLEST: f32 = 0.75;
+
+/// How high a row is in its letters, with words above its points and with words beside them.
+const ABOVE: f32 = 1.75;
+const BESIDE: f32 = 1.3;
 
 /// The line of numbers of this step; of what cuts a ray, all cuts so far.
 pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
@@ -56,10 +60,13 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         write(&mut figure, Role::Quiet, None, at, says, look.text, Face::Regular, Anchor::Start);
         return figure;
     }
-    // Closer together and in smaller letters rather than not at all.
-    let u = (look.text).min((size.y - top) / (rows.len() as f32 * 1.75 + 2.6)).max(look.text * SMALLEST);
+    // Words beside points, and then smaller letters, rather than not at all.
+    let letters = |row: f32| look.text.min((size.y - top) / (rows.len() as f32 * row + 2.6));
+    let aside = letters(ABOVE) < look.text;
+    let row = if aside { BESIDE } else { ABOVE };
+    let u = letters(row).max(look.text * SMALLEST);
     let room = size.y - top - u * 2.6;
-    let high = (room / rows.len() as f32).clamp(u * 1.75, u * 2.3);
+    let high = (room / rows.len() as f32).clamp(u * row, u * 2.3);
     let fit = ((room / high + 0.01) as usize).max(1);
     rows.drain(..rows.len().saturating_sub(fit));
     let all = || rows.iter().flat_map(Row::numbers);
@@ -76,7 +83,7 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
     // What differs by roundings alone lies in the same place.
     let place = |value: f32| (axis.x(value) * 8.0).round() / 8.0;
     for (index, row) in rows.iter().enumerate() {
-        let y = top + high * (index as f32 + 0.75);
+        let y = top + high * (index as f32 + if aside { 0.5 } else { 0.75 });
         let at = Vec2::new(look.margin(), y);
         write(&mut figure, Role::Text, None, at, &row.name, u, Face::Medium, Anchor::Start);
         let many = row.bars.len() as f32;
@@ -92,9 +99,18 @@ pub(crate) fn numbers(tried: &Tried<'_>, size: Vec2, look: &Look) -> Figure {
         for (role, value, name) in row.points.iter().filter(|(_, value, _)| axis.shows(*value)) {
             let center = Vec2::new(place(*value), y);
             figure.add(*role, None, Ink::Circle { center, radius: u * 0.35 });
-            let half = text_width(name, Face::Regular, u * SMALL) * 0.5;
-            let at = Vec2::new(center.x.clamp(axis.left + half, axis.right - half), y - u * 0.95);
-            write(&mut figure, *role, None, at, name, u * SMALL, Face::Regular, Anchor::Middle);
+            let wide = text_width(name, Face::Regular, u * SMALL);
+            let (at, anchor) = if aside {
+                // Of an interval the one before it, the other behind it.
+                let first = row.points.len() > 1 && row.points.iter().all(|(_, other, _)| value <= other);
+                let left = first && center.x - u * 0.7 - wide > axis.left - u || center.x + u * 0.7 + wide > size.x;
+                let away = if left { -u * 0.7 } else { u * 0.7 };
+                (center + Vec2::new(away, 0.0), if left { Anchor::End } else { Anchor::Start })
+            } else {
+                let x = center.x.clamp(axis.left + wide * 0.5, axis.right - wide * 0.5);
+                (Vec2::new(x, y - u * 0.95), Anchor::Middle)
+            };
+            write(&mut figure, *role, None, at, name, u * SMALL, Face::Regular, anchor);
         }
     }
     let bottom = top + high * rows.len() as f32 + u * 0.4;
@@ -128,6 +144,10 @@ fn rows(tried: &Tried<'_>) -> (&'static str, String, Vec<Row>) {
             .bar(Role::Here, [low, high])
             .point(Role::Tick, value, "centre")
             .point(Role::Best, nearest, if nearest == value { "" } else { "nearest" }),
+        Some(Step::Probe(Probe::Compare { of: Part::Radius, value, low, high, .. })) => Row::new("distance²")
+            .bar(Role::Here, [low, high])
+            .point(Role::Tick, value, number(value))
+            .point(Role::Here, high, format!("radius² {}", number(high))),
         Some(Step::Probe(Probe::Compare { of, value, low, high, .. })) => {
             Row::new(of.word()).bar(Role::Here, [low, high]).point(Role::Tick, value, number(value))
         }

@@ -137,17 +137,25 @@ pub(crate) fn ruler_line_of(
         if span.interval.far < axis.low || span.interval.near > axis.high {
             continue;
         }
-        let mut middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
-        let half = text_width(&span.name, Face::Bold, u) / 2.0;
+        let middle = (axis.x(span.interval.near) + axis.x(span.interval.far)) / 2.0;
+        let half = |name: &str| text_width(name, Face::Bold, u) / 2.0;
         // Beside the line of the current t, not on it.
-        if let Some(now) = now.filter(|now| (now - middle).abs() < half + u * 0.3) {
-            middle = now + half + u * 0.4;
-        }
-        // A name that would run into the one before is left out.
-        if !span.interval.is_empty() && middle - half > taken {
+        let beside = |half: f32| {
+            now.filter(|now| (now - middle).abs() < half + u * 0.3).map_or(middle, |now| now + half + u * 0.4)
+        };
+        // A name that would run into the one before is but a number, and stands a little to the right at most.
+        let number = span.name.split(' ').next_back().unwrap_or_default();
+        let pushed = beside(half(number)).max(taken + half(number));
+        let fits = pushed - half(number) <= axis.x(span.interval.far) && pushed + half(number) <= size.x;
+        let (name, middle) = match beside(half(&span.name)) {
+            middle if middle - half(&span.name) > taken => (span.name.as_str(), middle),
+            _ if fits => (number, pushed),
+            _ => continue,
+        };
+        if !span.interval.is_empty() {
             let at = Vec2::new(middle, y - u * 1.1);
-            write(&mut figure, span.role, span.place, at, &span.name, u, Face::Bold, Anchor::Middle);
-            taken = middle + half + u * 0.5;
+            write(&mut figure, span.role, span.place, at, name, u, Face::Bold, Anchor::Middle);
+            taken = middle + half(name) + u * 0.5;
         }
     }
     draw_axis(&mut figure, &axis, walk.ray.t_min, bottom, look);

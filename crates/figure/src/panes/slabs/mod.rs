@@ -7,12 +7,12 @@ use glam::Vec2;
 use raystep_accel::{AnyBvh, Axis, Direction, Place, Structure, Visit};
 
 use crate::moments::{Moment, Walk};
-use crate::page::{Anchor, Entry, Figure, Look, Table, write};
+use crate::page::{Anchor, CLOSE, Entry, Figure, Look, Table, write};
 use crate::theme::{Face, Role};
 use crate::words::{VolumeName, number};
 
 /// Letters of a long table are so small, in parts of the text; with smaller ones its first rows are left out.
-const SMALL: f32 = 0.72;
+const SMALL: f32 = 0.8;
 
 /// The events of one direction of a slab test, as far as they have happened.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +62,7 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
     // Of more than there is room for, the latest.
     let room =
         if slabs.iter().any(|slab| matches!(slab.narrow, Some(Visit::Narrow { empty: true, .. }))) { 1.0 } else { 0.0 };
-    let fit = ((size.y - top - room * look.line()) / (look.text * 1.9 * SMALL)).max(4.0) as usize - 1;
+    let fit = ((size.y - top - room * look.line()) / (look.text * CLOSE * SMALL)).max(4.0) as usize - 1;
     slabs.drain(..slabs.len().saturating_sub(fit));
     let rows = slabs.iter().map(|slab| row(slab, now, hide)).collect();
     let current = now.and_then(slab_of).and_then(|(_, axis)| slabs.iter().position(|slab| slab.axis == axis));

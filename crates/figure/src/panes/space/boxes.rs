@@ -6,7 +6,7 @@ use raystep_accel::{NodeId, Place, Structure, Verdict, Visit};
 
 use super::Drawing;
 use crate::theme::Role;
-use crate::words::number;
+use crate::words::{VolumeName, number};
 use crate::world::{Depth, Form, convex, drawn, frontier};
 
 /// A flat tree with more nodes than this shows only the way to the current node and what waits, as a solid one does.
@@ -89,7 +89,7 @@ impl Drawing<'_> {
                 self.outline(Role::Edge, Place::Node(node));
             }
         }
-        self.notes.push(drawn(self.depth, levels.deepest()));
+        self.notes.push(drawn(VolumeName::drawn(self.walk.structure), self.depth, levels.deepest()));
     }
 
     /// The node that the picture is about: where the walk stands, in the end the leaf that refers to the hit.

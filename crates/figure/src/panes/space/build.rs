@@ -10,7 +10,7 @@ use super::numbers::numbers_of;
 use crate::moments::{Build, Fate, GrowMoment, GrowNode};
 use crate::panes::tree::node_role;
 use crate::theme::Role;
-use crate::words::{VolumeName, counted, number};
+use crate::words::{VolumeName, coordinate, counted, number};
 use crate::world::{Depth, Form, Space, SpaceMark, convex, drawn, frontier};
 
 /// Most boxes of nodes in one picture.
@@ -62,7 +62,13 @@ pub fn space_of_build_to(build: &Build<'_>, moment: &GrowMoment, depth: Depth) -
         drawing.marks.extend(numbers);
     }
     let margin = 0.03 * if bounds.is_empty() { 0.0 } else { bounds.extent().length() };
-    Space { marks: drawing.marks, bounds: bounds.padded(margin), flat: build.flat, notes: drawing.notes }
+    let mut bounds = bounds.padded(margin);
+    // What a tree is cut by, or where its sets lie, is said in coordinates.
+    if build.flat && build.structure.node_count() > 0 {
+        drawing.add(Role::Edge, None, Form::Axes(bounds));
+        bounds = super::with_axes(bounds);
+    }
+    Space { marks: drawing.marks, bounds, flat: build.flat, notes: drawing.notes }
 }
 
 struct Drawing<'a> {
@@ -90,9 +96,13 @@ impl Drawing<'_> {
         if moment.bounds.is_empty() {
             return;
         }
-        // Until the first cell is filled, the first plane weighed, or the first sets are joined.
+        // Until the first cell is filled, the first plane proposed or weighed, or the first sets are joined.
         let tally = &moment.tally;
-        let grows = tally.rasterised == 0 && tally.weighed == 0 && tally.taken == 0 && tally.joined == 0;
+        let grows = tally.rasterised == 0
+            && moment.free.is_none()
+            && tally.weighed == 0
+            && tally.taken == 0
+            && tally.joined == 0;
         self.add(if grows { Role::Here } else { Role::Edge }, Some(Place::World), Form::Box(moment.bounds));
         if !grows {
             return;
@@ -292,14 +302,14 @@ impl Drawing<'_> {
         }
     }
 
-    /// The nodes that a split has named and that are still to be built: in a flat scene.
+    /// The nodes that a split has named and that are still to be built; in space the next few, of a kd-tree as halves.
     fn waiting(&mut self) {
         let (build, moment) = (self.build, self.moment);
-        if !build.flat {
+        if !build.flat && matches!(build.structure, Structure::Kd(_)) {
             return;
         }
         let fresh = moment.waiting.iter().rev().filter(|id| !moment.nodes.contains_key(id));
-        for &id in fresh.take(BOXES) {
+        for &id in fresh.take(if build.flat { BOXES } else { NEXT }) {
             let named = moment.nodes.iter().find(|(_, node)| node.children.contains(&id));
             // Some builders number their nodes anew in the end: then nobody knows yet where it will lie.
             let known = named.filter(|(parent, node)| build.structure.children(**parent) == node.children);
@@ -335,7 +345,7 @@ impl Drawing<'_> {
         way.extend(lowest);
         let deepest = self.build.nodes.levels().deepest();
         if deepest > 0 && !moment.nodes.is_empty() {
-            self.notes.push(drawn(self.depth(), deepest));
+            self.notes.push(drawn(VolumeName::drawn(self.build.structure), self.depth(), deepest));
         }
         way
     }
@@ -407,6 +417,19 @@ impl Drawing<'_> {
             self.add(Role::Plane, place, sheet);
         }
         match self.moment.event {
+            // A proposed plane, its normal, and who proposed it.
+            Some(Grow::Normal { plane, from, .. }) => {
+                if let Place::Prim(prim) = from {
+                    self.add(Role::Here, Some(from), Form::Prim(prim));
+                }
+                let free = self.moment.free.zip(cell.as_ref());
+                let forms =
+                    free.map(|(free, cell)| [convex::sheet(cell, free, flat), convex::normal(cell, free, flat)]);
+                for form in forms.into_iter().flatten().flatten() {
+                    self.add(Role::Candidate, place, form);
+                }
+                self.title(Role::Candidate, *id, node.bounds, format!("proposed: n · p = {}", number(plane)));
+            }
             Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
                 if let Some(sheet) = sheet(axis, plane, self.moment.free) {
                     self.add(Role::Candidate, place, sheet);
@@ -429,7 +452,7 @@ impl Drawing<'_> {
             }
             Some(Grow::Split { axis, plane, .. }) => {
                 let cut = if VolumeName::of(self.build.structure).cut == "way" { "shared out" } else { "cut" };
-                let text = format!("node {id}: {cut} at {axis} = {}", number(plane));
+                let text = format!("node {id}: {cut} at {} = {}", coordinate(axis), number(plane));
                 self.title(Role::Here, *id, node.bounds, text);
             }
             _ => {

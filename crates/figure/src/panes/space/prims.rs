@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims, Visit};
+use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims, Shape, Triangle, Visit};
 
 use super::Drawing;
 use crate::theme::Role;
@@ -16,7 +16,7 @@ const TRAIL: usize = 256;
 const SPECKLES: usize = 64;
 
 /// A primitive is large from this part of the scene's diagonal on.
-const LARGE: f32 = 0.25;
+const LARGE: f32 = 0.15;
 
 impl Drawing<'_> {
     pub(super) fn prims(&mut self) {
@@ -51,7 +51,20 @@ impl Drawing<'_> {
             roles.insert(hit.prim, Role::Best);
         }
         for (prim, role) in roles {
-            self.add(role, Some(Place::Prim(prim)), Form::Prim(prim));
+            self.primitive(role, prim);
+        }
+    }
+
+    /// A primitive; a large one of a solid scene by its edges, for its surface would hide where the walk is.
+    fn primitive(&mut self, role: Role, prim: PrimId) {
+        let place = Some(Place::Prim(prim));
+        match self.walk.prims.shape(prim) {
+            Shape::Triangle(Triangle { a, b, c }) if !self.walk.flat && self.is_large(prim) => {
+                for (from, to) in [(a, b), (b, c), (c, a)] {
+                    self.add(role, place, Form::Segment(from, to));
+                }
+            }
+            _ => self.add(role, place, Form::Prim(prim)),
         }
     }
 
@@ -73,10 +86,12 @@ impl Drawing<'_> {
     /// Whether a primitive of a solid scene would drown the others if it stayed marked after its test: a floor that
     /// was missed is no news.
     fn shouts(&self, prim: PrimId) -> bool {
+        !self.walk.flat && !self.is_tested_now(prim) && self.is_large(prim)
+    }
+
+    fn is_large(&self, prim: PrimId) -> bool {
         let extent = |bounds: Aabb| bounds.extent().length();
-        !self.walk.flat
-            && !self.is_tested_now(prim)
-            && extent(self.walk.prims.bounds(prim)) > LARGE * extent(self.walk.world())
+        extent(self.walk.prims.bounds(prim)) > LARGE * extent(self.walk.world())
     }
 
     /// The references of the current leaf or cell.

@@ -13,6 +13,9 @@ use crate::world::Levels;
 /// A leaf with more primitives than this shows their number.
 const DOTS: usize = 4;
 
+/// How large a cell of a strip is, in digits.
+const CELL: f32 = 0.72;
+
 /// Sizes and places of one drawing.
 pub(super) struct Pen<'a> {
     pub(super) tree: &'a dyn Tree,
@@ -56,7 +59,7 @@ impl Pen<'_> {
 
     /// How large the strip of lanes beside a node is, where a packet walks.
     fn strip_room(&self) -> Option<Vec2> {
-        self.tree.has_lanes().map(|lanes| strip_room(lanes, self.sizes.digits * 0.55))
+        self.tree.has_lanes().map(|lanes| strip_room(lanes, self.sizes.digits * CELL))
     }
 
     /// Who took part in a node, on the side where no edge runs, behind its axis.
@@ -66,13 +69,13 @@ impl Pen<'_> {
         let gap = half + axis + self.sizes.digits * 0.3;
         let left = if branch.left { at.x - gap - room.x } else { at.x + gap };
         let corner = Vec2::new(left, at.y - room.y * 0.5);
-        small_strip(figure, Some(Place::Node(branch.node)), lanes, corner, self.sizes.digits * 0.55);
+        small_strip(figure, Some(Place::Node(branch.node)), lanes, corner, self.sizes.digits * CELL);
     }
 
     /// Half the width of what stands for the nodes below a closed one.
     pub(super) fn rest_width(&self, node: NodeId) -> f32 {
         let count = text_width(&self.levels.below(node).to_string(), Face::Regular, self.sizes.small());
-        (count / 2.0).max(self.sizes.digits * 0.55)
+        (count / 2.0).max(self.sizes.digits * CELL)
     }
 
     /// All of the tree with at most so many nodes, if it fits.

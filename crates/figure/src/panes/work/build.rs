@@ -86,7 +86,7 @@ fn changes(figure: &mut Figure, build: &Build<'_>, moment: &GrowMoment, top: f32
             Change::Delete(prim) => ("delete", prim),
         };
         let says = if change.done {
-            format!("{verb} {prim}: {}", counted(touched, "node touched", "nodes touched"))
+            format!("{verb} {prim}: {}", counted(touched, "node looked at", "nodes looked at"))
         } else {
             format!("{verb} {prim}: it reaches out of the root's cell")
         };

@@ -85,7 +85,7 @@ fn sentence(moment: &Moment, volume: VolumeName) -> Vec<String> {
         (cost.box_tests, &*one_tested, &*many_tested),
         (cost.pushes, "pushed", "pushed"),
         (cost.drops, "dropped", "dropped"),
-        (cost.skips, "test saved", "tests saved"),
+        (cost.skips, "test skipped", "tests skipped"),
     ]
     .into_iter()
     .filter(|(count, ..)| *count > 0)

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use raystep_accel::{Cover, Kind, Pair, Place, Probe, Step, Trial, Value};
+use raystep_accel::{Cover, Kind, Pair, Part, Place, Probe, Step, Trial, Value};
 
 use super::{Fact, Symbol};
 use crate::theme::Role;
@@ -136,6 +136,12 @@ impl Fact for Trial {
             Probe::Edge { .. } => "Edge {{edge}} runs from height {{from}} to {{to}}: it is not crossed.",
             Probe::Parity { inside: true, .. } => "{{crossings crossing}}, an odd number: the point lies inside.",
             Probe::Parity { .. } => "{{crossings crossing}}, an even number: the point lies outside.",
+            Probe::Compare { of: Part::Radius, inside: true, .. } => {
+                "The distance squared, {{value}}, is no more than {{high}}, the radius squared."
+            }
+            Probe::Compare { of: Part::Radius, .. } => {
+                "The distance squared, {{value}}, is more than {{high}}, the radius squared."
+            }
             Probe::Compare { inside: true, .. } => "{{of}}: {{value}} lies from {{low}} to {{high}}.",
             Probe::Compare { .. } => "{{of}}: {{value}} does not lie from {{low}} to {{high}}.",
             Probe::Nearest { .. } => {

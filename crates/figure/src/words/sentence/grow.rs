@@ -3,7 +3,7 @@
 use raystep_accel::{Grow, LeafReason, Place};
 
 use super::{cells, count};
-use crate::words::{VolumeName, number};
+use crate::words::{VolumeName, coordinate, number};
 
 /// One sentence about what just happened, with its numbers.
 pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
@@ -40,7 +40,8 @@ pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
             number(cost)
         ),
         Grow::Weigh { axis, plane, below, above, cost, .. } => format!(
-            "The plane {axis} = {} leaves {below} below and {above} above: cost {}.",
+            "The plane {} = {} leaves {below} below and {above} above: cost {}.",
+            coordinate(axis),
             number(plane),
             number(cost)
         ),
@@ -49,7 +50,8 @@ pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
             number(plane)
         ),
         Grow::Split { node, axis, plane, below, above, .. } => {
-            format!("Node {node} is cut at {axis} = {}: node {below} lies below, node {above} above.", number(plane))
+            let across = coordinate(axis);
+            format!("Node {node} is cut at {across} = {}: node {below} lies below, node {above} above.", number(plane))
         }
         Grow::Share { prim, .. } => format!("Primitive {prim} lies on both sides: both children refer to it."),
         Grow::Divide { node, first, ways, .. } => {

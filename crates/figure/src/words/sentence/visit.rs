@@ -3,7 +3,7 @@
 use raystep_accel::{Ending, Place, Probed, Side, Verdict, Visit};
 
 use super::{cells, count};
-use crate::words::{VolumeName, number};
+use crate::words::{VolumeName, coordinate, number};
 
 /// One sentence about what just happened, with its numbers.
 pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
@@ -87,7 +87,8 @@ pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
             format!("The walk enters {place}{kind}, with {}.{holds}", range(t_near, t_far))
         }
         Visit::Plane { axis, plane, d: 0.0, .. } => {
-            format!("The ray runs parallel to the plane {axis} = {} and never crosses it.", number(plane))
+            let across = coordinate(axis);
+            format!("The ray runs parallel to the plane {across} = {} and never crosses it.", number(plane))
         }
         Visit::Plane { axis, plane, t, t_near, t_far, .. } => {
             let side = if t < t_near {
@@ -98,7 +99,8 @@ pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
                 "inside"
             };
             format!(
-                "The plane {axis} = {} cuts the ray at t = {}, {side} {}.",
+                "The plane {} = {} cuts the ray at t = {}, {side} {}.",
+                coordinate(axis),
                 number(plane),
                 number(t),
                 range(t_near, t_far)
