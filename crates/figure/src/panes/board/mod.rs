@@ -9,8 +9,6 @@ mod meter;
 mod pictures;
 mod probe;
 mod table;
-#[cfg(test)]
-mod tests;
 
 use glam::Vec2;
 use raystep_accel::{CellId, Place};
@@ -98,6 +96,9 @@ const CHART: f32 = 0.58;
 
 /// The part of the height that a picture has where there is another one.
 const PICTURE: f32 = 0.55;
+
+/// The part of the usual height of heat maps that they leave to no table.
+const MAPS: f32 = 0.75;
 
 /// Most room between a table or a meter and what stands below it, in letters.
 const APART: f32 = 2.2;
@@ -221,15 +222,18 @@ fn own_height(panel: &Panel, tables: Lines, look: &Look) -> Option<f32> {
 /// How all tables of a column are set: in letters as large as the room for all that stands there allows, within reason.
 fn lines_of_tables(column: &[&Panel], room: Vec2, look: &Look) -> Lines {
     let tables = || column.iter().filter_map(|panel| if let Panel::Table(table) = panel { Some(table) } else { None });
-    let is_picture = |panel: &&&Panel| matches!(panel, Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_));
-    let pictures = column.iter().filter(is_picture);
-    let meters = column.iter().filter(|panel| matches!(panel, Panel::Meter(_)));
-    let others: f32 = pictures.clone().chain(meters).map(|panel| letters(panel)[1] * look.text).sum();
+    let least = |panel: &Panel| match panel {
+        Panel::Table(_) => 0.0,
+        Panel::Maps(_) => letters(panel)[1] * MAPS,
+        Panel::Meter(_) | Panel::Chart(_) | Panel::Pictures(_) => letters(panel)[1],
+    };
+    let others = look.text * column.iter().map(|panel| least(panel)).sum::<f32>();
     let row = if column.iter().any(|panel| matches!(panel, Panel::Maps(_))) { table::CLOSE } else { table::ROW };
     let high = |text: f32| tables().map(|table| table.height(Lines { text, row }, look)).sum::<f32>();
     let (heads, lines) = (high(0.0), high(1.0) - high(0.0));
     // Beside pictures it is they that grow.
-    let largest = look.text * if pictures.count() > 0 { table::BESIDE } else { table::LARGEST };
+    let pictures = column.iter().any(|panel| matches!(panel, Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_)));
+    let largest = look.text * if pictures { table::BESIDE } else { table::LARGEST };
     let across = tables().map(|table| table.across(room.x, look)).fold(largest, f32::min);
     let text = across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST);
     Lines { text, row }
@@ -244,7 +248,7 @@ fn heights(column: &[&Panel], tables: Lines, room: f32, look: &Look) -> Vec<f32>
     let gaps = apart * (own.len() - pictures) as f32;
     let mut left = (left - gaps).max(0.0);
     let mut still = pictures;
-    let mut each = |own: Option<f32>| match own {
+    let each = |own: Option<f32>| match own {
         Some(height) => height + apart,
         None => {
             let height = if still > 1 { left * PICTURE } else { left };
@@ -252,7 +256,7 @@ fn heights(column: &[&Panel], tables: Lines, room: f32, look: &Look) -> Vec<f32>
             height
         }
     };
-    own.into_iter().map(&mut each).collect()
+    own.into_iter().map(each).collect()
 }
 
 /// Whether a meter is there: with what follows it, and where nothing else stands.
