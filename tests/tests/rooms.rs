@@ -69,7 +69,10 @@ const HOUSES: &[(&str, &[&str])] = &[
             "export",
             "window/look",
             "window/work",
+            "window/panes/spoken",
             "window/panes",
+            "window/panes/present",
+            "window/panes/speaker",
             "window/bars",
             "window/dialogs",
             "window/keys",
@@ -252,9 +255,18 @@ fn circle<'a>(room: &str, sources: &'a Sources) -> BTreeSet<&'a str> {
     let inside = || sources.keys().map(String::as_str).filter(|module| lies_in(module, room));
     // A path lies in the file with the longest name.
     let file = |path: &str| inside().filter(|module| lies_in(path, module)).max_by_key(|module| module.len());
-    let known = |module: &str| said[module].known.iter().filter_map(|path| file(&home(path, &handed)));
-    let mut left: BTreeMap<&str, BTreeSet<&str>> =
-        inside().map(|module| (module, known(module).filter(|other| *other != module).collect())).collect();
+    let mut left: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for module in inside() {
+        let known = left.entry(module).or_default();
+        for path in &said[module].known {
+            let home = home(path, &handed);
+            known.extend(file(&home));
+            // Who takes what a folder hands on knows the folder, and with it all that its own file knows.
+            let hand = file(path).filter(|_| home != *path);
+            known.extend(hand.filter(|hand| !lies_in(module, hand) && !lies_in(hand, module)));
+        }
+        known.remove(module);
+    }
     // Whoever knows nobody who is left may go.
     while let Some(free) = left.iter().find(|(_, known)| known.is_empty()).map(|(module, _)| *module) {
         left.remove(free);
@@ -316,7 +328,9 @@ fn a_circle_is_found() {
     let check = |line: &str, expected: &[&str]| {
         let sources: Sources = [
             ("", "mod room;\n"),
-            ("room", "mod first;\nmod second;\nmod third;\npub use third::Third;\n"),
+            ("room", "mod first;\nmod second;\nmod third;\nmod inner;\npub use third::Third;\n"),
+            ("room/inner", "mod deep;\nuse super::first::First;\npub use deep::Deep;\n"),
+            ("room/inner/deep", ""),
             ("room/first", "use super::second::Second;\n"),
             ("room/second", line),
             ("room/third", "use super::first::First;\n"),
@@ -327,7 +341,9 @@ fn a_circle_is_found() {
     };
     check("", &[]);
     check("use crate::elsewhere::First;\n", &[]);
-    check("use crate::room::Third;\n", &["room", "room/first", "room/second", "room/third"]);
+    check("use crate::room::Third;\n", &["room", "room/first", "room/inner", "room/second", "room/third"]);
+    check("use super::inner::Deep;\n", &["room", "room/first", "room/inner", "room/second", "room/third"]);
+    check("use super::inner::deep::Deep;\n", &[]);
 }
 
 #[test]

@@ -25,6 +25,7 @@ mod sight;
 mod solid;
 mod space;
 pub(super) mod speaker;
+mod spoken;
 mod stage;
 pub(super) mod study;
 mod trial;

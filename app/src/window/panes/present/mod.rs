@@ -1,13 +1,9 @@
 //! The presenter's page: title, space, what is said or asked, and below space the panes that the slide is about. Nothing
 //! is cut off, nothing tells of keys.
 
-mod answer;
-mod fitted;
 mod heading;
 mod marks;
 mod notes;
-mod pages;
-mod speech;
 mod strip;
 
 use egui::{Align2, Color32, Rect, Ui, pos2, vec2};
@@ -16,16 +12,13 @@ use raystep_figure::{Face, Look, Role, changed_height};
 
 use super::figure::figure;
 use super::page::{Asked, Kept, Page};
+use super::spoken::{Column, Fitted, Speech};
 use super::stage;
 use crate::shown::lecture::Cover;
 use crate::shown::pictures::{Pane, Pictures};
 use crate::window::look::painter::caption;
 use crate::window::look::visuals::fill;
-use fitted::Column;
-pub(crate) use fitted::Fitted;
 pub(crate) use marks::Marks;
-pub(crate) use pages::Pages;
-use speech::Speech;
 use strip::Strip;
 
 /// The size of the page's letters: a twenty-seventh of its height, where it is not very narrow.

@@ -21,7 +21,7 @@ fn said(state: &State) -> Said {
 
 impl Pages {
     /// The page that is shown now of so many.
-    pub(super) fn at(&mut self, state: &State, many: usize) -> usize {
+    pub(crate) fn at(&mut self, state: &State, many: usize) -> usize {
         let now = Some(said(state));
         if self.of != now {
             *self = Pages { of: now, at: 0, many };

@@ -27,11 +27,11 @@ enum Part {
 }
 
 /// What is said at a step, from above.
-pub(super) struct Speech(Vec<Part>);
+pub(crate) struct Speech(Vec<Part>);
 
 impl Speech {
     /// What is said at the step that the state shows.
-    pub(super) fn of(state: &State) -> Speech {
+    pub(crate) fn of(state: &State) -> Speech {
         let plain_text = |text: String| Part::Text { text, role: Role::Text, face: Face::Regular, size: 1.0 };
         let strong = |text: String| Part::Text { text, role: Role::Text, face: Face::Medium, size: 1.1 };
         let mut parts = Vec::new();
@@ -76,7 +76,7 @@ impl Speech {
     }
 
     /// All that beats say on this walk or build, their questions, and why answers are wrong.
-    pub(super) fn all(state: &State) -> Vec<Speech> {
+    pub(crate) fn all(state: &State) -> Vec<Speech> {
         let Some(playback) = state.playback() else { return Vec::new() };
         let mut at = state.clone();
         let mut all = Vec::new();
@@ -99,7 +99,7 @@ impl Speech {
     }
 
     /// The same in pages of this size: what does not fit below the rest stands on the next one.
-    pub(super) fn pages(self, ui: &Ui, formulas: &mut Formulas, prose: &Prose<'_>, room: Vec2) -> Vec<Speech> {
+    pub(crate) fn pages(self, ui: &Ui, formulas: &mut Formulas, prose: &Prose<'_>, room: Vec2) -> Vec<Speech> {
         if self.height(ui, formulas, prose, room.x) <= room.y + 1.0 {
             return vec![self];
         }
@@ -122,13 +122,13 @@ impl Speech {
     }
 
     /// How high it is.
-    pub(super) fn height(&self, ui: &Ui, formulas: &mut Formulas, prose: &Prose<'_>, width: f32) -> f32 {
+    pub(crate) fn height(&self, ui: &Ui, formulas: &mut Formulas, prose: &Prose<'_>, width: f32) -> f32 {
         let heights = self.0.iter().map(|part| part.height(ui, formulas, prose, width));
         heights.sum::<f32>() + gap(prose.size) * self.0.len().saturating_sub(1) as f32
     }
 
     /// Shows it; says which command was asked for.
-    pub(super) fn show(&self, ui: &mut Ui, formulas: &mut Formulas, prose: &Prose<'_>) -> Option<Command> {
+    pub(crate) fn show(&self, ui: &mut Ui, formulas: &mut Formulas, prose: &Prose<'_>) -> Option<Command> {
         let mut asked = None;
         ui.spacing_mut().item_spacing.y = gap(prose.size);
         for part in &self.0 {

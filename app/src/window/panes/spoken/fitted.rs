@@ -13,25 +13,25 @@ use crate::window::look::prose::{LEADING, Prose};
 
 /// How wide the column of words is, and how large they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Column {
+pub(crate) struct Column {
     /// Its part of the page's width.
-    pub(super) part: f32,
+    pub(crate) part: f32,
     /// The size of its letters in parts of the page's.
-    pub(super) size: f32,
+    pub(crate) size: f32,
     /// From line to line, in parts of that size.
-    pub(super) leading: f32,
+    pub(crate) leading: f32,
     /// Whether it reaches down beside the panes below space, which then are as narrow as that.
-    pub(super) tall: bool,
+    pub(crate) tall: bool,
     /// Whether it is no column, but stands below a picture that needs the whole width.
-    pub(super) below: bool,
+    pub(crate) below: bool,
 }
 
 impl Column {
     /// The one that is tried first.
-    pub(super) const USUAL: Column = COLUMNS[0];
+    pub(crate) const USUAL: Column = COLUMNS[0];
 
     /// How its words are set, where letters of the page have this size.
-    pub(super) fn set(self, theme: &Theme, body: f32) -> Prose<'_> {
+    pub(crate) fn set(self, theme: &Theme, body: f32) -> Prose<'_> {
         Prose { theme, size: body * self.size, role: Role::Text, face: Face::Regular, leading: self.leading }
     }
 }
@@ -69,13 +69,13 @@ pub(crate) struct Fitted {
     /// The room of the widest column, and the size of letters.
     room: [u32; 3],
     /// What it came to.
-    pub(super) column: Column,
+    pub(crate) column: Column,
 }
 
 impl Fitted {
     /// The best column in which all fits that is said on this walk or build: it stays while that is shown. `room` is
     /// what a column has, and `body` the size of letters; `below` a picture that needs the whole width.
-    pub(super) fn of(
+    pub(crate) fn of(
         kept: Option<Fitted>,
         ui: &Ui,
         state: &State,
