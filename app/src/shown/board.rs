@@ -121,7 +121,13 @@ fn of_meter(meter: &raystep_lesson::Meter, filled: &BoardTape) -> Meter {
         let value = if given.unit.is_empty() { value } else { format!("{value} {}", given.unit) };
         Given { name: given.name.clone(), note: given.note.clone(), value }
     });
-    Meter { title: meter.title.clone(), about: meter.about.clone(), knobs: knobs.collect(), gives: gives.collect() }
+    Meter {
+        title: meter.title.clone(),
+        about: meter.about.clone(),
+        knobs: knobs.collect(),
+        gives: gives.collect(),
+        entry: filled.board.first_moved(),
+    }
 }
 
 fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> Table {

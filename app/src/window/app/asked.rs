@@ -51,14 +51,14 @@ impl App {
                 panes::Asked::Compare(kind) => self.state.compare(kind),
                 panes::Asked::Abreast(rivals) => self.state.compare_all(rivals),
                 panes::Asked::Pace(pace) => self.state.pace = pace,
+                panes::Asked::Stop(task) => self.underway.stop(&task, &mut self.state),
             }
         }
     }
 
     /// Shows what lies over the page and does what it asks for.
     pub(super) fn overlay(&mut self, ui: &Ui) {
-        let tasks = self.underway.tasks();
-        let asked = self.overlay.show(ui, &self.state, &tasks, &self.underway.judging, self.theme());
+        let asked = self.overlay.show(ui, &self.state, &self.underway.judging, self.theme());
         if !asked.is_empty() {
             ui.ctx().request_repaint();
         }
@@ -81,7 +81,6 @@ impl App {
                 dialogs::Asked::ChooseMesh => self.underway.errands.ask_for_mesh(),
                 dialogs::Asked::Mesh(path) => self.open_mesh(path),
                 dialogs::Asked::Judged => self.underway.judging.end(),
-                dialogs::Asked::Stop(task) => self.underway.stop(&task, &mut self.state),
             }
         }
     }

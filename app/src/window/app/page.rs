@@ -59,6 +59,7 @@ impl App {
         let in_bars = if present { None } else { self.bars(ui) };
         let mut asked = Vec::new();
         let room = ui.available_rect_before_wrap();
+        let tasks = self.underway.tasks();
         let (heat, counting) = self.underway.heat();
         let held = self.held.as_ref();
         let page = Page {
@@ -66,6 +67,7 @@ impl App {
             beside: held.map_or(self.underway.beside(), |held| held.beside.as_ref()),
             mesh: held.map_or(self.underway.mesh(), |held| held.mesh.as_ref()),
             making: self.underway.is_making(),
+            tasks: &tasks,
             heat,
             counting,
             lit: self.lit(),
@@ -119,10 +121,12 @@ impl App {
             if class != egui::ViewportClass::EmbeddedWindow {
                 self.take_keys(ui);
             }
+            let tasks = self.underway.tasks();
             let (heat, counting) = self.underway.heat();
             let (theme, making) = (self.theme(), self.underway.is_making());
             let (beside, mesh) = (self.underway.beside(), self.underway.mesh());
-            let page = Page { state: &self.state, beside, mesh, making, heat, counting, lit: None, theme };
+            let page =
+                Page { state: &self.state, beside, mesh, making, tasks: &tasks, heat, counting, lit: None, theme };
             let asked = self.speaker.show(ui, page, theme, size, &mut self.marks);
             for asked in asked {
                 match asked {

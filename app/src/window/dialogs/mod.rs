@@ -1,4 +1,4 @@
-//! What lies over the page for a while: dialogs, messages, and how far work has come.
+//! What lies over the page for a while: dialogs and messages.
 
 mod best;
 mod drop_hint;
@@ -7,6 +7,5 @@ mod help;
 mod open;
 mod overlay;
 mod palette;
-mod progress;
 
 pub(super) use overlay::{Asked, Overlay};

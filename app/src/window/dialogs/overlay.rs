@@ -1,20 +1,18 @@
 //! All that lies over the page.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use egui::Ui;
 use raystep_figure::Theme;
 
 use super::palette::Palette;
-use super::{best, drop_hint, export, help, open, palette, progress};
+use super::{best, drop_hint, export, help, open, palette};
 use crate::fault::Fault;
 use crate::shown::Link;
 use crate::shown::command::Command;
 use crate::shown::state::State;
 use crate::window::work::exporting::Wish;
 use crate::window::work::judging::Judging;
-use crate::window::work::task::Task;
 
 /// The dialogs that are open.
 #[derive(Default)]
@@ -43,8 +41,6 @@ pub(crate) enum Asked {
     ChooseMesh,
     /// To open a mesh.
     Mesh(PathBuf),
-    /// To give up what is under way.
-    Stop(Arc<Task>),
     /// Nobody looks at the measured structures any more.
     Judged,
 }
@@ -102,14 +98,7 @@ impl Overlay {
     }
 
     /// Shows all of it; says what was asked for.
-    pub(crate) fn show(
-        &mut self,
-        ui: &Ui,
-        state: &State,
-        tasks: &[Arc<Task>],
-        judging: &Judging,
-        theme: &Theme,
-    ) -> Vec<Asked> {
+    pub(crate) fn show(&mut self, ui: &Ui, state: &State, judging: &Judging, theme: &Theme) -> Vec<Asked> {
         let mut asked = Vec::new();
         if let Some(palette) = &mut self.palette {
             let (close, chosen) = palette.show(ui, &state.library, theme);
@@ -144,7 +133,6 @@ impl Overlay {
             Some(open::Asked::Close) => self.open = None,
             None => {}
         }
-        asked.extend(progress::strip(ui, tasks, theme).map(Asked::Stop));
         drop_hint::show(ui, theme);
         asked
     }

@@ -29,6 +29,7 @@ mod spoken;
 mod stage;
 pub(super) mod study;
 mod trial;
+mod underway;
 
 pub(super) use hold::Moved;
 pub(super) use notices::Notices;

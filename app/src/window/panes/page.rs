@@ -24,6 +24,7 @@ use crate::shown::playback::Playback;
 use crate::shown::state::State;
 use crate::window::look::formulas::Formulas;
 use crate::window::work::heating::Level;
+use crate::window::work::task::Task;
 
 /// What panes show.
 #[derive(Clone, Copy)]
@@ -35,6 +36,8 @@ pub(crate) struct Page<'a> {
     pub(crate) mesh: Option<&'a Arc<Mesh>>,
     /// Whether a walk is being made.
     pub(crate) making: bool,
+    /// What is under way, to be said and given up.
+    pub(crate) tasks: &'a [Arc<Task>],
     /// The heat map as far as it is counted.
     pub(crate) heat: Option<&'a Level>,
     /// Whether a finer one is on its way.
@@ -91,6 +94,8 @@ pub(crate) enum Asked {
     Abreast(Rivals),
     /// How the walk beside keeps in step.
     Pace(Pace),
+    /// To give up what is under way.
+    Stop(Arc<Task>),
 }
 
 /// What panes keep from frame to frame, so that it is made once.

@@ -8,6 +8,7 @@ use super::by_hand;
 use super::columns;
 use super::lesson;
 use super::page::{Asked, Kept, Page};
+use super::underway;
 use crate::window::look::remembered::Remembered;
 use crate::window::look::visuals::fill;
 
@@ -27,6 +28,7 @@ pub(crate) fn page(
     let left = Panel::left(columns::salt("lesson", dragged, width)).frame(ground);
     let left = left.default_size(dragged.unwrap_or(usual).min(widest)).size_range(220.0..=widest);
     let shown = left.show(ui, |ui| {
+        asked.extend(underway::strip(ui, page.tasks, page.theme).map(Asked::Stop));
         kept.notices.strip(ui, page.theme);
         if page.state.by_hand {
             let height = ui.available_height();

@@ -7,8 +7,8 @@ use crate::reading::Reading;
 use crate::{Plan, Spot, limits};
 
 use super::{
-    Chart, Column, Drawn, Map, Maps, Meter, Number, Numbers, Picture, Pictures, Row, Stroke, Table, chart, maps, meter,
-    picture, table,
+    Cell, Chart, Column, Drawn, Map, Maps, Meter, Number, Numbers, Picture, Pictures, Row, Stroke, Table, chart, maps,
+    meter, picture, table,
 };
 
 /// Tables, charts, heat maps, pictures, and a meter.
@@ -48,6 +48,25 @@ pub enum Entry<'a> {
     Picture(&'a Picture),
 }
 
+impl Entry<'_> {
+    /// Whether it follows numbers that are moved by hand.
+    fn is_moved(self) -> bool {
+        match self {
+            Entry::Row(row) => {
+                let value = |cell: &Cell| matches!(cell, Cell::Value(formula, _) if formula.is_moved());
+                row.plan.as_ref().is_some_and(Plan::is_moved) || row.cells.iter().any(|(_, cell)| value(cell))
+            }
+            Entry::Drawn(drawn) => match &drawn.stroke {
+                Stroke::Point(x, y) => x.is_moved() || y.is_moved(),
+                Stroke::Law { law, .. } => law.is_moved(),
+                Stroke::Growth { .. } => false,
+            },
+            Entry::Map(map, _) => map.plan.as_ref().is_some_and(Plan::is_moved),
+            Entry::Picture(_) => false,
+        }
+    }
+}
+
 impl Board {
     /// Everything that comes to be seen: its panel and its place there, in the order in which it does.
     pub fn order(&self) -> Vec<(usize, usize)> {
@@ -70,6 +89,13 @@ impl Board {
             Panel::Meter(meter) => Some(meter),
             _ => None,
         })
+    }
+
+    /// The place, among all that comes to be seen, of the first that follows the meter: the meter comes with it. It is
+    /// there from the beginning where nothing does.
+    pub fn first_moved(&self) -> usize {
+        let follows = |at: &(usize, usize)| self.entry(*at).is_some_and(Entry::is_moved);
+        self.order().iter().position(follows).unwrap_or(0)
     }
 
     /// The number of that name which is moved by hand.
@@ -156,7 +182,7 @@ impl Panel {
         match self {
             Panel::Table(table) => table.rows.iter().map(|row| row.step).collect(),
             Panel::Chart(chart) => chart.drawn.iter().map(|drawn| drawn.step).collect(),
-            // It is there from the beginning.
+            // It comes with what follows it.
             Panel::Meter(_) => Vec::new(),
             Panel::Pictures(pictures) => pictures.pictures.iter().map(|picture| picture.step).collect(),
             Panel::Maps(maps) => maps.maps.iter().map(|map| map.step).collect(),
@@ -178,7 +204,6 @@ pub(crate) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Board {
         board.panels.extend(chart::read(&mut keys, reading).map(Panel::Chart));
         keys.finish(reading);
     }
-    board.panels.extend(meter);
     for mut keys in keys.tables("table", reading) {
         board.panels.extend(table::read(&mut keys, reading).map(Panel::Table));
         keys.finish(reading);
@@ -191,6 +216,8 @@ pub(crate) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Board {
         board.panels.extend(picture::read(&mut keys, reading).map(Panel::Pictures));
         keys.finish(reading);
     }
+    // Below everything else its room is missed least, as long as it waits.
+    board.panels.extend(meter);
     if !["chart", "table", "heat", "picture"].into_iter().any(|key| keys.has(key)) {
         reading.problem(0, "a board has tables, charts, heat maps or pictures: write `[[table]]`, `[[chart]]`, `[[heat]]` or `[[picture]]`");
     }

@@ -17,8 +17,9 @@ pub(crate) use slides::SHOWN;
 use egui::{Id, Pos2, Rect, Stroke, StrokeKind, Ui, pos2, vec2};
 use raystep_figure::Role;
 
-use super::page::Kept;
+use super::page::{Asked, Kept};
 use super::present::{self, Marks};
+use super::underway;
 use crate::shown::lecture::Cover;
 use crate::window::look::visuals::{fill, ink, line};
 
@@ -44,6 +45,7 @@ impl Default for DeskKept {
 pub(crate) fn page(ui: &mut Ui, desk: &Desk<'_>, kept: &mut DeskKept, marks: &mut Marks, asked: &mut Vec<AskedHere>) {
     let theme = desk.wall.theme;
     ui.painter().rect_filled(ui.max_rect(), 0.0, fill(theme, Role::Page));
+    asked.extend(underway::strip(ui, desk.wall.tasks, theme).map(|task| AskedHere::Wall(Asked::Stop(task))));
     kept.wall.notices.strip(ui, theme);
     let rect = ui.available_rect_before_wrap();
     let top = Rect::from_min_max(rect.min, pos2(rect.right(), rect.top() + 58.0));

@@ -18,6 +18,8 @@ pub struct Meter {
     pub knobs: Vec<Knob>,
     /// What follows from them.
     pub gives: Vec<Given>,
+    /// The entry with which it comes to be seen: the first that follows it.
+    pub entry: usize,
 }
 
 /// A number that can be moved between two ends.

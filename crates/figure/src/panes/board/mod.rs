@@ -1,5 +1,5 @@
-//! Boards: tables, charts, heat maps and pictures beside each other, filled entry by entry, and a meter that is there
-//! from the beginning.
+//! Boards: tables, charts, heat maps and pictures beside each other, filled entry by entry, and a meter that comes to be
+//! seen with what follows it.
 
 mod chart;
 mod heat_scale;
@@ -50,7 +50,7 @@ impl Panel {
         }
     }
 
-    /// The entries that come to be seen in it; a meter is there from the beginning.
+    /// The entries that come to be seen in it; a meter has none, it comes with another's.
     fn entries(&self) -> Vec<usize> {
         match self {
             Panel::Table(table) => table.rows.iter().map(|row| row.entry).collect(),
@@ -93,6 +93,12 @@ fn place(entry: usize) -> Option<Place> {
 /// A chart's usual part of the width, where something stands beside it.
 const CHART: f32 = 0.58;
 
+/// The part of the height that a picture has where there is another one.
+const PICTURE: f32 = 0.55;
+
+/// Most room between a table or a meter and what stands below it, in letters.
+const APART: f32 = 2.2;
+
 /// How wide and how high a panel is at least, in letters.
 fn letters(panel: &Panel) -> [f32; 2] {
     match panel {
@@ -115,7 +121,7 @@ fn fitted(panels: &[&Panel], ask: &Ask<'_>, wide: bool) -> (Look, f32) {
     // What follows a chart stands beside it; a chart that follows stands below.
     let beside = wide && panels.len() > 1 && matches!(panels.first(), Some(Panel::Chart(_)));
     let set = |chart: f32| {
-        let (mut across, mut up) = (0.0_f32, 0.0_f32);
+        let (mut across, mut up) = (0.0_f32, [0.0_f32; 2]);
         for panel in panels {
             let [width, height] = letters(panel);
             let is_chart = matches!(panel, Panel::Chart(_));
@@ -123,8 +129,9 @@ fn fitted(panels: &[&Panel], ask: &Ask<'_>, wide: bool) -> (Look, f32) {
             // A narrow chart is still one.
             let width = if is_chart && chart < CHART { width * 0.7 } else { width };
             across = across.max(width / share);
-            up = if beside { up.max(height) } else { up + height };
+            up[usize::from(beside && is_chart)] += height;
         }
+        let up = up[0].max(up[1]);
         let most = (ask.size.x / across.max(1.0)).min(ask.size.y / up.max(1.0));
         ask.look.text.min(most)
     };
@@ -151,52 +158,109 @@ fn shown(panels: &[Panel], filled: Filled, ask: &Ask<'_>, wide: bool) -> Vec<boo
     let now = if filled.asks { filled.step } else { filled.step.saturating_sub(1) };
     let spoken_of = panels.iter().position(|panel| panel.entries().contains(&now)).unwrap_or(0);
     chosen = (0..panels.len()).map(|index| index == spoken_of).collect();
-    for next in (spoken_of + 1..panels.len()).chain((0..spoken_of).rev()) {
-        chosen[next] = true;
-        chosen[next] = reads(&chosen);
+    // What is moved by hand stands beside what follows it; what is not seen yet takes no room.
+    let meters = |seen: bool| {
+        let is = move |panel: &Panel| matches!(panel, Panel::Meter(meter) if filled.shows(meter.entry) == seen);
+        (0..panels.len()).filter(move |index| is(&panels[*index]))
+    };
+    for next in meters(true).chain(spoken_of + 1..panels.len()).chain((0..spoken_of).rev()) {
+        if !chosen[next] && !meters(false).any(|hidden| hidden == next) {
+            chosen[next] = true;
+            chosen[next] = reads(&chosen);
+        }
     }
     chosen
 }
 
-/// How large everything is set, and the corner and the room of each panel that stands there.
-fn layout<'a>(panels: &'a [Panel], filled: Filled, ask: &Ask<'_>) -> (Look, Vec<(&'a Panel, [Vec2; 2])>) {
+/// How a board is set.
+struct Layout<'a> {
+    look: Look,
+    /// The letters of its tables: one size for all of them.
+    tables: f32,
+    /// The corner and the room of each panel that stands there.
+    rooms: Vec<(&'a Panel, [Vec2; 2])>,
+}
+
+fn layout<'a>(panels: &'a [Panel], filled: Filled, ask: &Ask<'_>) -> Layout<'a> {
     let wide = ask.size.x > ask.size.y * 1.15;
     let chosen = shown(panels, filled, ask, wide);
     let panels: Vec<&Panel> = panels.iter().zip(chosen).filter(|(_, chosen)| *chosen).map(|(panel, _)| panel).collect();
     let (look, chart) = fitted(&panels, ask, wide);
-    let mut corner = Vec2::ZERO;
-    let mut rooms = Vec::new();
-    for (index, panel) in panels.iter().enumerate() {
-        let left = panels.len() - index;
-        let mut room = ask.size - corner;
-        if left > 1 {
-            // The first of two has the larger part: a chart's, or what the rows of a table need.
-            match panel {
-                Panel::Chart(_) if wide => room.x *= chart,
-                Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => room.y *= 0.55,
-                Panel::Table(table) => room.y = table.height(&look).min(room.y * 0.7),
-                Panel::Meter(meter) => room.y = meter.height(&look).min(room.y * 0.7),
-            }
-        }
-        rooms.push((*panel, [corner, room]));
-        match panel {
-            Panel::Chart(_) if wide => corner.x += room.x,
-            _ => corner.y += room.y,
-        }
+    let (mut corner, mut rooms) = (Vec2::ZERO, Vec::new());
+    let mut column = &panels[..];
+    while let [Panel::Chart(_), below @ ..] = column
+        && wide
+        && !below.is_empty()
+    {
+        let room = Vec2::new((ask.size.x - corner.x) * chart, ask.size.y);
+        rooms.push((column[0], [corner, room]));
+        corner.x += room.x;
+        column = below;
     }
-    (look, rooms)
+    let room = ask.size - corner;
+    let tables = table_letters(column, room, &look);
+    for (panel, height) in column.iter().zip(heights(column, tables, room.y, &look)) {
+        rooms.push((*panel, [corner, Vec2::new(room.x, height)]));
+        corner.y += height;
+    }
+    Layout { look, tables, rooms }
+}
+
+/// How high a table or a meter stands; a picture is as high as there is room.
+fn own_height(panel: &Panel, tables: f32, look: &Look) -> Option<f32> {
+    match panel {
+        Panel::Table(table) => Some(table.height(tables, look)),
+        Panel::Meter(meter) => Some(meter.height(look)),
+        Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_) => None,
+    }
+}
+
+/// The letters of all tables of a column: as large as the room for all that stands there allows, within reason.
+fn table_letters(column: &[&Panel], room: Vec2, look: &Look) -> f32 {
+    let tables = || column.iter().filter_map(|panel| if let Panel::Table(table) = panel { Some(table) } else { None });
+    let pictures = column.iter().filter(|panel| own_height(panel, 0.0, look).is_none());
+    let meters = column.iter().filter(|panel| matches!(panel, Panel::Meter(_)));
+    let others: f32 = pictures.clone().chain(meters).map(|panel| letters(panel)[1] * look.text).sum();
+    let heads: f32 = tables().map(|table| table.height(0.0, look)).sum();
+    let lines: f32 = tables().map(|table| table.height(1.0, look) - table.height(0.0, look)).sum();
+    // Beside pictures it is they that grow.
+    let largest = look.text * if pictures.count() > 0 { table::BESIDE } else { table::LARGEST };
+    let across = tables().map(|table| table.across(room.x, look)).fold(largest, f32::min);
+    across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST)
+}
+
+/// The heights of what stands one over the other in so much room.
+fn heights(column: &[&Panel], tables: f32, room: f32, look: &Look) -> Vec<f32> {
+    let own: Vec<Option<f32>> = column.iter().map(|panel| own_height(panel, tables, look)).collect();
+    let pictures = own.iter().filter(|height| height.is_none()).count();
+    let left = room - own.iter().flatten().sum::<f32>();
+    let apart = (left / column.len().max(1) as f32).clamp(0.0, look.text * if pictures > 0 { 1.0 } else { APART });
+    let gaps = apart * (own.len() - pictures) as f32;
+    let mut left = (left - gaps).max(0.0);
+    let mut still = pictures;
+    let mut each = |own: Option<f32>| match own {
+        Some(height) => height + apart,
+        None => {
+            let height = if still > 1 { left * PICTURE } else { left };
+            (still, left) = (still - 1, left - height);
+            height
+        }
+    };
+    own.into_iter().map(&mut each).collect()
 }
 
 /// The panels, filled up to a step.
 pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
     let filled = Filled { step, asks: ask.hide };
-    let (look, rooms) = layout(panels, filled, ask);
+    let Layout { look, tables, rooms } = layout(panels, filled, ask);
     for (panel, [corner, room]) in rooms {
         let part = match panel {
-            Panel::Table(table) => table::draw(table, filled, room, &look),
+            Panel::Table(table) => table::draw(table, filled, room, tables, &look),
             Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
-            Panel::Meter(meter) => meter::draw(meter, filled, room, &look),
+            Panel::Meter(meter) if filled.shows(meter.entry) => meter::draw(meter, filled, room, &look),
+            // Its room waits.
+            Panel::Meter(_) => continue,
             Panel::Maps(maps) => maps::draw(maps, filled, room, &look),
             Panel::Pictures(pictures) => pictures::draw(pictures, filled, room, &look),
         };
@@ -207,9 +271,12 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
 
 /// Where the numbers lie that can be moved by hand.
 pub(crate) fn knobs(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Vec<KnobLine> {
-    let (look, rooms) = layout(panels, Filled { step, asks: ask.hide }, ask);
+    let filled = Filled { step, asks: ask.hide };
+    let Layout { look, rooms, .. } = layout(panels, filled, ask);
     let lines = rooms.into_iter().filter_map(|(panel, [corner, room])| match panel {
-        Panel::Meter(meter) => Some(meter.lines_in(room, &look).into_iter().map(move |line| line.moved(corner))),
+        Panel::Meter(meter) if filled.shows(meter.entry) => {
+            Some(meter.lines_in(room, &look).into_iter().map(move |line| line.moved(corner)))
+        }
         _ => None,
     });
     lines.flatten().collect()
@@ -218,7 +285,7 @@ pub(crate) fn knobs(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Vec<KnobLin
 /// The pixel of a heat map at a point of the board.
 pub(crate) fn pixel_at(panels: &[Panel], step: usize, ask: &Ask<'_>, point: Vec2) -> Option<Pixel> {
     let filled = Filled { step, asks: ask.hide };
-    let (look, rooms) = layout(panels, filled, ask);
+    let Layout { look, rooms, .. } = layout(panels, filled, ask);
     rooms.into_iter().find_map(|(panel, [corner, room])| match panel {
         Panel::Maps(maps) => maps.pixel_at(room, &look, point - corner, &|entry| filled.shows(entry)),
         _ => None,
@@ -229,7 +296,7 @@ pub(crate) fn pixel_at(panels: &[Panel], step: usize, ask: &Ask<'_>, point: Vec2
 pub(crate) fn probe(panels: &[Panel], step: usize, ask: &Ask<'_>, pixel: &Pixel) -> Figure {
     let mut figure = Figure::new(ask.size);
     let filled = Filled { step, asks: ask.hide };
-    let (look, rooms) = layout(panels, filled, ask);
+    let Layout { look, rooms, .. } = layout(panels, filled, ask);
     for (panel, [corner, room]) in rooms {
         if let Panel::Maps(maps) = panel
             && maps.maps.iter().any(|map| map.entry == pixel.entry)

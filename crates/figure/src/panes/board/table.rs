@@ -45,23 +45,32 @@ pub struct Row {
     pub cells: Vec<String>,
 }
 
-/// How large a table is set: sizes follow from its letters.
+/// Where a table's columns lie.
 struct Set {
-    text: f32,
     /// The widths of the columns, the first one that of the names.
     widths: Vec<f32>,
     gap: f32,
 }
 
-/// Most that letters grow where there is room.
-const LARGEST: f32 = 1.3;
+/// Most that letters grow where there is room, and where pictures stand there, too; and least that they shrink.
+pub(super) const LARGEST: f32 = 1.3;
+pub(super) const BESIDE: f32 = 1.15;
+pub(super) const SMALLEST: f32 = 0.72;
+/// The room of the heading, in letters of the board.
+const HEAD: f32 = 3.0;
 /// A row's height in letters.
 const ROW: f32 = 2.5;
 
 impl Table {
-    /// How high it stands in letters of the usual size.
-    pub(super) fn height(&self, look: &Look) -> f32 {
-        look.text * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5 + 3.5)
+    /// How high it stands in letters of this size.
+    pub(super) fn height(&self, text: f32, look: &Look) -> f32 {
+        look.text * HEAD + text * (ROW * self.rows.len() as f32 + self.head_lines() as f32 * 1.5 + 0.8)
+    }
+
+    /// The largest letters in which it is no wider than this.
+    pub(super) fn across(&self, width: f32, look: &Look) -> f32 {
+        let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
+        (width - 2.0 * look.margin()) / natural
     }
 
     /// How wide and how high it is at least, in letters.
@@ -75,17 +84,12 @@ impl Table {
         self.columns.iter().map(|column| lines_of(&column.head).len()).max().unwrap_or(1)
     }
 
-    /// Letters as large as the room allows, within reason.
-    fn set(&self, room: Vec2, look: &Look) -> Set {
-        let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
-        let across = (room.x - 2.0 * look.margin()) / natural;
-        let up = (room.y - look.text * 3.0) / (ROW * self.rows.len() as f32 + self.head_lines() as f32 * 1.5 + 0.8);
-        let text = across.min(up).clamp(look.text * 0.72, look.text * LARGEST);
+    fn set(&self, room: Vec2, text: f32, look: &Look) -> Set {
         let widths = self.widths(text);
         let used: f32 = widths.iter().sum();
         // Eyes follow short rows: spare room goes between the columns, up to a point.
         let gap = ((room.x - 2.0 * look.margin() - used) / widths.len() as f32).clamp(text * 0.8, text * 4.0);
-        Set { text, widths, gap }
+        Set { widths, gap }
     }
 
     fn widths(&self, text: f32) -> Vec<f32> {
@@ -133,11 +137,10 @@ fn lines_of(head: &str) -> Vec<&str> {
     head.split('|').map(str::trim).collect()
 }
 
-pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, look: &Look) -> Figure {
+pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, text: f32, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
     let top = look.heading(&mut figure, &table.title, &table.about) + look.text * 0.6;
-    let set = table.set(room, look);
-    let Set { text, ref widths, gap } = set;
+    let Set { widths, gap } = table.set(room, text, look);
     let left = look.margin();
     // The right ends of the columns; a column's share of spare room lies before it.
     let ends: Vec<f32> = widths
