@@ -298,6 +298,8 @@ fn a_number_of_a_meter_is_dragged_moved_by_arrows_and_typed() {
     let mut harness = window("1/8", [1600.0, 1000.0]);
     press(&mut harness, Key::Home);
     for _ in 0..6 {
+        settle(&mut harness);
+        assert!(harness.query_by_label("Nx: 1000").is_none(), "it waits for the row that follows it");
         press(&mut harness, Key::ArrowRight);
     }
     settle(&mut harness);

@@ -9,6 +9,8 @@ mod meter;
 mod pictures;
 mod probe;
 mod table;
+#[cfg(test)]
+mod tests;
 
 use glam::Vec2;
 use raystep_accel::{CellId, Place};
@@ -249,6 +251,11 @@ fn heights(column: &[&Panel], tables: f32, room: f32, look: &Look) -> Vec<f32> {
     own.into_iter().map(&mut each).collect()
 }
 
+/// Whether a meter is there: with what follows it, and where nothing else stands.
+fn stands(meter: &Meter, filled: Filled, panels: &[Panel]) -> bool {
+    filled.shows(meter.entry) || panels.len() == 1
+}
+
 /// The panels, filled up to a step.
 pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
@@ -258,7 +265,7 @@ pub(crate) fn board(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Figure {
         let part = match panel {
             Panel::Table(table) => table::draw(table, filled, room, tables, &look),
             Panel::Chart(chart) => chart::draw(chart, filled, room, &look),
-            Panel::Meter(meter) if filled.shows(meter.entry) => meter::draw(meter, filled, room, &look),
+            Panel::Meter(meter) if stands(meter, filled, panels) => meter::draw(meter, filled, room, &look),
             // Its room waits.
             Panel::Meter(_) => continue,
             Panel::Maps(maps) => maps::draw(maps, filled, room, &look),
@@ -274,7 +281,7 @@ pub(crate) fn knobs(panels: &[Panel], step: usize, ask: &Ask<'_>) -> Vec<KnobLin
     let filled = Filled { step, asks: ask.hide };
     let Layout { look, rooms, .. } = layout(panels, filled, ask);
     let lines = rooms.into_iter().filter_map(|(panel, [corner, room])| match panel {
-        Panel::Meter(meter) if filled.shows(meter.entry) => {
+        Panel::Meter(meter) if stands(meter, filled, panels) => {
             Some(meter.lines_in(room, &look).into_iter().map(move |line| line.moved(corner)))
         }
         _ => None,
