@@ -226,6 +226,25 @@ fn what_cannot_be_exported_is_said_in_the_dialog() {
     check(&[], &[("Folder", &taken.to_string_lossy())], "it is no folder: name another one");
 }
 
+#[test]
+fn what_is_typed_wrong_is_said_at_once_and_taken_back_when_it_is_mended() {
+    let mut harness = dialog("5/33");
+    choose(&mut harness, "GIF");
+    choose(&mut harness, "steps");
+    for (name, wrong, says, right) in [
+        ("First and last step", "41..99", "Steps: the last one is 40.", "3..99"),
+        ("First and last step", "\u{221e}", "Steps: write the first and the last step", "7"),
+        ("Size", "99999999999x1", "Size: write two numbers from 16 to 16384", "64x64"),
+        ("Milliseconds of each step", "1e9", "Each step: write a whole number of milliseconds", "100"),
+        ("Folder", "  ", "Write the folder that the files shall go to.", "pictures/\u{e9}\u{df}"),
+    ] {
+        fill(&mut harness, name, wrong);
+        assert!(harness.query_by_label_contains(says).is_some(), "{name} {wrong}");
+        fill(&mut harness, name, right);
+        assert!(harness.query_by_label_contains(says).is_none(), "{name} {right}");
+    }
+}
+
 /// Waits for a sentence.
 fn until_said(harness: &mut Window, says: &str) {
     window::until(harness, |window| window.query_by_label_contains(says).is_some());

@@ -1,6 +1,6 @@
 //! Controls that follow from data: a structure's parameters, and names for what egui leaves nameless.
 
-use egui::{Checkbox, ComboBox, DragValue, Response, RichText, Role, Ui, WidgetInfo};
+use egui::{Button, Checkbox, ComboBox, DragValue, Response, RichText, Role, Stroke, Ui, WidgetInfo};
 use raystep_accel::{Allowed, Parameter};
 use raystep_figure::Theme;
 
@@ -19,6 +19,23 @@ pub(crate) fn within<R>(ui: &mut Ui, width: f32, add: impl FnOnce(&mut Ui) -> R)
         add(ui)
     })
     .inner
+}
+
+/// Something that is on or off. The edge of its box is seen on any ground.
+pub(crate) fn tick(ui: &mut Ui, on: &mut bool, text: &str) -> Response {
+    let edges = |ui: &mut Ui| {
+        let quiet = Stroke::new(1.2, ui.visuals().weak_text_color());
+        ui.visuals_mut().widgets.inactive.bg_stroke = quiet;
+        ui.visuals_mut().widgets.noninteractive.bg_stroke = quiet;
+        ui.add(if text.is_empty() { Checkbox::without_text(on) } else { Checkbox::new(on, text) })
+    };
+    ui.scope(edges).inner
+}
+
+/// The button that does what a dialog is for.
+pub(crate) fn main_button(ui: &mut Ui, text: &str) -> Response {
+    let (here, page) = (ui.visuals().hyperlink_color, ui.visuals().panel_fill);
+    ui.add(Button::new(RichText::new(text).color(page)).fill(here))
 }
 
 /// Whether a change is one of its own, or goes on with a drag: undo takes a whole drag back at once.
@@ -67,7 +84,7 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<(String, C
     match parameter.allowed {
         Allowed::Flag => {
             let mut on = parameter.value == "true";
-            let response = ui.add(Checkbox::without_text(&mut on));
+            let response = tick(ui, &mut on, "");
             response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, on, label));
             response.changed().then(|| (on.to_string(), Change::Begins))
         }

@@ -1,6 +1,6 @@
 //! The strip over the second picture: what it shows, and how it keeps in step.
 
-use egui::{Align, Checkbox, ComboBox, Layout, PopupCloseBehavior, Rect, RichText, Ui, vec2};
+use egui::{Align, ComboBox, Layout, PopupCloseBehavior, Rect, RichText, Ui, vec2};
 use raystep_accel::Rule;
 use raystep_figure::{Face, Role};
 
@@ -79,7 +79,7 @@ fn several(ui: &mut Ui, state: &State, now: Rivals) -> Option<Rivals> {
             let mut on = now.has(kind);
             let room = on || now.count() < Rivals::MOST;
             let only = on && now.count() == 1;
-            let check = ui.add_enabled(room && !only, Checkbox::new(&mut on, kind_name(kind)));
+            let check = ui.add_enabled_ui(room && !only, |ui| controls::tick(ui, &mut on, kind_name(kind))).inner;
             if check.on_disabled_hover_text("From one to three stand beside it").changed() {
                 chosen = Some(if on { now.with(kind) } else { now.without(kind) });
             }

@@ -58,6 +58,24 @@ pub(super) enum Page {
     Own,
 }
 
+/// What is typed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Field {
+    /// The first and the last step.
+    Steps,
+    /// How large a picture is.
+    Size,
+    /// How long each step of a film stays.
+    Delay,
+    /// Where files are written to.
+    Folder,
+}
+
+impl Field {
+    /// All of them, from above.
+    pub(super) const ALL: [Field; 4] = [Field::Steps, Field::Size, Field::Delay, Field::Folder];
+}
+
 /// Why a view is not there, alone and among others on a plate.
 struct Lacking {
     view: View,
@@ -139,13 +157,36 @@ impl Form {
         self.of.as_ref().map_or(0, |made| made.steps().last())
     }
 
+    /// What is wrong with what is typed in a field. What is greyed says nothing.
+    pub(super) fn wrong(&self, field: Field) -> Option<String> {
+        let named = |name: &str, wrong: String| format!("{name}: {wrong}.");
+        match field {
+            Field::Steps if self.chosen() == Which::Steps => match span(&self.steps) {
+                Ok(steps) if *steps.start() > self.last() => {
+                    Some(named("Steps", format!("the last one is {}", self.last())))
+                }
+                steps => steps.err().map(|wrong| named("Steps", wrong)),
+            },
+            Field::Size if self.draws().is_none() => {
+                self.size.trim().parse::<Size>().err().map(|wrong| named("Size", wrong))
+            }
+            Field::Delay if self.moves().is_none() => delay(&self.delay).err().map(|wrong| named("Each step", wrong)),
+            Field::Folder if self.folder.trim().is_empty() => {
+                Some("Write the folder that the files shall go to.".to_owned())
+            }
+            Field::Steps | Field::Size | Field::Delay | Field::Folder => None,
+        }
+    }
+
     /// What the form says, at this step. What is greyed says nothing.
     pub(super) fn wish(&self, step: usize) -> Result<Wish, Fault> {
-        let named = |name: &str, wrong: String| Fault::new(format!("{name}: {wrong}."));
+        if let Some(wrong) = Field::ALL.into_iter().find_map(|field| self.wrong(field)) {
+            return Err(Fault::new(wrong));
+        }
         let which = match self.chosen() {
             Which::This => Steps::Steps(step..=step),
             Which::Beats => Steps::Beats,
-            Which::Steps => Steps::Steps(span(&self.steps).map_err(|wrong| named("Steps", wrong))?),
+            Which::Steps => Steps::Steps(span(&self.steps).map_err(Fault::new)?),
         };
         let pieces = match self.page {
             Page::Own if self.draws().is_none() => self.pieces.clone(),
@@ -159,16 +200,13 @@ impl Form {
             Page::Own => View::Plate,
         };
         let size = match self.draws() {
-            None => self.size.trim().parse::<Size>().map_err(|wrong| named("Size", wrong))?,
+            None => self.size.trim().parse::<Size>().map_err(Fault::new)?,
             Some(_) => Size::USUAL,
         };
         let delay = match self.moves() {
-            None => delay(&self.delay).map_err(|wrong| named("Each step", wrong))?,
+            None => delay(&self.delay).map_err(Fault::new)?,
             Some(_) => STEP_MILLIS,
         };
-        if self.folder.trim().is_empty() {
-            return Err(Fault::new("Write the folder that the files shall go to."));
-        }
         let order = Order {
             pieces,
             lettering: if self.spells().is_none() { self.lettering } else { Lettering::Outlines },

@@ -9,7 +9,7 @@ use std::path::Path;
 use egui::{Key, RichText, ScrollArea, Ui, vec2};
 use raystep_figure::{Face, Role, Theme};
 
-use self::form::Form;
+use self::form::{Field, Form};
 use crate::fault::Fault;
 use crate::shown::state::State;
 use crate::window::look::controls;
@@ -84,11 +84,17 @@ impl Dialog {
             ui.label(RichText::new("Export").font(font(Face::Bold, 20.0)));
             ui.add_space(2.0);
             let area = ScrollArea::vertical().max_height(room.y).auto_shrink([false, true]);
+            let folder = form.folder.clone();
             if area.show(ui, |ui| rows::show(ui, form, state)).inner {
                 asked = Some(Asked::Folder);
             }
             ui.add_space(2.0);
-            match &self.wrong {
+            // What was refused was refused of that folder.
+            if form.folder != folder {
+                self.wrong = None;
+            }
+            let typed = Field::ALL.into_iter().find_map(|field| form.wrong(field));
+            match typed.as_ref().or(self.wrong.as_ref()) {
                 Some(wrong) => ui.label(RichText::new(wrong).color(ink(theme, Role::Wrong))),
                 None => {
                     let hint = "The whole lecture: raystep export --all --beats --out FOLDER";
@@ -96,7 +102,7 @@ impl Dialog {
                 }
             };
             ui.horizontal(|ui| {
-                write = ui.button("Write").clicked();
+                write = controls::main_button(ui, "Write").clicked();
                 close = ui.button("Cancel").clicked();
             });
         });

@@ -1,14 +1,15 @@
 //! The rows of the dialog. What makes no sense is greyed, and says why when it is pointed at.
 
 use clap::ValueEnum;
-use egui::{Button, TextEdit, Ui, vec2};
+use egui::{Button, Stroke, StrokeKind, TextEdit, Ui, vec2};
 use raystep_accel::Grain;
 use raystep_figure::Theme;
 use raystep_print::Lettering;
 
-use super::form::{Form, Page, Which};
+use super::form::{Field, Form, Page, Which};
 use crate::export::{Format, Piece, View};
 use crate::shown::state::State;
+use crate::window::look::controls;
 
 /// How wide the names of rows are, and how far they lie apart.
 const NAMES: f32 = 72.0;
@@ -29,7 +30,11 @@ pub(super) fn show(ui: &mut Ui, form: &mut Form, state: &State) -> bool {
         let no_picture = form.draws();
         for view in View::value_variants() {
             let why = no_picture.or(form.lacks(*view));
-            choose(ui, &mut form.page, Page::View(*view), view.name(), &format!("View {}", view.name()), why);
+            let about = view.to_possible_value().and_then(|value| value.get_help().map(ToString::to_string));
+            let chosen = form.page == Page::View(*view);
+            if pick(ui, chosen, view.name(), &format!("View {}", view.name()), why, about.as_deref()) {
+                form.page = Page::View(*view);
+            }
         }
         choose(ui, &mut form.page, Page::Own, "own plate", "View own plate", no_picture);
     });
@@ -53,12 +58,15 @@ pub(super) fn show(ui: &mut Ui, form: &mut Form, state: &State) -> bool {
     });
     row(ui, "Size", |ui| {
         let why = form.draws();
-        field(ui, &mut form.size, 100.0, "Size", why);
+        let wrong = form.wrong(Field::Size);
+        field(ui, &mut form.size, 100.0, "Size", why, wrong);
         for usual in ["1280x800", "1600x1000", "1920x1080", "3200x2000"] {
             let word = usual.replace('x', "×");
             choose(ui, &mut form.size, usual.to_owned(), &word, &word, why);
         }
-        toggle(ui, &mut form.crop, "cut margins off", why);
+    });
+    row(ui, "Page", |ui| {
+        toggle(ui, &mut form.crop, "cut margins off", form.draws());
         let why = form.bares();
         toggle(ui, &mut form.clear, "no ground", why);
     });
@@ -66,7 +74,7 @@ pub(super) fn show(ui: &mut Ui, form: &mut Form, state: &State) -> bool {
         let why = form.draws();
         for theme in Theme::ALL {
             let name = format!("Theme {}", theme.name);
-            if pick(ui, form.theme.name == theme.name, theme.name, &name, why) {
+            if pick(ui, form.theme.name == theme.name, theme.name, &name, why, None) {
                 form.theme = theme;
             }
         }
@@ -82,13 +90,15 @@ pub(super) fn show(ui: &mut Ui, form: &mut Form, state: &State) -> bool {
         }
         ui.add_space(10.0);
         let why = form.moves();
-        ui.add_enabled(why.is_none(), egui::Label::new("each"));
-        field(ui, &mut form.delay, 52.0, "Milliseconds of each step", why);
+        ui.add_enabled(why.is_none(), egui::Label::new("each for"));
+        let wrong = form.wrong(Field::Delay);
+        field(ui, &mut form.delay, 52.0, "Milliseconds of each step", why, wrong);
         ui.add_enabled(why.is_none(), egui::Label::new("ms"));
     });
     row(ui, "Folder", |ui| {
         let width = (ui.available_width() - 90.0).max(120.0);
-        field(ui, &mut form.folder, width, "Folder", None);
+        let wrong = form.wrong(Field::Folder);
+        field(ui, &mut form.folder, width, "Folder", None, wrong);
         ui.button("Choose").clicked()
     })
 }
@@ -97,17 +107,18 @@ fn steps(ui: &mut Ui, form: &mut Form, now: usize) {
     let chosen = form.chosen();
     let (one, many) = (form.one_step(), form.steps_matter());
     let all = if form.format.is_film() || many.is_some() { "all steps" } else { "all beats" };
-    if pick(ui, chosen == Which::This, &format!("this step ({now})"), &format!("this step ({now})"), one) {
+    if pick(ui, chosen == Which::This, &format!("this step ({now})"), &format!("this step ({now})"), one, None) {
         form.which = Which::This;
     }
-    if pick(ui, chosen == Which::Beats, all, all, many) {
+    if pick(ui, chosen == Which::Beats, all, all, many, None) {
         form.which = Which::Beats;
     }
-    if pick(ui, chosen == Which::Steps, "steps", "steps", many) {
+    if pick(ui, chosen == Which::Steps, "steps", "steps", many, None) {
         form.which = Which::Steps;
     }
     let unnamed = (chosen != Which::Steps).then_some("Choose steps to name them.");
-    field(ui, &mut form.steps, 100.0, "First and last step", many.or(unnamed));
+    let wrong = form.wrong(Field::Steps);
+    field(ui, &mut form.steps, 100.0, "First and last step", many.or(unnamed), wrong);
     ui.add_enabled(many.is_none(), egui::Label::new(format!("of 0..{}", form.last())));
 }
 
@@ -116,7 +127,7 @@ fn pieces(ui: &mut Ui, form: &mut Form) {
     for piece in Piece::all() {
         let (name, why) = (piece.name(), unwanted.or(form.lacks_piece(piece)));
         let stands = form.pieces.contains(&piece);
-        if pick(ui, stands && unwanted.is_none(), name, &format!("Pane {name}"), why) {
+        if pick(ui, stands && unwanted.is_none(), name, &format!("Pane {name}"), why, None) {
             match stands {
                 true => form.pieces.retain(|other| *other != piece),
                 false => form.pieces.push(piece),
@@ -140,30 +151,38 @@ fn row<R>(ui: &mut Ui, name: &str, add: impl FnOnce(&mut Ui) -> R) -> R {
     shown.inner
 }
 
-/// A button that is chosen or not; says whether it was clicked. Where it makes no sense, `why` says so.
-fn pick(ui: &mut Ui, chosen: bool, text: &str, name: &str, why: Option<&str>) -> bool {
+/// A button that is chosen or not; says whether it was clicked. Where it makes no sense, `why` says so; else `about` says
+/// what it is.
+fn pick(ui: &mut Ui, chosen: bool, text: &str, name: &str, why: Option<&str>, about: Option<&str>) -> bool {
     let response = ui.add_enabled(why.is_none(), Button::selectable(chosen, text));
     response.widget_info(|| {
         let name = why.map_or_else(|| name.to_owned(), |why| format!("{name}: {why}"));
         egui::WidgetInfo::selected(egui::Role::Button, why.is_none(), chosen, name)
     });
     let response = response.on_disabled_hover_text(why.unwrap_or_default());
+    let response = about.into_iter().fold(response, egui::Response::on_hover_text);
     response.clicked()
 }
 
 fn choose<T: PartialEq>(ui: &mut Ui, value: &mut T, choice: T, text: &str, name: &str, why: Option<&str>) {
-    if pick(ui, *value == choice, text, name, why) {
+    if pick(ui, *value == choice, text, name, why, None) {
         *value = choice;
     }
 }
 
 fn toggle(ui: &mut Ui, on: &mut bool, text: &str, why: Option<&str>) {
-    let response = ui.add_enabled(why.is_none(), egui::Checkbox::new(on, text));
+    let response = ui.add_enabled_ui(why.is_none(), |ui| controls::tick(ui, on, text)).inner;
     response.on_disabled_hover_text(why.unwrap_or_default());
 }
 
-fn field(ui: &mut Ui, text: &mut String, width: f32, name: &str, why: Option<&str>) {
+/// A field; around what is `wrong` there is a frame.
+fn field(ui: &mut Ui, text: &mut String, width: f32, name: &str, why: Option<&str>, wrong: Option<String>) {
     let field = ui.add_enabled(why.is_none(), TextEdit::singleline(text).desired_width(width));
     field.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, why.is_none(), name));
-    field.on_disabled_hover_text(why.unwrap_or_default());
+    let field = field.on_disabled_hover_text(why.unwrap_or_default());
+    if let Some(wrong) = wrong {
+        let stroke = Stroke::new(2.0, ui.visuals().error_fg_color);
+        ui.painter().rect_stroke(field.rect, 5.0, stroke, StrokeKind::Inside);
+        field.on_hover_text(wrong);
+    }
 }
