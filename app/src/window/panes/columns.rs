@@ -3,7 +3,7 @@
 
 use egui::{Frame, Panel, Ui};
 use raystep_accel::Place;
-use raystep_figure::{Look, Role};
+use raystep_figure::{Look, Role, listing_height};
 use raystep_lesson::{Plays, Show};
 
 use super::figure::figure;
@@ -20,6 +20,17 @@ const NARROW: f32 = 1400.0;
 
 /// Below this height of the page the tree stands behind a tab as well.
 const LOW: f32 = 540.0;
+
+/// Most of the height that the walk takes of itself, and the least height of a row and of what stands behind tabs.
+const WALK: f32 = 0.66;
+const ROW: f32 = 70.0;
+const TABS: f32 = 150.0;
+
+/// The height in which the walk stands whole.
+fn walk(state: &State) -> f32 {
+    let listing = state.slide().and_then(|slide| state.library.listing(&slide.listing));
+    listing.map_or(0.0, |listing| listing_height(listing.lines.len(), &Look::WINDOW))
+}
 
 fn narrow(ui: &Ui) -> bool {
     ui.ctx().content_rect().width() < NARROW
@@ -64,24 +75,27 @@ fn stacked(
 ) -> Option<Place> {
     let height = ui.available_height();
     let heights = &mut sizes.heights;
-    let rows = [
+    let mut rows = vec![
         (Pane::Work, "work", &mut heights.work, 0.148),
         (Pane::Stack, "stack", &mut heights.stack, 0.115),
         (Pane::Changed, "changed", &mut heights.changed, 0.162),
     ];
+    rows.retain(|(shown, ..)| has(kept, *shown));
+    // What follows from what is shown is higher, but the walk has its room first.
+    let own = |pane: Pane| kept.pictures.as_ref().and_then(|pictures| pictures.height(pane, &Look::WINDOW));
+    let wanted =
+        |(shown, _, _, part): &(Pane, _, _, f32)| (height * part).max(own(*shown).unwrap_or(0.0).min(height * 0.38));
+    let wanted: Vec<f32> = rows.iter().map(wanted).collect();
+    let left = height - walk(page.state).min(height * WALK);
+    let scale = (left / wanted.iter().sum::<f32>()).min(1.0);
     let mut under = None;
-    for (shown, name, size, part) in rows {
-        if !has(kept, shown) {
-            continue;
-        }
-        // What follows from what is shown is higher, and never so high that the walk disappears.
-        let own = kept.pictures.as_ref().and_then(|pictures| pictures.height(shown, &Look::WINDOW)).unwrap_or(0.0);
-        let usual = (height * part).max(own.min(height * 0.38));
-        let panel = Panel::bottom(salt(name, *size, height))
+    for ((shown, name, size, _), wanted) in rows.into_iter().zip(wanted) {
+        let usual = (wanted * scale).max(ROW);
+        let panel = Panel::bottom(salt(name, *size, usual))
             .frame(Frame::new())
             .resizable(true)
             .default_size(size.unwrap_or(usual))
-            .size_range(70.0..=height * 0.4);
+            .size_range(ROW..=height * 0.4);
         let shown = panel.show(ui, |ui| pane(ui, page, kept, shown, asked));
         note(ui, size, shown.response.rect.height(), usual);
         under = shown.inner.or(under);
@@ -101,8 +115,11 @@ fn tabs(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, sizes: &mut Remembered, as
     if !panes.contains(&sizes.tab) {
         sizes.tab = first;
     }
-    let usual = if low { height * 0.44 } else { (height * 0.28).max(176.0) };
-    let below = Panel::bottom(salt("tabs", sizes.heights.tabs, height))
+    let usual = match low {
+        true => height * 0.44,
+        false => (height * 0.28).max(176.0).min((height - walk(page.state)).max(TABS)),
+    };
+    let below = Panel::bottom(salt("tabs", sizes.heights.tabs, usual))
         .frame(Frame::new())
         .resizable(true)
         .default_size(sizes.heights.tabs.unwrap_or(usual))

@@ -81,6 +81,11 @@ pub fn listing(
     figure
 }
 
+/// How high a listing of so many lines is, with the numbers under one of them.
+pub fn listing_height(lines: usize, look: &Look) -> f32 {
+    look.heading(&mut Figure::default(), "", "") + look.line() * (lines as f32 + 1.0) + look.margin()
+}
+
 /// Which of a listing's lines stands at this height in the figure that [`listing`] draws.
 pub fn line_at(
     lines: &[ListingLine<'_>],

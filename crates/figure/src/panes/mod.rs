@@ -38,7 +38,7 @@ pub use cells::{cells, cells_of_build};
 pub use changed::{changed, changed_height, changed_of_build};
 pub use costs::costs;
 pub(crate) use fit::space_of_fit;
-pub use listing::{ListingLine, line_at, listing};
+pub use listing::{ListingLine, line_at, listing, listing_height};
 pub(crate) use packet::{
     listing_of_packet, matrix, matrix_height, rulers, rulers_height, space_of_packet, stack_of_packet, tree_of_packet,
 };
