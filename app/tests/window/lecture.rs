@@ -1,7 +1,7 @@
 //! Before a class: a clicker walks beat by beat, pages are covered, slides are found by number, and the class sees no
 //! dialog.
 
-use egui::{Key, Modifiers, pos2};
+use egui::{Event, Key, Modifiers, pos2};
 use egui_kittest::kittest::Queryable;
 use raystep::shown::command::Command;
 use raystep::shown::{Cover, InHand};
@@ -223,4 +223,23 @@ fn the_speaker_sees_the_answer_the_notes_and_what_comes() {
     harness.run_steps(2);
     assert!(harness.query_by_label_contains("only you see it").is_none());
     assert!(harness.state().state.present);
+}
+
+#[test]
+fn what_there_is_to_do_stands_on_the_wall_only_while_the_mouse_is_moved() {
+    let mut harness = class("3/18");
+    harness.state_mut().state.predict = false;
+    click(&mut harness, Key::End);
+    let button = |harness: &Window| harness.query_by_label("Build without the second look").map(|node| node.rect());
+    assert_eq!(button(&harness), None, "nobody in a class presses it");
+    harness.hover_at(pos2(300.0, 300.0));
+    harness.run_steps(2);
+    let there = button(&harness).expect("a hand that moves the mouse may press it");
+    // It rests: then nothing shows it any more.
+    harness.event(Event::PointerGone);
+    harness.run_steps(2);
+    assert_eq!(button(&harness), None, "a mouse that lies still shows nothing");
+    harness.hover_at(pos2(302.0, 300.0));
+    harness.run_steps(2);
+    assert_eq!(button(&harness), Some(there), "nothing has moved");
 }

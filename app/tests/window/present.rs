@@ -1,6 +1,6 @@
 //! The presenter's page: everything that is said and asked there is seen at once.
 
-use egui::{Key, Rect};
+use egui::{Key, Rect, pos2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use raystep::shown::command::Command;
 use raystep::window::{App, Remembered, Wishes};
@@ -66,6 +66,8 @@ fn look(harness: &mut Window, size: [f32; 2], what: &str) -> usize {
     let mut looked = 0;
     let mut check = |harness: &mut Window, what: &str| {
         loop {
+            // Where the mouse is moved stand the buttons of what there is to do as well.
+            harness.hover_at(pos2(2.0, 2.0 + (looked % 2) as f32));
             harness.run_steps(1);
             let out = out_of_room(harness, size);
             assert!(out <= 1.0, "{what} at {size:?}: {out} out of the room");

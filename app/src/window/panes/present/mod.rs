@@ -123,7 +123,9 @@ fn side_page(
     let at = kept.pages.at(page.state, pages.len());
     let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
     let speech = pages.get(at)?;
-    asked.extend(speech.show(&mut child, &mut kept.formulas, &prose).map(Asked::Command));
+    // Nobody in a class presses a button: they are there for the hand that moves the mouse.
+    let offers = kept.uncovered || ui.input(|input| input.pointer.has_pointer());
+    asked.extend(speech.show(&mut child, &mut kept.formulas, &prose, offers).map(Asked::Command));
     let end = child.min_rect().bottom();
     if pages.len() > 1 {
         let says = format!("{} of {}", at + 1, pages.len());

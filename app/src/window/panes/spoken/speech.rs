@@ -127,11 +127,23 @@ impl Speech {
         heights.sum::<f32>() + gap(prose.size) * self.0.len().saturating_sub(1) as f32
     }
 
-    /// Shows it; says which command was asked for.
-    pub(crate) fn show(&self, ui: &mut Ui, formulas: &mut Formulas, prose: &Prose<'_>) -> Option<Command> {
+    /// Shows it; says which command was asked for. What there is to do stands there only if it `offers` that: else its
+    /// room stays empty.
+    pub(crate) fn show(
+        &self,
+        ui: &mut Ui,
+        formulas: &mut Formulas,
+        prose: &Prose<'_>,
+        offers: bool,
+    ) -> Option<Command> {
         let mut asked = None;
         ui.spacing_mut().item_spacing.y = gap(prose.size);
         for part in &self.0 {
+            if matches!(part, Part::Offers(_)) && !offers {
+                let width = ui.available_width();
+                ui.allocate_space(vec2(width, part.height(ui, formulas, prose, width)));
+                continue;
+            }
             ui.scope(|ui| asked = part.show(ui, formulas, prose).or(asked));
         }
         asked

@@ -240,7 +240,7 @@ fn heights(column: &[&Panel], tables: f32, room: f32, look: &Look) -> Vec<f32> {
     let gaps = apart * (own.len() - pictures) as f32;
     let mut left = (left - gaps).max(0.0);
     let mut still = pictures;
-    let mut each = |own: Option<f32>| match own {
+    let each = |own: Option<f32>| match own {
         Some(height) => height + apart,
         None => {
             let height = if still > 1 { left * PICTURE } else { left };
@@ -248,7 +248,7 @@ fn heights(column: &[&Panel], tables: f32, room: f32, look: &Look) -> Vec<f32> {
             height
         }
     };
-    own.into_iter().map(&mut each).collect()
+    own.into_iter().map(each).collect()
 }
 
 /// Whether a meter is there: with what follows it, and where nothing else stands.
