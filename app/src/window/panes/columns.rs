@@ -24,7 +24,7 @@ const LOW: f32 = 540.0;
 /// Most of the height that the walk takes of itself, and the least height of a row and of what stands behind tabs.
 const WALK: f32 = 0.66;
 const ROW: f32 = 70.0;
-const TABS: f32 = 150.0;
+const TABS: f32 = 124.0;
 
 /// The height in which the walk stands whole.
 fn walk(state: &State) -> f32 {

@@ -66,7 +66,9 @@ pub(super) fn show(ui: &mut Ui, form: &mut Form, state: &State) -> bool {
         }
     });
     row(ui, "Page", |ui| {
-        toggle(ui, &mut form.crop, "cut margins off", form.draws());
+        let why = form.draws();
+        toggle(ui, &mut form.crop, "cut margins off", why);
+        ui.add_space(10.0);
         let why = form.bares();
         toggle(ui, &mut form.clear, "no ground", why);
     });

@@ -9,8 +9,6 @@ mod meter;
 mod pictures;
 mod probe;
 mod table;
-#[cfg(test)]
-mod tests;
 
 use glam::Vec2;
 use raystep_accel::{CellId, Place};
@@ -97,6 +95,9 @@ const CHART: f32 = 0.58;
 
 /// The part of the height that a picture has where there is another one.
 const PICTURE: f32 = 0.55;
+
+/// The part of the usual height of heat maps that they leave to no table.
+const MAPS: f32 = 0.75;
 
 /// Most room between a table or a meter and what stands below it, in letters.
 const APART: f32 = 2.2;
@@ -220,13 +221,17 @@ fn own_height(panel: &Panel, tables: f32, look: &Look) -> Option<f32> {
 /// The letters of all tables of a column: as large as the room for all that stands there allows, within reason.
 fn table_letters(column: &[&Panel], room: Vec2, look: &Look) -> f32 {
     let tables = || column.iter().filter_map(|panel| if let Panel::Table(table) = panel { Some(table) } else { None });
-    let pictures = column.iter().filter(|panel| own_height(panel, 0.0, look).is_none());
-    let meters = column.iter().filter(|panel| matches!(panel, Panel::Meter(_)));
-    let others: f32 = pictures.clone().chain(meters).map(|panel| letters(panel)[1] * look.text).sum();
+    let least = |panel: &Panel| match panel {
+        Panel::Table(_) => 0.0,
+        Panel::Maps(_) => letters(panel)[1] * MAPS,
+        Panel::Meter(_) | Panel::Chart(_) | Panel::Pictures(_) => letters(panel)[1],
+    };
+    let others = look.text * column.iter().map(|panel| least(panel)).sum::<f32>();
     let heads: f32 = tables().map(|table| table.height(0.0, look)).sum();
     let lines: f32 = tables().map(|table| table.height(1.0, look) - table.height(0.0, look)).sum();
     // Beside pictures it is they that grow.
-    let largest = look.text * if pictures.count() > 0 { table::BESIDE } else { table::LARGEST };
+    let pictures = column.iter().any(|panel| own_height(panel, 0.0, look).is_none());
+    let largest = look.text * if pictures { table::BESIDE } else { table::LARGEST };
     let across = tables().map(|table| table.across(room.x, look)).fold(largest, f32::min);
     across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST)
 }
