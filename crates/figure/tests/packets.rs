@@ -140,7 +140,7 @@ fn who_takes_part_stands_beside_each_node() {
     }
     let tree = walk.draw(&at, Pane::Tree, &Ask::new(SIZE, Look::WINDOW)).unwrap();
     let mut cells = std::collections::BTreeMap::new();
-    let small = |mark: &&Mark| matches!(mark.ink, Ink::Rect { min, max, .. } if max.x - min.x < 9.0);
+    let small = |mark: &&Mark| matches!(mark.ink, Ink::Rect { min, max, .. } if max.x - min.x < 12.0);
     for mark in tree.marks.iter().filter(small) {
         if let (Some(Place::Node(node)), Role::Lane | Role::Edge) = (mark.place, mark.role) {
             let filled: &mut String = cells.entry(node).or_default();

@@ -67,3 +67,24 @@ fn covered(figure: &Figure, min: Vec2, max: Vec2) -> usize {
     });
     each.sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_small_picture_is_nearer_where_it_shows_more() {
+        let seen_from = |distance: f32| Camera::Solid {
+            eye: Vec3::NEG_Y * distance,
+            target: Vec3::ZERO,
+            up: Vec3::Z,
+            fov_degrees: 40.0,
+        };
+        let (small, large) = (Vec2::new(300.0, 240.0), Vec2::new(1000.0, 720.0));
+        let nearer = |at, distance| is_nearer(at, (&seen_from(distance), small), (&seen_from(10.0), large));
+        // A third as high, it must be seen from less than a third as far to be as large.
+        assert!(nearer(Vec3::ZERO, 2.0) && !nearer(Vec3::ZERO, 3.0));
+        // What lies beside the large picture is seen nowhere else.
+        assert!(nearer(Vec3::X * 20.0, 3.0));
+    }
+}

@@ -1,5 +1,7 @@
 //! Sums in a text: they come out as they stand there, with as many digits as that takes.
 
+use std::ops::Range;
+
 use super::number::{digits, number};
 
 /// The most digits that a number of a sum has. One that does not come out even so is said to come out nearly: `≈`.
@@ -36,10 +38,9 @@ pub(crate) fn come_out(pieces: &[Piece]) -> String {
         let at_digits = |counts: &[usize]| {
             let (text, spans) = written(pieces, counts);
             let at = text.match_indices(" = ").nth(nth)?.0;
-            let start = sum_before(&text[..at])?;
-            let right = result_after(&text[at + 3..])?;
-            let comes = number(value_of(&text[start..at])? as f32) == right;
-            let within = spans.iter().enumerate().filter(|(_, (from, to))| *from >= start && *to <= at);
+            let (sum, result) = equation(&text, at)?;
+            let comes = number(value_of(&text[sum.clone()])? as f32) == result;
+            let within = spans.iter().enumerate().filter(|(_, (from, to))| *from >= sum.start && *to <= sum.end);
             Some((comes, within.map(|(index, _)| index).collect::<Vec<_>>()))
         };
         let Some((false, within)) = at_digits(&counts) else { continue };
@@ -75,6 +76,16 @@ fn written(pieces: &[Piece], counts: &[usize]) -> (String, Vec<(usize, usize)>) 
     (text, spans)
 }
 
+/// A sum and what it comes to, around the sign at this place: whichever stands first.
+fn equation(text: &str, at: usize) -> Option<(Range<usize>, &str)> {
+    let (before, after) = (&text[..at], &text[at + 3..]);
+    if let (Some(start), Some(result)) = (sum_before(before), result_after(after)) {
+        return Some((start..at, result));
+    }
+    let end = sum_after(after)?;
+    Some((at + 3..at + 3 + end, result_before(before)?))
+}
+
 /// Where the longest sum begins that ends with this text.
 fn sum_before(text: &str) -> Option<usize> {
     let of_sums = |c: char| c.is_ascii_digit() || " .,()−+-·×/".contains(c);
@@ -96,6 +107,30 @@ fn result_after(text: &str) -> Option<&str> {
     let found = found.trim_end_matches([',', '.']);
     let goes_on = rest.trim_start().starts_with(['−', '+', '-', '·', '×', '/', '⁻', '\\', '^'])
         || rest.starts_with(|c: char| c.is_alphanumeric());
+    (found.contains(|c: char| c.is_ascii_digit()) && !goes_on).then_some(found)
+}
+
+/// Where the longest sum ends with which a text begins.
+fn sum_after(text: &str) -> Option<usize> {
+    let of_sums = |c: char| c.is_ascii_digit() || " .,()−+-·×/".contains(c);
+    let run = text.find(|c| !of_sums(c)).unwrap_or(text.len());
+    let ends = text[..run].char_indices().map(|(at, c)| at + c.len_utf8()).rev();
+    let goes_on = |end: usize| {
+        let rest = text[end..].trim_start();
+        rest.starts_with(['−', '+', '-', '·', '×', '/', '\\', '^', '⁻'])
+            || text[end..].starts_with(char::is_alphanumeric)
+    };
+    let mut ends = ends.filter(|end| !text[..*end].ends_with(' ') && !goes_on(*end));
+    ends.find(|end| value_of(&text[..*end]).is_some())
+}
+
+/// The number with which a text ends, if nothing is done to it.
+fn result_before(text: &str) -> Option<&str> {
+    let inner = |c: char| c.is_ascii_digit() || ",.−".contains(c);
+    let start = text.rfind(|c| !inner(c)).map_or(0, |at| at + text[at..].chars().next().map_or(1, char::len_utf8));
+    let (rest, found) = text.split_at(start);
+    let goes_on =
+        rest.trim_end().ends_with(['−', '+', '-', '·', '×', '/', '(']) || rest.ends_with(|c: char| c.is_alphanumeric());
     (found.contains(|c: char| c.is_ascii_digit()) && !goes_on).then_some(found)
 }
 
@@ -189,6 +224,9 @@ mod tests {
         // Only what stands before the sign gets more of them.
         let two = [exact(0.51234), text(": 5000 · "), exact(0.51234), text(" = "), exact(2561.7), text(".")];
         assert_eq!(come_out(&two), "0.512: 5000 · 0.5123 = 2562.");
+        // The sum may stand behind it.
+        let behind = [exact(2561.7), text(" = 5000 · "), exact(0.51234), text(" primitives")];
+        assert_eq!(come_out(&behind), "2562 = 5000 · 0.5123 primitives");
         // What was computed in another order of roundings comes out nearly.
         assert_eq!(chance("2 · ", 0.5, 1.25), "2 · 0.5 ≈ 1.25");
     }
