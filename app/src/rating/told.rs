@@ -49,20 +49,20 @@ fn bytes(value: f64) -> String {
 
 /// A sentence for each structure, those in the order in which they stand; times are left out unless they are asked for.
 pub(crate) fn told(rated: &[Rated], times: bool) -> Vec<String> {
-    rated.iter().enumerate().map(|(index, own)| sentence(rated, index, own, times)).collect()
+    rated.iter().map(|own| sentence(rated, own, times)).collect()
 }
 
-fn sentence(rated: &[Rated], index: usize, own: &Rated, times: bool) -> String {
+fn sentence(rated: &[Rated], own: &Rated, times: bool) -> String {
     // Like is compared with like: those of the textbook with each other, and those at full speed.
     let alike = |other: &Rated| !other.is_list() && other.what.is_fast() == own.what.is_fast();
-    let structures: Vec<(usize, &Rated)> = rated.iter().enumerate().filter(|(_, other)| alike(other)).collect();
+    let structures: Vec<&Rated> = rated.iter().filter(|other| alike(other)).collect();
     let measures = || MEASURES.iter().filter(|measure| times || !measure.time);
     let best = |measure: &Measure| {
-        let least = |a: &&(usize, &Rated), b: &&(usize, &Rated)| (measure.of)(a.1).total_cmp(&(measure.of)(b.1));
+        let least = |a: &&&Rated, b: &&&Rated| (measure.of)(a).total_cmp(&(measure.of)(b));
         structures.iter().min_by(least).copied()
     };
     if own.is_list() {
-        let against = best(&MEASURES[0]).map_or_else(String::new, |(_, least)| {
+        let against = best(&MEASURES[0]).map_or_else(String::new, |least| {
             format!(", {} times those of the {}", number((own.tests / least.tests) as f32), named(least.what.name()))
         });
         return format!(
@@ -72,14 +72,13 @@ fn sentence(rated: &[Rated], index: usize, own: &Rated, times: bool) -> String {
         );
     }
     let first: Vec<String> = measures()
-        .filter(|measure| best(measure).is_some_and(|(least, _)| least == index))
+        .filter(|measure| best(measure).is_some_and(|least| (measure.of)(least) == (measure.of)(own)))
         .map(|measure| format!("{} ({})", measure.least, (measure.says)((measure.of)(own))))
         .collect();
     // How far it lies from the best, in factors.
     let mut behind: Vec<(f64, &Measure, &Rated)> = measures()
         .filter_map(|measure| {
-            let (least, other) = best(measure).filter(|(least, _)| *least != index)?;
-            let _ = least;
+            let other = best(measure).filter(|least| (measure.of)(least) != (measure.of)(own))?;
             Some(((measure.of)(own) / (measure.of)(other).max(f64::MIN_POSITIVE), measure, other))
         })
         .collect();
@@ -140,6 +139,7 @@ mod tests {
             rated("grid", [30.0, 20.0, 1.0, 3.0], 4000),
             rated("kd", [2.0, 10.0, 50.0, 1.0], 80_000),
             rated("bvh", [3.0, 15.0, 20.0, 1.5], 8000),
+            rated("octree", [2.0, 18.0, 20.0, 1.5], 8000),
         ];
         assert_eq!(
             told(&all, true),
@@ -150,14 +150,15 @@ mod tests {
                  time to build of the grid.",
                 "BVH: first in nothing; at best 1.5 times the tests of the kd-tree, at worst 20 times the time to build \
                  of the grid.",
+                "Octree: fewest tests (2 a ray); for that, 20 times the time to build of the grid.",
             ]
         );
         let fast = |kind, numbers, bytes| Rated { what: Candidate::Fast(kind), ..rated("kd", numbers, bytes) };
         let more = [fast(FastKind::Bvh2, [1.0, 8.0, 2.0, 0.2], 9000), fast(FastKind::Bvh8, [2.0, 4.0, 3.0, 0.1], 9500)];
         let more = told(&[&all[..], &more].concat(), true);
-        assert_eq!(more[..4], told(&all, true), "those of the textbook are compared with each other");
+        assert_eq!(more[..5], told(&all, true), "those of the textbook are compared with each other");
         assert_eq!(
-            more[4..],
+            more[5..],
             [
                 "Fast BVH2: fewest tests (1 a ray), quickest to build (2 ms) and smallest (9000 bytes); for that, 2 times \
                  the time of a ray of the fast BVH8.",

@@ -221,7 +221,7 @@ fn what_changed_is_what_is_not_as_before() {
 
     let weigh = played.grown.iter().position(|event| matches!(event, Grow::Weigh { .. })).unwrap() + 2;
     let [before, now] = [weigh - 1, weigh].map(|step| GrowMoment::at(&played.grown, step));
-    check("changed_weigh", &changed_of_build(&before, &now, size, &LOOK));
+    check("changed_weigh", &changed_of_build(&before, &now, false, size, &LOOK));
 }
 
 #[test]

@@ -9,9 +9,10 @@ use crate::shown::playback::{Playback, Posed};
 
 impl State {
     /// The question that is open now: it is answered by the next step. Where a beat speaks at this step it is heard
-    /// first, and the question opens when one goes on; before a class there is always something to look at first.
+    /// first, and the question opens when one goes on; before a class a slide does not open with one either. Elsewhere
+    /// the step before the answer is never shown without its question: it may give the answer away.
     pub fn question(&self) -> Option<&Posed> {
-        self.posed_here().filter(|_| self.asking || !self.present && !self.speaks())
+        self.posed_here().filter(|_| self.asking || !(self.speaks() || self.present && self.begins()))
     }
 
     /// The question that waits until the beat of this step has been read.
@@ -22,6 +23,11 @@ impl State {
     fn posed_here(&self) -> Option<&Posed> {
         let playback = self.playback.as_ref().filter(|_| self.predict)?;
         playback.posed.iter().find(|posed| posed.before == self.view.step)
+    }
+
+    /// Whether nothing was said or asked on this slide before this step.
+    fn begins(&self) -> bool {
+        self.stops().into_iter().all(|step| step >= self.view.step)
     }
 
     /// Whether a beat stands at this very step.

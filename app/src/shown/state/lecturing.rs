@@ -113,7 +113,7 @@ impl State {
     }
 
     /// The steps at which something is said or asked.
-    fn stops(&self) -> Vec<usize> {
+    pub(super) fn stops(&self) -> Vec<usize> {
         let Some(playback) = &self.playback else { return Vec::new() };
         let asked = playback.posed.iter().filter(|_| self.predict).map(|posed| posed.before);
         playback.play.beats.iter().flatten().copied().chain(asked).collect()

@@ -121,7 +121,7 @@ impl Kind for Build<'_> {
     }
 
     fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
-        Some(changed_of_build(before.state(), at.state(), ask.size, &ask.look))
+        Some(changed_of_build(before.state(), at.state(), ask.hide, ask.size, &ask.look))
     }
 
     fn symbol_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {

@@ -32,9 +32,11 @@ pub fn changed(walk: &Walk<'_>, before: &Moment, now: &Moment, size: Vec2, look:
     draw(before.step, now.step, &rows, size, look)
 }
 
-/// What a builder has changed since an earlier moment.
-pub fn changed_of_build(before: &GrowMoment, now: &GrowMoment, size: Vec2, look: &Look) -> Figure {
-    let rows = compared(&of_build(before), of_build(now));
+/// What a builder has changed since an earlier moment. While a question is open, `hide` leaves out what is counted in all:
+/// it may be asked for.
+pub fn changed_of_build(before: &GrowMoment, now: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
+    let mut rows = compared(&of_build(before), of_build(now));
+    rows.retain(|row| !hide || row.now.name != STORED);
     draw(before.step, now.step, &rows, size, look)
 }
 
@@ -49,6 +51,9 @@ fn compared(before: &[Watched], now: Vec<Watched>) -> Vec<Row> {
     let rows = now.into_iter().map(|now| Row { before: old(&now.name), now });
     rows.filter(|row| row.now.says.is_some() && row.now.says != row.before).collect()
 }
+
+/// The name of how many references there are in all.
+const STORED: &str = "stored";
 
 /// The values of a list, in the order in which they are read.
 #[derive(Default)]
@@ -145,7 +150,12 @@ fn of_build(moment: &GrowMoment) -> Vec<Watched> {
     all.place("node", moment.node.map(Place::Node));
     let extent = (!moment.bounds.is_empty()).then(|| value(&raystep_accel::Value::Box(moment.bounds)));
     all.says("box", extent);
-    if let Some(weighed) = moment.weighed.last() {
+    // Where the node is cut it is the split that is taken, not the one that was weighed last.
+    let weighed = match moment.event {
+        Some(Grow::Split { .. }) => moment.cheapest(),
+        _ => moment.weighed.last().copied(),
+    };
+    if let Some(weighed) = weighed {
         all.number(coordinate(weighed.axis), Some(weighed.plane));
         all.count("n_below", u64::from(weighed.below));
         all.count("n_above", u64::from(weighed.above));
@@ -162,7 +172,7 @@ fn of_build(moment: &GrowMoment) -> Vec<Watched> {
     let tally = &moment.tally;
     all.count("cells met", tally.rasterised);
     all.count("not reached", tally.pruned);
-    all.count("stored", tally.stored);
+    all.count(STORED, tally.stored);
     all.count("splits", tally.taken);
     all.count("leaves", tally.leaves);
     all.count("nodes that wait", moment.waiting.len() as u64);
