@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{KdLayout, Place, Structure};
 use raystep_figure::{
-    Ask, Build, Depth, Figure, Fitting, Form, Ink, Look, Nodes, PacketWalk, Pane, Reel, Role, Space, Walk,
+    Ask, Build, Depth, Figure, Fitting, Form, Ink, Look, Nodes, PacketWalk, Pane, Reel, Role, Space, VolumeName, Walk,
 };
 use raystep_lesson::{Library, Play, Plays, Slide, Stage, Tape};
 
@@ -125,7 +125,10 @@ fn solid_pictures_are_no_tangles_and_say_what_they_show() {
                 space.marks.iter().filter(|mark| mark.role == Role::Missed && matches!(mark.form, Form::Prim(_)));
             assert!(missed.count() <= 70, "{what}: speckles");
             if reel.deepest().is_some() && step == play.tape.len() {
-                assert!(space.notes.iter().any(|note| note.starts_with("boxes:")), "{what}: {:?}", space.notes);
+                let cells = matches!(*play.structure, Structure::Bsp(_));
+                let drawn = if cells { "cells" } else { VolumeName::of(&play.structure).many };
+                let says = |note: &String| note.strip_prefix(drawn).is_some_and(|rest| rest.starts_with(": "));
+                assert!(space.notes.iter().any(says), "{what}: {:?}", space.notes);
             }
             tried += 1;
         }

@@ -302,10 +302,11 @@ impl Drawing<'_> {
         }
     }
 
-    /// The nodes that a split has named and that are still to be built; in space the next few, of a kd-tree as halves.
+    /// The nodes that a split has named and that are still to be built. In space the next few; a kd-tree's are halves, and
+    /// an octree's all alike.
     fn waiting(&mut self) {
         let (build, moment) = (self.build, self.moment);
-        if !build.flat && matches!(build.structure, Structure::Kd(_)) {
+        if !build.flat && matches!(build.structure, Structure::Kd(_) | Structure::Octree(_)) {
             return;
         }
         let fresh = moment.waiting.iter().rev().filter(|id| !moment.nodes.contains_key(id));
