@@ -4,8 +4,9 @@ use egui::{Event, Key, Modifiers, Ui};
 
 use crate::shown::command::{Command, ENTRIES};
 
-/// The commands given by keys in this frame, in order; `present` on the presenter's page.
-pub(super) fn pressed(ui: &Ui, present: bool) -> Vec<Command> {
+/// The commands given by keys in this frame, in order; `present` on the presenter's page, where `typing` are the letters
+/// that go on with the number of a slide that is being typed.
+pub(super) fn pressed(ui: &Ui, present: bool, typing: &[char]) -> Vec<Command> {
     if ui.ctx().any_popup_open() {
         return Vec::new();
     }
@@ -17,7 +18,15 @@ pub(super) fn pressed(ui: &Ui, present: bool) -> Vec<Command> {
         }
         return ui.input(|input| input.events.iter().filter_map(|event| command(event, true, present)).collect());
     }
-    ui.input(|input| input.events.iter().filter_map(|event| command(event, false, present)).collect())
+    let given = |event: &Event| letter(event, typing).or_else(|| command(event, false, present));
+    ui.input(|input| input.events.iter().filter_map(given).collect())
+}
+
+/// The letter of a slide's number, `40b`, if the event is one of those that are `typing` now.
+fn letter(event: &Event, typing: &[char]) -> Option<Command> {
+    let Event::Key { key, pressed: true, modifiers: Modifiers::NONE, .. } = event else { return None };
+    let letter = key.name().to_ascii_lowercase().parse::<char>().ok().filter(|letter| letter.is_ascii_alphabetic())?;
+    typing.contains(&letter).then_some(Command::Type(letter as u8))
 }
 
 /// Whether Shift is held: what runs forth runs back.
@@ -110,6 +119,9 @@ mod tests {
         check(Key::Num3, none, Some(Command::Speed(12)), Some(Command::Type(b'3')));
         check(Key::Slash, Modifiers::SHIFT, None, Some(Command::Type(b'/')));
         check(Key::P, none, Some(Command::Predict), Some(Command::Pen));
+        assert_eq!(letter(&press(Key::B, none), &['b']), Some(Command::Type(b'b')), "40b");
+        assert_eq!(letter(&press(Key::B, none), &[]), None);
+        assert_eq!(letter(&press(Key::C, none), &['b']), None);
         check(Key::F6, none, Some(Command::Speaker), Some(Command::Speaker));
     }
 

@@ -125,6 +125,11 @@ impl Keeper {
         Keeper { file, kept: None, written: None, opened: Instant::now(), ended: 0 }
     }
 
+    /// The file.
+    pub(super) fn file(self) -> PathBuf {
+        self.file
+    }
+
     /// The same, and what stands in the file: the window can go on there.
     pub(super) fn reopening(file: PathBuf) -> (Keeper, Found) {
         let keeper = Keeper::new(file);

@@ -37,7 +37,13 @@ impl State {
             self.wished = stage;
             self.heat = None;
             self.keep();
-            self.want(View::of_slide(slide, stage), Landing::Opening);
+            let own = self.own_stage.take().filter(|own| (own.slide, own.stage) == (slide, stage));
+            // A mesh of one's own waits until its stage is shown again.
+            self.own_stage = Some(self.target().clone()).filter(|view| view.mesh.is_some());
+            match own {
+                Some(own) => self.want(own, Landing::Named),
+                None => self.want(View::of_slide(slide, stage), Landing::Opening),
+            }
         }
     }
 

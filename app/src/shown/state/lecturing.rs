@@ -46,6 +46,18 @@ impl State {
         self.lecture.speaker = !self.lecture.speaker;
     }
 
+    /// The letters with which the number that is being typed goes on: `b` after `40`, as in `40b`.
+    pub(crate) fn letters_of_number(&self) -> Vec<char> {
+        let typed = &self.lecture.typed;
+        let number = typed.rsplit_once('/').map_or(typed.as_str(), |(_, number)| number);
+        if !self.present || number.is_empty() {
+            return Vec::new();
+        }
+        let numbers = self.library.slides.iter().flat_map(|slide| &slide.numbers);
+        let next = numbers.filter_map(|known| known.strip_prefix(number)?.chars().next());
+        next.filter(char::is_ascii_alphabetic).collect()
+    }
+
     /// To the slide whose number was typed, if there is one.
     fn go_to_typed(&mut self) {
         let typed = std::mem::take(&mut self.lecture.typed);

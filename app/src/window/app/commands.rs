@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use egui::{Ui, ViewportCommand};
+use egui::{Ui, ViewportCommand, ViewportId};
 use raystep_figure::Theme;
 use raystep_scene::Scene;
 
@@ -21,14 +21,21 @@ const JUDGED: [u32; 2] = [160, 120];
 impl App {
     /// Does what the keys say, while no dialog has them.
     pub(super) fn take_keys(&mut self, ui: &Ui) {
-        let busy = self.overlay.is_open();
+        // What is open on the speaker's window leaves the class's window to the clicker.
+        let wall = self.state.present && self.state.lecture.speaker && !ui.ctx().embed_viewports();
+        let aside = wall && ui.ctx().viewport_id() == ViewportId::ROOT;
+        if aside && self.overlay.is_open() && ui.input(|input| input.key_pressed(egui::Key::Escape)) {
+            self.overlay.close();
+            return;
+        }
+        let busy = self.overlay.is_open() && !aside;
         let escape = ui.input(|input| input.key_pressed(egui::Key::Escape)) && !busy;
         // What is held goes back to where it was, and nothing else happens.
         let takes_back = escape && self.kept.sight.let_go();
         if takes_back {
             self.state.take_back();
         } else if !busy {
-            for command in keys::pressed(ui, self.state.present) {
+            for command in keys::pressed(ui, self.state.present, &self.state.letters_of_number()) {
                 self.run(ui, command);
             }
         }

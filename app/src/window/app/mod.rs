@@ -63,6 +63,8 @@ pub struct App {
     problems: Option<String>,
     /// The folder of the lessons, if they are not those in the program.
     lessons: Option<PathBuf>,
+    /// Whether the mesh is still awaited that the window was opened for.
+    first_mesh: bool,
     /// The mesh that was opened last, and where it lies.
     mesh: Option<(Arc<Scene>, PathBuf)>,
     /// The ray of the pixel of a heat map that was clicked last, and what was counted of it.
@@ -120,6 +122,7 @@ impl App {
             problems: None,
             lessons: None,
             mesh: None,
+            first_mesh: false,
             stepped: None,
             keeper: None,
             offers: None,
@@ -138,6 +141,7 @@ impl App {
             app.watch_lessons(folder, wishes.only);
         }
         if let Some(mesh) = wishes.mesh {
+            app.first_mesh = true;
             app.open_mesh(mesh);
         }
         if let Some(link) = wishes.at {

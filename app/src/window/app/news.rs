@@ -60,6 +60,7 @@ impl App {
                 }
                 let wanted = self.reopens.take().filter(|link| link.mesh.as_ref().map(Path::new) == Some(&path));
                 self.mesh = Some((scene.clone(), path));
+                self.first_mesh = false;
                 match wanted {
                     Some(link) => _ = link.open(&mut self.state, Some(scene)),
                     None => self.state.show_mesh(scene, ray),
@@ -86,6 +87,7 @@ impl App {
             News::Failed(sentence) => {
                 self.reopens = None;
                 self.complain(sentence);
+                self.give_up_first_mesh();
             }
         }
     }

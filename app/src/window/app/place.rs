@@ -25,6 +25,15 @@ impl App {
         self.offers = found.last.filter(of_these).map(|last| (last, None));
     }
 
+    /// Without the mesh that the window was opened for, it asks whether to go on where it stood, as it else does.
+    pub(super) fn give_up_first_mesh(&mut self) {
+        if std::mem::take(&mut self.first_mesh)
+            && let Some(keeper) = self.keeper.take()
+        {
+            self.keep_in(keeper.file(), true);
+        }
+    }
+
     /// Goes on where the window stood the last time; says whether that was still asked.
     pub fn go_on(&mut self) -> bool {
         let Some((last, _)) = self.offers.take() else { return false };
@@ -73,7 +82,7 @@ impl App {
 
     /// Where the window stands; nothing while it goes somewhere else.
     fn stands(&self) -> Option<Last> {
-        let stands = self.state.is_current() && self.reopens.is_none() && self.offers.is_none();
+        let stands = self.state.is_current() && self.reopens.is_none() && self.offers.is_none() && !self.first_mesh;
         stands.then(|| Last::of(self.link(), self.lessons.as_deref()))
     }
 

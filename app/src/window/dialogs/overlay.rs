@@ -51,6 +51,12 @@ impl Overlay {
         self.palette.is_some() || self.help.is_some() || self.best || self.export.is_open() || self.open.is_some()
     }
 
+    /// Closes whatever is open.
+    pub(crate) fn close(&mut self) {
+        (self.palette, self.help, self.best, self.open) = (None, None, false, None);
+        self.export.close();
+    }
+
     /// Opens the palette.
     pub(crate) fn find(&mut self) {
         self.palette = Some(Palette::default());

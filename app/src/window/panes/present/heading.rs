@@ -4,13 +4,19 @@ use egui::{Align2, Rect, Sense, Ui, vec2};
 use raystep_figure::{Face, Role, text_width};
 
 use crate::shown::command::Command;
+use crate::shown::view::RayChoice;
 use crate::window::look::painter::caption;
 use crate::window::panes::page::{Asked, Page};
 
 /// The slide's title, and where in the lecture it is. A long title is set smaller.
 pub(super) fn show(ui: &Ui, page: Page<'_>, rect: Rect, body: f32) {
     let Some(slide) = page.state.slide() else { return };
-    let section = format!("{} · {}", slide.section_title(), slide.numbers_text());
+    let mut section = format!("{} · {}", slide.section_title(), slide.numbers_text());
+    // The slide opens on its first ray; another one is called by its name.
+    let rays = page.state.stage().map_or(&[][..], |stage| &stage.rays);
+    if let (RayChoice::Named(index @ 1..), None) = (&page.state.view.ray, page.state.view.example) {
+        section += &rays.get(*index).map_or_else(String::new, |ray| format!(" · ray \u{201c}{}\u{201d}", ray.name));
+    }
     let small = body * 0.68;
     let room = rect.width() - text_width(&section, Face::Regular, small) - body;
     let usual = body * 1.35;
