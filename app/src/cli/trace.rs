@@ -84,9 +84,17 @@ fn name(path: &Path) -> String {
 fn table(arguments: &TraceArguments, scene: &Scene) -> Result<Vec<Result<Ray, String>>, Fault> {
     if let Some(path) = &arguments.rays {
         let rays = rays::read_moved(&files::read(path)?, &name(path), scene.origin)?;
+        let (file, all) = (name(path), rays.len());
         let unusable = rays.iter().filter(|ray| ray.is_err()).count();
+        if unusable == all {
+            let why = rays.first().and_then(|ray| ray.as_ref().err());
+            let why = why.map_or_else(
+                || "no row stands below its first line".to_owned(),
+                |why| format!("none of its {all} rows is one, the first one since {why}"),
+            );
+            return Err(Fault::new(format!("{file} has no ray: {why}")));
+        }
         if unusable > 0 {
-            let (file, all) = (name(path), rays.len());
             files::say(&format!("{file}: {unusable} of {all} rows are no rays; the table of hits says why"));
         }
         return Ok(rays);

@@ -1,6 +1,8 @@
 //! What can be set by hand: the structure's parameters and the ray in numbers, docked below the lesson.
 
-use egui::{DragValue, Frame, Margin, Response, RichText, ScrollArea, Ui, WidgetInfo};
+use egui::{
+    Direction, DragValue, Frame, Layout, Margin, Response, RichText, ScrollArea, Ui, UiBuilder, WidgetInfo, vec2,
+};
 use raystep_accel::Ray;
 use raystep_figure::{Face, Role, Theme};
 
@@ -97,8 +99,40 @@ fn ray(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<Asked>) {
 }
 
 fn number(ui: &mut Ui, value: &mut f32, speed: f32, name: &str) -> Response {
-    let field = DragValue::new(value).speed(speed).max_decimals(6).update_while_editing(false);
-    let response = ui.add_sized([62.0, 24.0], field);
+    let field = DragValue::new(value).speed(speed).update_while_editing(false).custom_formatter(|x, _| short(x));
+    // However long what is typed becomes, its neighbours stay where they are.
+    let (_, room) = ui.allocate_space(vec2(62.0, 24.0));
+    let layout = Layout::centered_and_justified(Direction::LeftToRight);
+    let mut child = ui.new_child(UiBuilder::new().max_rect(room).layout(layout));
+    child.set_clip_rect(room.expand(2.0).intersect(ui.clip_rect()));
+    let response = child.add(field);
     response.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, name));
     response
+}
+
+/// A number as a field has room for it, and as it is typed: with at most four digits behind the point, and far from 1 with
+/// its power of ten.
+fn short(x: f64) -> String {
+    let far = x != 0.0 && !(1e-3..1e5).contains(&x.abs());
+    if far {
+        return format!("{:e}", x as f32);
+    }
+    let text = format!("{x:.4}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn a_number_has_room_in_its_field() {
+        let check = |x: f64, says: &str| assert_eq!(short(x), says);
+        check(0.0, "0");
+        check(1.5, "1.5");
+        check(-0.25, "-0.25");
+        check(99_999.0, "99999");
+        check(f64::from(-1e30_f32), "-1e30");
+        check(f64::from(1e-7_f32), "1e-7");
+    }
 }
