@@ -195,9 +195,12 @@ impl eframe::App for App {
         if !self.state.present {
             return;
         }
-        let pointer = |input: &egui::InputState| {
-            let pointer = &input.pointer;
-            (pointer.time_since_last_movement(), pointer.any_down(), pointer.has_pointer())
+        let now = input.time;
+        let pointer = |seen: &egui::InputState| {
+            let pointer = &seen.pointer;
+            // What was seen last is as old as the frame before.
+            let since = now.map_or(0.0, |now| (now - seen.time) as f32);
+            (pointer.time_since_last_movement() + since, pointer.any_down(), pointer.has_pointer())
         };
         let (still, down, there) = context.input(pointer);
         let moves =
@@ -207,8 +210,6 @@ impl eframe::App for App {
         }
         if there && still >= RESTS {
             input.events.push(egui::Event::PointerGone);
-        } else if there {
-            context.request_repaint_after_secs(RESTS - still);
         }
     }
 
@@ -219,8 +220,13 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         self.dress(ui);
         self.take_keys(ui);
-        if self.state.present && !ui.input(|input| input.pointer.has_pointer()) {
-            ui.ctx().set_cursor_icon(egui::CursorIcon::None);
+        if self.state.present {
+            let pointer = ui.input(|input| input.pointer.clone());
+            match pointer.has_pointer() {
+                // Looked at again when it may have come to rest.
+                true => ui.ctx().request_repaint_after_secs((RESTS - pointer.time_since_last_movement()).max(0.1)),
+                false => ui.ctx().set_cursor_icon(egui::CursorIcon::None),
+            }
         }
         self.catch_up(ui);
         // Playing follows the clock, however long a frame takes.

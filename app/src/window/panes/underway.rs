@@ -11,17 +11,15 @@ use crate::window::work::task::Task;
 
 /// Shows what is under way at the foot of `ui`; says what shall be given up.
 pub(super) fn strip(ui: &mut Ui, tasks: &[Arc<Task>], theme: &Theme) -> Option<Arc<Task>> {
-    if !tasks.is_empty() {
-        ui.ctx().request_repaint_after_secs(0.05);
-    }
-    if !tasks.iter().any(|task| task.is_long()) {
+    if tasks.is_empty() {
         return None;
     }
+    ui.ctx().request_repaint_after_secs(0.05);
     let frame = Frame::new().fill(fill(theme, Role::Panel)).inner_margin(Margin::symmetric(22, 8));
     let panel = Panel::bottom("underway").frame(frame).resizable(false).max_size(ui.available_height() * 0.4);
     let mut stopped = None;
     panel.show(ui, |ui| {
-        for task in tasks.iter().filter(|task| task.is_long()) {
+        for task in tasks {
             if row(ui, task, theme) {
                 stopped = Some(task.clone());
             }

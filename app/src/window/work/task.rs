@@ -3,7 +3,6 @@
 use raystep_figure::whole;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
-use std::time::{Duration, Instant};
 
 /// Work under way beside the UI thread.
 #[derive(Debug)]
@@ -16,17 +15,13 @@ pub(crate) struct Task {
     done: AtomicU32,
     stopped: AtomicBool,
     over: AtomicBool,
-    begun: Instant,
 }
-
-/// What is done so soon is not worth a word.
-const LONG: Duration = Duration::from_millis(250);
 
 impl Task {
     /// Work that counts what it has done in this unit.
     pub(crate) fn new(name: impl Into<String>, unit: &'static str) -> Arc<Task> {
         let (of, done, stopped, over) = Default::default();
-        Arc::new(Task { name: name.into(), unit, of, done, stopped, over, begun: Instant::now() })
+        Arc::new(Task { name: name.into(), unit, of, done, stopped, over })
     }
 
     /// So many there are in all.
@@ -62,11 +57,6 @@ impl Task {
     /// Whether somebody still waits for it.
     pub(crate) fn is_underway(&self) -> bool {
         !self.is_stopped() && !self.over.load(Ordering::Relaxed)
-    }
-
-    /// Whether it takes so long that one wants to know.
-    pub(crate) fn is_long(&self) -> bool {
-        self.begun.elapsed() > LONG
     }
 
     /// Which part of it is done, if that is known.

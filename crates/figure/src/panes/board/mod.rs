@@ -98,7 +98,7 @@ const CHART: f32 = 0.58;
 const PICTURE: f32 = 0.55;
 
 /// The part of the usual height of heat maps that they leave to no table.
-const MAPS: f32 = 0.75;
+const MAPS: f32 = 0.87;
 
 /// Most room between a table or a meter and what stands below it, in letters.
 const APART: f32 = 2.2;
