@@ -8,12 +8,12 @@ use std::path::Path;
 use glam::Vec2;
 use rayon::prelude::*;
 use raystep_accel::Grain;
-use raystep_figure::{Figure, whole};
+use raystep_figure::{Figure, Pane, whole};
 use raystep_print::{around, drawing, part, pdf, png};
 
 use super::drawing::inked;
 use super::ground::cancelled;
-use super::{Format, Order, Session, film, video};
+use super::{Format, Order, Session, View, film, video};
 use crate::fault::Fault;
 use crate::files;
 
@@ -63,6 +63,9 @@ pub(crate) fn jobs<'a>(sessions: &'a [Session<'a>], which: &Which, order: &Order
         };
         if order.format == Format::Json {
             add(format!("{stem}.{ending}"), Vec::new())?;
+        } else if order.view == View::Heat && !session.reel().has(Pane::Heat) {
+            // What all rays cost is the same at every step of one of them.
+            add(format!("{stem}{marks}.{ending}"), vec![(last, None)])?;
         } else if order.format.is_film() {
             if steps.len() > LONGEST {
                 let count = whole(steps.len() as u64);

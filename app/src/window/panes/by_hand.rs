@@ -21,7 +21,7 @@ pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<As
     Frame::new().inner_margin(Margin { left: 22, right: 14, top: 8, bottom: 6 }).show(ui, |ui| {
         ui.horizontal(|ui| {
             ui.label(RichText::new("Set by hand").font(font(Face::Bold, 13.5)));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.with_layout(Layout::right_to_left(egui::Align::Center), |ui| {
                 let close = icon_button(ui, Icon::Close, "Close", &Command::ByHand.tip(), false, 24.0);
                 if close.clicked() {
                     asked.push(Asked::Command(Command::ByHand));

@@ -23,9 +23,9 @@ pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
         return;
     };
     let u = letters(figure);
-    // However the picture is shifted, they stay in it.
+    // However the picture is shifted, they stay in it, with their arrows.
     let (left, bottom) = (low.x.max(u * 3.0), low.y.min(figure.size.y - u * 2.0));
-    let (right, top) = (high.x.min(figure.size.x), high.y.max(0.0));
+    let (right, top) = (high.x.min(figure.size.x - u * 1.2), high.y.max(u * 1.6));
     if right - left < u * 4.0 || bottom - top < u * 4.0 {
         return;
     }

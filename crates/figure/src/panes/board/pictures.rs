@@ -6,7 +6,7 @@ use raystep_accel::Prims;
 use super::{Filled, place};
 use crate::page::{Anchor, Figure, Image, Ink, Look, Mark, write};
 use crate::stage::{Camera, Scenery, crop, stage};
-use crate::theme::{Face, Role};
+use crate::theme::{Face, Role, text_width};
 use crate::world::{Form, Space, SpaceMark};
 
 /// Pictures of a board.
@@ -74,9 +74,18 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
     let (columns, high) = set(u);
     let (high, below) = (high.max(u * 4.0), u * BELOW);
     let wide = high * aspect;
+    // Words may be wider than their picture: they have the room as far as the next one.
+    let words = |picture: &Picture| {
+        let name = text_width(&picture.name, Face::Bold, u * 1.1);
+        name.max(text_width(&picture.says, Face::Regular, u))
+    };
+    let longest = pictures.pictures.iter().map(words).fold(wide, f32::max);
+    let step = (longest + gap).min((room.x - 2.0 * left + gap) / columns as f32).max(wide + gap);
+    let fitted =
+        |words: &str, face: Face, size: f32| size * ((step - gap * 0.5) / text_width(words, face, size)).min(1.0);
     for (index, picture) in pictures.pictures.iter().enumerate() {
         let (column, row) = ((index % columns) as f32, (index / columns) as f32);
-        let min = Vec2::new(left + (wide + gap) * column, top + (high + below) * row);
+        let min = Vec2::new(left + step * column, top + (high + below) * row);
         let max = min + Vec2::new(wide, high);
         let shown = filled.shows(picture.entry);
         let place = place(picture.entry).filter(|_| shown);
@@ -91,10 +100,12 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
         figure.add(Role::Edge, place, Ink::Line { points: frame });
         let at = Vec2::new(min.x, max.y + u * 1.4);
         let role = if shown { Role::Text } else { Role::Quiet };
-        write(&mut figure, role, place, at, &picture.name, u * 1.1, Face::Bold, Anchor::Start);
+        let size = fitted(&picture.name, Face::Bold, u * 1.1);
+        write(&mut figure, role, place, at, &picture.name, size, Face::Bold, Anchor::Start);
         if shown {
             let below = at + Vec2::new(0.0, u * 1.6);
-            write(&mut figure, Role::Quiet, place, below, &picture.says, u, Face::Regular, Anchor::Start);
+            let size = fitted(&picture.says, Face::Regular, u);
+            write(&mut figure, Role::Quiet, place, below, &picture.says, size, Face::Regular, Anchor::Start);
         }
     }
     figure
