@@ -1,7 +1,5 @@
 //! Two levels: instances of models answer as brute force over the same instances does.
 
-mod spell;
-
 use std::sync::Arc;
 
 use glam::{Mat3, Vec3};
@@ -201,7 +199,8 @@ fn a_ray_enters_instances() {
     let ray = Ray::new(Vec3::new(-2.0, 0.25, 0.25), Vec3::new(2.0, 0.0, 0.0)).unwrap();
     structure.intersect(&scene, &ray, &mut events);
     let coarse = events.iter().filter(|event| event.grain() != Grain::Arithmetic);
-    let story: String =
-        coarse.map(|event| spell::line(event.name(), event.fields(), |field| event.field(field)) + "\n").collect();
+    let story: String = coarse
+        .map(|event| crate::spell::line(event.name(), event.fields(), |field| event.field(field)) + "\n")
+        .collect();
     insta::assert_snapshot!(story);
 }

@@ -1,10 +1,8 @@
 //! Every test of two objects as text, on the pair that slide 19's matrix opens it with.
 
-mod spell;
-
+use crate::spell::line;
 use glam::Vec3;
 use raystep_accel::*;
-use spell::line;
 
 #[test]
 fn every_pair_tells_its_steps() {

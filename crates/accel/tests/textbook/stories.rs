@@ -1,10 +1,8 @@
 //! Whole builds and walks through small flat scenes as text: one line an event, in the order of the algorithm.
 
-mod spell;
-
+use crate::spell::line;
 use glam::{Vec2, Vec3};
 use raystep_accel::*;
-use spell::line;
 
 fn wall(from: [f32; 2], to: [f32; 2]) -> Shape<'static> {
     Shape::Wall(Wall { from: Vec2::from(from), to: Vec2::from(to), z: [-0.5, 0.5] })

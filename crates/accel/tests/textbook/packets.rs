@@ -1,10 +1,8 @@
 //! Packets through small scenes: what each lane finds, how full a packet is, and whole walks as text.
 
-mod spell;
-
+use crate::spell::line;
 use glam::Vec3;
 use raystep_accel::*;
-use spell::line;
 
 fn disc(x: f32, y: f32, radius: f32) -> Shape<'static> {
     Shape::Sphere(Sphere { center: Vec3::new(x, y, 0.0), radius })
