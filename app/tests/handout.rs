@@ -32,6 +32,7 @@ fn answers_stand_at_the_end() {
     let pdf = std::fs::read(folder.join("pages/handout.pdf")).unwrap();
     let text = String::from_utf8_lossy(&pdf);
     assert_eq!(text.matches("/MediaBox").count(), pages.len());
+    assert_eq!(text.matches("[0 0 595.").count(), pages.len(), "A4 is 210 mm wide");
     assert!(!text.contains("Date"));
     let answers = pages.iter().position(|page| page.contains("Answers")).unwrap();
     let asked: Vec<usize> =

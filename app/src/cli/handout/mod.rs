@@ -20,7 +20,7 @@ use crate::export::{Ground, Session, rays_of_beats};
 use crate::fault::Fault;
 use crate::files;
 use entry::{Entry, answers, entries};
-use sheet::{HEIGHT, Sheet, WIDTH};
+use sheet::{A4, HEIGHT, Sheet, WIDTH};
 
 /// What to print.
 #[derive(Args, Debug)]
@@ -94,7 +94,8 @@ pub(crate) fn run(arguments: &HandoutArguments) -> Result<(), Fault> {
         })?;
         if arguments.pdf {
             let figures: Vec<&Figure> = pages.iter().map(|page| &page.figure).collect();
-            let written = pdf_pages(&figures, "Raystep: handout", &Manner::plain(&Theme::PRINT));
+            let written =
+                pdf_pages(&figures, "Raystep: handout", &Manner { scale: A4 / WIDTH, ..Manner::plain(&Theme::PRINT) });
             let written = written.map_err(|error| Fault::new(error.to_string()))?;
             files::write(&folder.join(PDF_NAME), &written)?;
         }

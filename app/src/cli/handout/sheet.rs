@@ -6,9 +6,11 @@ use raystep_print::{prose, set_in};
 
 use super::Printed;
 
-/// A sheet in points: as high and wide as A4.
+/// A sheet in points: as high in proportion to its width as A4.
 pub(super) const WIDTH: f32 = 1100.0;
 pub(super) const HEIGHT: f32 = 1555.0;
+/// The width of A4 in CSS pixels, 96 to the inch: 210 mm.
+pub(super) const A4: f32 = 210.0 / 25.4 * 96.0;
 /// Room at the left and the right, above and below.
 const SIDE: f32 = 64.0;
 const TOP: f32 = 56.0;

@@ -1,6 +1,6 @@
 //! The dialog that opens a mesh: its path can be typed where the desktop has no dialog of its own.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use egui::{Key, RichText, TextEdit, Ui};
 use raystep_figure::{Face, Role, Theme};
@@ -75,9 +75,21 @@ impl Form {
             self.shown = false;
             self.wrong = Some(match self.path.trim() {
                 "" => "Write the path of an OBJ file.".to_owned(),
-                path => format!("{path}: there is no such file."),
+                path => {
+                    let why = if Path::new(path).is_dir() { "it is a folder" } else { "there is no such file" };
+                    format!("{}: {why}.", quoted(path))
+                }
             });
         }
         asked
+    }
+}
+
+/// A path as a sentence has room for it: of a long one its end.
+fn quoted(path: &str) -> String {
+    const MOST: usize = 120;
+    match path.char_indices().nth_back(MOST) {
+        Some((at, letter)) => format!("…{}", &path[at + letter.len_utf8()..]),
+        None => path.to_owned(),
     }
 }

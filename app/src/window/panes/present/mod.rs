@@ -101,7 +101,7 @@ fn says_so_far(ui: &Ui, page: Page<'_>, kept: &Kept, rect: Rect, body: f32) {
     let Some(pictures) = &kept.pictures else { return };
     let (playback, step) = (&pictures.playback, page.state.view.step);
     // What would answer a question is left out, and nothing says so.
-    let tally = Some(pictures.tally()).filter(|_| page.state.question().is_none());
+    let tally = Some(pictures.tally()).filter(|tally| page.state.question().is_none() && !tally.is_empty());
     let tally = tally.map_or_else(String::new, |tally| format!(" · {tally}"));
     let says = format!("step {step} of {}{tally}", playback.steps().last());
     let at = rect.left_center() + vec2(0.0, body * 0.3);

@@ -68,8 +68,9 @@ impl Speech {
                 let says = playback.and_then(|playback| {
                     Some(playback.reel().sentence(state.view.step, &playback.event(state.view.step)?))
                 });
-                let opening = || state.slide().map_or("", |slide| beginning(slide.plays)).to_owned();
-                parts.push(plain_text(says.unwrap_or_else(opening)));
+                // Before a class the picture that a slide opens with speaks for itself.
+                let opening = state.slide().filter(|_| !state.present).map(|slide| beginning(slide.plays).to_owned());
+                parts.extend(says.or(opening).map(plain_text));
             }
         }
         Speech(parts)
