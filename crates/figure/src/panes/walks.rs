@@ -4,7 +4,7 @@
 use glam::Vec2;
 use raystep_accel::{Place, Structure, Visit};
 
-use super::ruler::{extent, spans};
+use super::ruler::{extent, side_by_side};
 use super::{Ask, Pane, TreeView, cells, space, stack, tree};
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
@@ -214,7 +214,7 @@ fn shared(walkers: &[Walker<'_>], t: f32, size: Vec2, look: &Look) -> Figure {
         for (place, near, far) in visited(walker) {
             bar(&mut figure, &axis, Role::Seen, place, [near, far], y, u);
         }
-        for span in spans(walker.walk, walker.moment) {
+        for span in side_by_side(walker.walk, walker.moment) {
             let bars = matches!(span.role, Role::Here | Role::Waiting);
             if bars && !span.interval.is_empty() {
                 bar(&mut figure, &axis, span.role, span.place, [span.interval.near, span.interval.far], y, u);
