@@ -145,8 +145,8 @@ fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, pictur
     }
 }
 
-/// One walk: from `top` on its picture over its counters over its tree or cells over its stack, for which there is room if anything
-/// `waits` in any of the walks.
+/// One walk: from `top` on its picture over its counters over its tree or cells over its stack, for which there is room
+/// if anything `waits` in any of the walks.
 fn column(walker: &Walker<'_>, top: f32, waits: bool, size: Vec2, look: &Look) -> Figure {
     let Walker { walk, moment, .. } = *walker;
     let mut figure = Figure::new(size);
