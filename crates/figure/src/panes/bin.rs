@@ -47,7 +47,8 @@ pub(crate) fn bin_of_packet(moment: &PacketMoment, size: Vec2, look: &Look) -> F
     draw("Stack", OPENED, &moment.stack.iter().map(item).collect::<Vec<_>>(), size, look)
 }
 
-/// The bin with what lies in it, the first at the bottom, and in which `order` it goes. Where not all of it has room, the lowest is the rest.
+/// The bin with what lies in it, the first at the bottom, and in which `order` it goes. Where not all of it has room, the
+/// lowest is the rest.
 fn draw(title: &str, order: &str, items: &[Item], size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, title, "");

@@ -4,7 +4,7 @@
 use glam::Vec2;
 use raystep_accel::{Place, Structure, Visit};
 
-use super::ruler::{extent, spans};
+use super::ruler::{extent, side_by_side};
 use super::{Ask, Pane, TreeView, cells, space, stack, tree};
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
@@ -145,8 +145,8 @@ fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, pictur
     }
 }
 
-/// One walk: from `top` on its picture over its counters over its tree or cells over its stack, for which there is room if anything
-/// `waits` in any of the walks.
+/// One walk: from `top` on its picture over its counters over its tree or cells over its stack, for which there is room
+/// if anything `waits` in any of the walks.
 fn column(walker: &Walker<'_>, top: f32, waits: bool, size: Vec2, look: &Look) -> Figure {
     let Walker { walk, moment, .. } = *walker;
     let mut figure = Figure::new(size);
@@ -214,7 +214,7 @@ fn shared(walkers: &[Walker<'_>], t: f32, size: Vec2, look: &Look) -> Figure {
         for (place, near, far) in visited(walker) {
             bar(&mut figure, &axis, Role::Seen, place, [near, far], y, u);
         }
-        for span in spans(walker.walk, walker.moment) {
+        for span in side_by_side(walker.walk, walker.moment) {
             let bars = matches!(span.role, Role::Here | Role::Waiting);
             if bars && !span.interval.is_empty() {
                 bar(&mut figure, &axis, span.role, span.place, [span.interval.near, span.interval.far], y, u);

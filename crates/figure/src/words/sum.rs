@@ -46,7 +46,9 @@ pub(crate) fn come_out(pieces: &[Piece]) -> String {
         let Some((false, within)) = at_digits(&counts) else { continue };
         let finer = (4..=MOST).find_map(|count| {
             let mut more = counts.clone();
-            within.iter().for_each(|&index| more[index] = count);
+            for &index in &within {
+                more[index] = count;
+            }
             at_digits(&more).is_some_and(|(comes, _)| comes).then_some(more)
         });
         match finer {

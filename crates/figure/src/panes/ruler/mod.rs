@@ -165,7 +165,13 @@ pub(crate) fn ruler_line_of(
 
 /// The intervals that find room on one line; nothing where they lie over each other, as slabs and boxes do.
 fn on_one_line(walk: &Walk<'_>, moment: &Moment) -> Option<Vec<Span>> {
-    // Of a node about to be left, the part before what waits next.
+    let spans = side_by_side(walk, moment);
+    let apart = spans.windows(2).all(|pair| pair[0].interval.far <= pair[1].interval.near);
+    (apart && moment.slab.is_none()).then_some(spans)
+}
+
+/// The intervals; of a node about to be left, the part before what waits next.
+pub(crate) fn side_by_side(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
     let mut spans = spans(walk, moment);
     if let (Some(first), Some(next)) = (spans.first().map(|span| span.interval), moment.stack.last())
         && first.near < next.near
@@ -173,8 +179,7 @@ fn on_one_line(walk: &Walk<'_>, moment: &Moment) -> Option<Vec<Span>> {
     {
         spans[0].interval.far = next.near;
     }
-    let apart = spans.windows(2).all(|pair| pair[0].interval.far <= pair[1].interval.near);
-    (apart && moment.slab.is_none()).then_some(spans)
+    spans
 }
 
 /// The scale of a ruler of this size, or of one on one line.
