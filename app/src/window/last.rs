@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 use raystep_lesson::Library;
 use toml::{Table, Value};
 
+use crate::fault::Fault;
 use crate::shown::Link;
 use crate::{fields, files};
 
@@ -109,6 +110,10 @@ pub(super) struct Keeper {
     opened: Instant,
     /// How often it was opened at this place and ended at once, this time included; 0 once it stands.
     ended: u32,
+    /// Whether the file could not be written the last time.
+    refused: bool,
+    /// Why, until somebody has said so.
+    wrong: Option<Fault>,
 }
 
 /// What was kept.
@@ -122,7 +127,7 @@ pub(super) struct Found {
 impl Keeper {
     /// Keeps where the window stands in this file from now on.
     pub(super) fn new(file: PathBuf) -> Keeper {
-        Keeper { file, kept: None, written: None, opened: Instant::now(), ended: 0 }
+        Keeper { file, kept: None, written: None, opened: Instant::now(), ended: 0, refused: false, wrong: None }
     }
 
     /// The file.
@@ -179,9 +184,17 @@ impl Keeper {
         }
     }
 
+    /// Why the place cannot be kept, the first time that it cannot.
+    pub(super) fn complaint(&mut self) -> Option<Fault> {
+        self.wrong.take()
+    }
+
     /// What cannot be written is not remembered; nothing else is lost.
     fn put(&mut self, now: Last) {
-        let _ = files::renew(&self.file, &now.text());
+        let written = files::renew(&self.file, &now.text());
+        if !std::mem::replace(&mut self.refused, written.is_err()) {
+            self.wrong = written.err();
+        }
         self.kept = Some(now);
         self.written = Some(Instant::now());
     }

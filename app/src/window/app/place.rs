@@ -103,5 +103,8 @@ impl App {
         {
             context.request_repaint_after(waits);
         }
+        if let Some(fault) = self.keeper.as_mut().and_then(Keeper::complaint) {
+            self.complain(format!("Where the window stands is not kept: {fault}."));
+        }
     }
 }

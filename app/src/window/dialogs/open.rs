@@ -30,7 +30,7 @@ pub(super) struct Form {
 
 impl Form {
     /// The mesh that a dialog of the desktop has chosen.
-    pub(super) fn choose(&mut self, path: &std::path::Path) {
+    pub(super) fn choose(&mut self, path: &Path) {
         self.path = path.to_string_lossy().into_owned();
         self.wrong = None;
     }

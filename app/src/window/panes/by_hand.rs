@@ -30,8 +30,16 @@ pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<As
         });
         ScrollArea::vertical().id_salt("by hand").auto_shrink(false).show(ui, |ui| {
             ui.set_width(ui.available_width() - 8.0);
+            let above = ui.cursor().top();
             ray(ui, state, theme, asked);
             structure(ui, state, theme, asked);
+            if ui.cursor().top() == above {
+                heading(
+                    ui,
+                    "Nothing on this slide is set by hand: no ray walks here, and no structure is built.",
+                    theme,
+                );
+            }
         });
     });
 }

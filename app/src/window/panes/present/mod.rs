@@ -96,6 +96,9 @@ pub(crate) fn page(
     under
 }
 
+/// A picture that comes within so many seconds is not announced.
+const WAITS: f32 = 0.6;
+
 /// What has been done so far.
 fn says_so_far(ui: &Ui, page: Page<'_>, kept: &Kept, rect: Rect, body: f32) {
     let Some(pictures) = &kept.pictures else { return };
@@ -103,7 +106,12 @@ fn says_so_far(ui: &Ui, page: Page<'_>, kept: &Kept, rect: Rect, body: f32) {
     // What would answer a question is left out, and nothing says so.
     let tally = Some(pictures.tally()).filter(|tally| page.state.question().is_none() && !tally.is_empty());
     let tally = tally.map_or_else(String::new, |tally| format!(" · {tally}"));
-    let says = format!("step {step} of {}{tally}", playback.steps().last());
+    // What is on its way for longer than a moment is waited for; nobody in a class need wonder why nothing moves.
+    let waits = ui.ctx().animate_bool_with_time(ui.scope_id().with("waits"), page.making, WAITS) >= 1.0;
+    let says = match waits && page.making {
+        true => "the next picture is being made …".to_owned(),
+        false => format!("step {step} of {}{tally}", playback.steps().last()),
+    };
     let at = rect.left_center() + vec2(0.0, body * 0.3);
     caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, body * 0.68, Role::Quiet, page.theme);
 }

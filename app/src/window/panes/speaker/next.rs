@@ -49,6 +49,7 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
     });
     ui.painter().rect_stroke(picture, 0.0, line(theme, Role::Panel), StrokeKind::Inside);
     let words = Rect::from_min_max(pos2(picture.right() + 16.0, rect.top()), rect.max);
+    let bottom = words.bottom();
     let mut child = ui.new_child(UiBuilder::new().max_rect(words));
     child.set_clip_rect(words);
     ScrollArea::vertical().id_salt("next words").auto_shrink(false).show(&mut child, |ui| {
@@ -61,7 +62,11 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
         let then = after(desk, next);
         if !then.is_empty() {
             Prose { role: Role::Quiet, face: Face::Bold, size: 13.0, ..prose }.show(ui, &mut kept.formulas, "then");
+            // As many as there is room for: none is cut.
             for title in then {
+                if ui.cursor().top() + prose.height(ui, &mut kept.formulas, &title, ui.available_width()) > bottom {
+                    break;
+                }
                 prose.show(ui, &mut kept.formulas, &title);
             }
         }
