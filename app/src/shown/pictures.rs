@@ -10,7 +10,7 @@ use raystep_figure::{
     Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Ink, Instant, KnobLine, Look, Pixel, RulerScale, Scenery, Space,
     SpaceMark, Symbol, TreeView, nothing, stage,
 };
-use raystep_lesson::{About, Choice, Listing, Show};
+use raystep_lesson::{Choice, Listing, Show};
 
 use super::beside::Beside;
 use super::playback::Playback;
@@ -66,7 +66,7 @@ impl Pictures {
         let playback = state.playback()?.clone();
         let asks = state.question().and_then(|posed| {
             let ask = state.slide()?.beats.get(posed.beat)?.ask.as_ref();
-            let counts = matches!(ask?.about, About::Count { .. });
+            let counts = ask?.about.is_total();
             Some((counts, playback.event(posed.step)?.name()))
         });
         let mistake = match state.beside {

@@ -203,8 +203,9 @@ fn what_changed_is_what_is_not_as_before() {
     let played = Played::new("kd", &[("min_objects", "1")]);
     let walk = played.walk();
     let size = Vec2::new(400.0, 160.0);
-    let pane =
-        |before: usize, now: usize| changed(&walk, &Moment::at(&walk, before), &Moment::at(&walk, now), size, &LOOK);
+    let pane = |before: usize, now: usize| {
+        changed(&walk, &Moment::at(&walk, before), &Moment::at(&walk, now), false, size, &LOOK)
+    };
     let push = played.step("push", 0);
     check("changed_push", &pane(push - 1, push));
     let better = played.step("better", 0);
@@ -216,7 +217,7 @@ fn what_changed_is_what_is_not_as_before() {
     let grid = Played::new("grid", &[]);
     let walk = grid.walk();
     let step = grid.step("step", 1);
-    let pane = changed(&walk, &Moment::at(&walk, step - 1), &Moment::at(&walk, step), size, &LOOK);
+    let pane = changed(&walk, &Moment::at(&walk, step - 1), &Moment::at(&walk, step), false, size, &LOOK);
     check("changed_step", &pane);
 
     let weigh = played.grown.iter().position(|event| matches!(event, Grow::Weigh { .. })).unwrap() + 2;
@@ -275,7 +276,10 @@ fn nothing_is_cut_off_at_any_step() {
                     ("timeline", timeline(&walk, step, false, size(900.0, 80.0), &look)),
                     ("stack", stack(&walk, &moment, narrow, &look)),
                     ("bin", bin(&moment, narrow, &look)),
-                    ("changed", changed(&walk, &Moment::at(&walk, step.saturating_sub(3)), &moment, narrow, &look)),
+                    (
+                        "changed",
+                        changed(&walk, &Moment::at(&walk, step.saturating_sub(3)), &moment, false, narrow, &look),
+                    ),
                     ("work", work(&walk, &moment, None, narrow, &look)),
                     ("slabs", slabs(&walk, &moment, step % 2 == 0, narrow, &look)),
                     ("bytes", bytes(&walk, &moment, false, wide, &look)),

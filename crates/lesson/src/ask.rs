@@ -42,6 +42,17 @@ pub enum About {
     Said(String),
 }
 
+impl About {
+    /// Whether it is asked how many there are in all: whatever counts them gives it away.
+    pub fn is_total(&self) -> bool {
+        match self {
+            About::Count { .. } => true,
+            About::Field(field) => ["references", "nodes", "cells"].contains(&field.as_str()),
+            About::Event(_) | About::Least(_) | About::Said(_) => false,
+        }
+    }
+}
+
 /// Why an answer is wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reason {

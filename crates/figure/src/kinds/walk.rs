@@ -99,7 +99,7 @@ impl Kind for Walk<'_> {
     }
 
     fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
-        Some(changed(self, before.state(), at.state(), ask.size, &ask.look))
+        Some(changed(self, before.state(), at.state(), ask.hide, ask.size, &ask.look))
     }
 
     fn scale(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<RulerScale> {

@@ -26,17 +26,18 @@ struct Row {
     before: Option<String>,
 }
 
-/// What a walk has changed since an earlier moment. Nothing in it comes from later events.
-pub fn changed(walk: &Walk<'_>, before: &Moment, now: &Moment, size: Vec2, look: &Look) -> Figure {
-    let rows = compared(&of_walk(walk, before, now), of_walk(walk, now, now));
+/// What a walk has changed since an earlier moment. Nothing in it comes from later events. While a question is open, `hide`
+/// leaves out what is counted in all: it may be asked for.
+pub fn changed(walk: &Walk<'_>, before: &Moment, now: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
+    let mut rows = compared(&of_walk(walk, before, now), of_walk(walk, now, now));
+    rows.retain(|row| !hide || !TOTALS.contains(&&*row.now.name));
     draw(before.step, now.step, &rows, size, look)
 }
 
-/// What a builder has changed since an earlier moment. While a question is open, `hide` leaves out what is counted in all:
-/// it may be asked for.
+/// What a builder has changed since an earlier moment; `hide` as above.
 pub fn changed_of_build(before: &GrowMoment, now: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut rows = compared(&of_build(before), of_build(now));
-    rows.retain(|row| !hide || row.now.name != STORED);
+    rows.retain(|row| !hide || !TOTALS.contains(&&*row.now.name));
     draw(before.step, now.step, &rows, size, look)
 }
 
@@ -52,8 +53,8 @@ fn compared(before: &[Watched], now: Vec<Watched>) -> Vec<Row> {
     rows.filter(|row| row.now.says.is_some() && row.now.says != row.before).collect()
 }
 
-/// The name of how many references there are in all.
-const STORED: &str = "stored";
+/// What is counted in all, over a whole walk or build.
+const TOTALS: [&str; 7] = ["tests", "tests skipped", "cells met", "not reached", "stored", "splits", "leaves"];
 
 /// The values of a list, in the order in which they are read.
 #[derive(Default)]
@@ -172,7 +173,7 @@ fn of_build(moment: &GrowMoment) -> Vec<Watched> {
     let tally = &moment.tally;
     all.count("cells met", tally.rasterised);
     all.count("not reached", tally.pruned);
-    all.count(STORED, tally.stored);
+    all.count("stored", tally.stored);
     all.count("splits", tally.taken);
     all.count("leaves", tally.leaves);
     all.count("nodes that wait", moment.waiting.len() as u64);

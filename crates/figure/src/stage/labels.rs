@@ -73,6 +73,8 @@ pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) -> Obstacle
         let own = own.map(|(a, b)| Spot { min: a.min(b), max: a.max(b) });
         let mut candidates = match within {
             Some(bounds) if space.flat && is_line(&bounds) => beside_line(&bounds, lens, half),
+            // A plane of a volume's: its label stands with the plane, not with the volume.
+            Some(bounds) if !space.flat && is_sheet(&bounds) => beside_box(&bounds, lens, half, false, false),
             Some(bounds) => match outline(space, place, lens) {
                 // A primitive that a label lies in is not seen.
                 shape if shape.is_empty() => {
@@ -285,6 +287,11 @@ fn outside(spot: Spot, size: Vec2) -> f32 {
 fn is_line(bounds: &Aabb) -> bool {
     let extent = bounds.extent();
     (extent.x == 0.0) != (extent.y == 0.0)
+}
+
+/// Whether a box is a part of a plane in space.
+fn is_sheet(bounds: &Aabb) -> bool {
+    bounds.extent().to_array().into_iter().filter(|side| *side == 0.0).count() == 1
 }
 
 /// The ends of a line along an axis, beyond it, and beside it near the ends.
