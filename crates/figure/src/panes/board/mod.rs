@@ -233,7 +233,12 @@ fn lines_of_tables(column: &[&Panel], room: Vec2, look: &Look) -> Lines {
     let (heads, lines) = (high(0.0), high(1.0) - high(0.0));
     // Beside pictures it is they that grow.
     let pictures = column.iter().any(|panel| matches!(panel, Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_)));
-    let largest = look.text * if pictures { table::BESIDE } else { table::LARGEST };
+    let largest = match column {
+        [_] => table::ALONE,
+        _ if pictures => table::BESIDE,
+        _ => table::LARGEST,
+    };
+    let largest = look.text * largest;
     let across = tables().map(|table| table.across(room.x, look)).fold(largest, f32::min);
     let text = across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST);
     Lines { text, row }

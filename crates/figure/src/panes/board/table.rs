@@ -63,8 +63,10 @@ struct Set {
     gap: f32,
 }
 
-/// Most that letters grow where there is room, and where pictures stand there, too; and least that they shrink.
+/// Most that letters grow where there is room, where nothing else stands there, and where pictures do; and least that
+/// they shrink.
 pub(super) const LARGEST: f32 = 1.3;
+pub(super) const ALONE: f32 = 2.0;
 pub(super) const BESIDE: f32 = 1.15;
 pub(super) const SMALLEST: f32 = 0.72;
 /// The room of the heading, in letters of the board.
