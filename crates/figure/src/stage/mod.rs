@@ -129,10 +129,11 @@ impl Stage<'_> {
     fn notes(&mut self, notes: &[String]) {
         let page = self.figure.size;
         let size = (labels::letters(&self.figure) * 0.92).min(13.0);
-        // One that is wider than the picture, or than what the axes leave of it, takes several lines.
+        // One that is wider than the picture, or than what the axes leave of it, takes two lines; where it took more it
+        // would cover the scene.
         let axes = if self.flat { 0.0 } else { axes::room(page)[1].x };
-        let words = notes.iter().flat_map(|note| broken(note, page.x - 28.0 - axes, size));
-        let lines: Vec<String> = words.collect();
+        let notes = notes.iter().map(|note| broken(note, page.x - 28.0 - axes, size));
+        let lines: Vec<String> = notes.filter(|lines| lines.len() <= 2).flatten().collect();
         for (row, text) in lines.into_iter().rev().enumerate() {
             let at = page - Vec2::new(14.0, 16.0 + row as f32 * size * 1.5);
             let ink = Ink::Text { at, text, size, face: Face::Regular, anchor: Anchor::End, boxed: false };
