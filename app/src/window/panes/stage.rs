@@ -137,10 +137,10 @@ const LEAST: f32 = 9.5;
 /// The height of the names over two pictures.
 const STRIP: f32 = 38.0;
 
-/// The height of the room under two pictures for what their walks have cost: the verdict on a mistake has a line of
-/// its own over it.
+/// The height of the room under two pictures for what their walks have cost: the verdict on a mistake has two lines
+/// of its own over it.
 fn foot(state: &State) -> f32 {
-    if matches!(state.beside, Beside::Mistake(_)) { 50.0 } else { 30.0 }
+    if matches!(state.beside, Beside::Mistake(_)) { 70.0 } else { 30.0 }
 }
 
 /// A strip at the top of a picture for its name.
@@ -321,9 +321,15 @@ fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<C
     if let Some((verdict, role)) = verdict(page.state, playback).filter(|_| over) {
         let size = 13.5 * scale;
         let room = rect.width() - 2.0 * indent;
-        let size = size * (room / raystep_figure::text_width(&verdict, Face::Bold, size).max(1.0)).min(1.0);
-        let at = at - vec2(0.0, 20.0 * scale);
-        caption(ui.painter(), at, Align2::LEFT_CENTER, &verdict, Face::Bold, size, role, page.theme);
+        let wide = |text: &str| raystep_figure::text_width(text, Face::Bold, size).max(1.0);
+        // What is too long for a line takes two.
+        let half = verdict.rfind(';').or_else(|| verdict.rfind(':')).filter(|_| wide(&verdict) > room);
+        let (first, second) = verdict.split_at(half.map_or(0, |at| at + 1));
+        for (row, line) in [second.trim(), first].into_iter().filter(|line| !line.is_empty()).enumerate() {
+            let size = size * (room / wide(line)).min(1.0);
+            let at = at - vec2(0.0, (20.0 + 18.0 * row as f32) * scale);
+            caption(ui.painter(), at, Align2::LEFT_CENTER, line, Face::Bold, size, role, page.theme);
+        }
     }
 }
 
