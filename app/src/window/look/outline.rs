@@ -3,7 +3,7 @@
 use egui::epaint::{PathShape, RectShape};
 use egui::{Color32, CornerRadius, Pos2, Rect, Shape, Stroke, StrokeKind, vec2};
 use glam::Vec2;
-use raystep_figure::{Anchor, Face, Figure, Ink, text_width};
+use raystep_figure::{Anchor, Face, Ink, text_width};
 
 /// How near to a line the pointer must be, in points.
 const NEAR: f32 = 5.0;
@@ -23,22 +23,6 @@ pub(crate) fn path(ink: &Ink, origin: Pos2) -> Vec<Pos2> {
         points.push(first);
     }
     points.into_iter().map(|at| shift(origin, at)).collect()
-}
-
-/// A figure so many times as large.
-pub(crate) fn scaled(mut figure: Figure, by: f32) -> Figure {
-    figure.size *= by;
-    for mark in &mut figure.marks {
-        match &mut mark.ink {
-            Ink::Line { points } | Ink::Area { points } => points.iter_mut().for_each(|point| *point *= by),
-            Ink::Rect { min, max, round } => (*min, *max, *round) = (*min * by, *max * by, *round * by),
-            Ink::Circle { center, radius } => (*center, *radius) = (*center * by, *radius * by),
-            Ink::Arrowhead { tip, length, .. } => (*tip, *length) = (*tip * by, *length * by),
-            Ink::Text { at, size, .. } | Ink::Formula { at, size, .. } => (*at, *size) = (*at * by, *size * by),
-            Ink::Image { min, max, .. } => (*min, *max) = (*min * by, *max * by),
-        }
-    }
-    figure
 }
 
 /// The corners of an outline, without repeating the first.

@@ -25,7 +25,6 @@ use crate::shown::kind_name::kind_name;
 use crate::shown::pictures::{Drawn, Pane, drawn};
 use crate::shown::playback::Playback;
 use crate::shown::state::State;
-use crate::window::look::outline::scaled;
 use crate::window::look::painter::{caption, paint_figure};
 use crate::window::look::visuals::line;
 
@@ -79,16 +78,19 @@ fn together(
         }
         return None;
     }
-    let (left, right) = halves(page.state, rect, high);
+    let low = foot(page.state) * scale;
+    let (left, right) = halves(page.state, rect, high + low);
     let (name, picture) = strip(left, high);
+    let (picture, said) = picture.split_top_bottom_at_y(picture.bottom() - low);
     let mut under = None;
     if let Some(playback) = page.state.playback() {
         label(ui, page, name, kind_name(playback.rule.kind()), scale);
         under = alone(ui, page, kept, picture, false, scale, asked);
         let so_far = kept.pictures.as_ref().and_then(|pictures| playback.cost_at(&pictures.instant));
-        bill(ui, page, picture, playback, so_far, scale);
+        bill(ui, page, said, playback, so_far, scale);
     }
     let (name, picture) = strip(right, high);
+    let (picture, said) = picture.split_top_bottom_at_y(picture.bottom() - low);
     if page.state.present {
         // A class chooses nothing.
         label(ui, page, name, rival::title(page.state), scale);
@@ -96,7 +98,7 @@ fn together(
         rival::choice(ui, page, name, asked);
     }
     match page.beside {
-        Some(beside) => under = second(ui, page, kept, picture, beside, scale).or(under),
+        Some(beside) => under = second(ui, page, kept, picture, said, beside, scale).or(under),
         None => waiting(ui, page, picture),
     }
     if right.left() > rect.left() {
@@ -108,12 +110,12 @@ fn together(
 }
 
 /// Two pictures side by side, or one over the other where that makes them larger.
-fn halves(state: &State, rect: Rect, strip: f32) -> (Rect, Rect) {
+fn halves(state: &State, rect: Rect, beside: f32) -> (Rect, Rect) {
     let extent = state.playback().map_or(glam::Vec3::ONE, |playback| playback.play.structure.bounds().extent());
     // In space it depends on the camera how wide a scene looks: about as wide as high.
     let flat = state.playback().is_some_and(|playback| playback.play.scene.flat);
     let shape = if flat { vec2(extent.x, extent.y) } else { vec2(1.0, 1.0) };
-    let fits = |width: f32, height: f32| (width / shape.x.max(1e-9)).min((height - strip) / shape.y.max(1e-9));
+    let fits = |width: f32, height: f32| (width / shape.x.max(1e-9)).min((height - beside) / shape.y.max(1e-9));
     if fits(rect.width() * 0.5, rect.height()) >= fits(rect.width(), rect.height() * 0.5) {
         rect.split_left_right_at_fraction(0.5)
     } else {
@@ -134,6 +136,12 @@ const LEAST: f32 = 9.5;
 
 /// The height of the names over two pictures.
 const STRIP: f32 = 38.0;
+
+/// The height of the room under two pictures for what their walks have cost: the verdict on a mistake has two lines
+/// of its own over it.
+fn foot(state: &State) -> f32 {
+    if matches!(state.beside, Beside::Mistake(_)) { 70.0 } else { 30.0 }
+}
 
 /// A strip at the top of a picture for its name.
 fn strip(rect: Rect, height: f32) -> (Rect, Rect) {
@@ -186,7 +194,7 @@ fn alone(
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
     let camera = sight.camera(page.state, space, glam_size(picture));
     let solid = !space.flat && sight.solid.is_there();
-    let figure = Arc::new(scaled(pictures.stage(space, &camera, glam_size(picture) / scale, solid), scale));
+    let figure = Arc::new(pictures.stage(space, &camera, glam_size(picture) / scale, solid).scaled(scale));
     let moved = (!solid).then(|| moving.figure(ui, Frame::Space, picture, &figure).figure);
     if solid {
         let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
@@ -226,12 +234,13 @@ fn alone(
     happened.hovered
 }
 
-/// Another walk of the same ray, at the same step.
+/// Another walk of the same ray, at the same step; what it has cost is `said` under it.
 fn second(
     ui: &mut Ui,
     page: Page<'_>,
     kept: &mut Kept,
     rect: Rect,
+    said: Rect,
     beside: &Arc<Playback>,
     scale: f32,
 ) -> Option<Place> {
@@ -240,7 +249,7 @@ fn second(
     let space = &shown.space;
     let camera = sight.camera(page.state, space, glam_size(rect));
     let solid = !space.flat && sight.solid_beside.is_there();
-    let mut figure = scaled(drawn(space, beside, &camera, glam_size(rect) / scale, solid), scale);
+    let mut figure = drawn(space, beside, &camera, glam_size(rect) / scale, solid).scaled(scale);
     if verdict(page.state, beside).is_some_and(|(_, role)| role == Role::Wrong) {
         // A hit that is not the answer does not look like one.
         for mark in figure.marks.iter_mut().filter(|mark| matches!(mark.role, Role::Hit | Role::Best)) {
@@ -269,21 +278,25 @@ fn second(
     };
     let mut none = None;
     let happened = picture.show(ui, rect, "Space, beside", &mut none);
-    bill(ui, page, rect, beside, shown.cost, scale);
+    bill(ui, page, said, beside, shown.cost, scale);
     sight.beside = Some(shown);
     happened.hovered
 }
 
-/// What a walk has cost so far, at the foot of its picture.
+/// What a walk has cost so far, under its picture.
 fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<Cost>, scale: f32) {
     let Some(cost) = cost else { return };
     let structure = &*playback.play.structure;
     let (tests, of) = raystep_figure::tested(structure, &playback.play.scene.prims, &cost);
-    let mut says = vec![format!("{tests} of {of} tested")];
+    let mut says = vec![format!("{} of {of} tested", raystep_figure::whole(tests))];
     match (cost.node_visits, cost.cell_steps) {
         (0, 0) => {}
-        (0, cells) => says.push(format!("{cells} {}", if cells == 1 { "cell" } else { "cells" })),
-        (nodes, _) => says.push(format!("{nodes} {}", if nodes == 1 { "node" } else { "nodes" })),
+        (0, cells) => {
+            says.push(format!("{} {}", raystep_figure::whole(cells), if cells == 1 { "cell" } else { "cells" }))
+        }
+        (nodes, _) => {
+            says.push(format!("{} {}", raystep_figure::whole(nodes), if nodes == 1 { "node" } else { "nodes" }))
+        }
     }
     let beside = playback.kind != Beside::Nothing;
     let step = if beside { page.state.beside_step(playback) } else { page.state.view.step };
@@ -302,17 +315,21 @@ fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<C
     while says.len() > 1 && wide(&says) > rect.width() - 2.0 * indent {
         says.pop();
     }
-    // In space the lowest line tells which boxes are drawn.
-    let line = if playback.play.scene.flat || page.state.present { -16.0 } else { -38.0 };
-    let at = rect.left_bottom() + vec2(indent, line * scale);
+    let at = rect.left_bottom() + vec2(indent, -16.0 * scale);
     let says = says.join(" · ");
     caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, size, Role::Quiet, page.theme);
     if let Some((verdict, role)) = verdict(page.state, playback).filter(|_| over) {
         let size = 13.5 * scale;
         let room = rect.width() - 2.0 * indent;
-        let size = size * (room / raystep_figure::text_width(&verdict, Face::Bold, size).max(1.0)).min(1.0);
-        let at = at - vec2(0.0, 20.0 * scale);
-        caption(ui.painter(), at, Align2::LEFT_CENTER, &verdict, Face::Bold, size, role, page.theme);
+        let wide = |text: &str| raystep_figure::text_width(text, Face::Bold, size).max(1.0);
+        // What is too long for a line takes two.
+        let half = verdict.rfind(';').or_else(|| verdict.rfind(':')).filter(|_| wide(&verdict) > room);
+        let (first, second) = verdict.split_at(half.map_or(0, |at| at + 1));
+        for (row, line) in [second.trim(), first].into_iter().filter(|line| !line.is_empty()).enumerate() {
+            let size = size * (room / wide(line)).min(1.0);
+            let at = at - vec2(0.0, (20.0 + 18.0 * row as f32) * scale);
+            caption(ui.painter(), at, Align2::LEFT_CENTER, line, Face::Bold, size, role, page.theme);
+        }
     }
 }
 

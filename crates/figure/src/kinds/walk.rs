@@ -13,7 +13,7 @@ use crate::panes::{
     tree_height, work,
 };
 use crate::theme::Role;
-use crate::words::{Fact, Symbol, VolumeName};
+use crate::words::{Fact, Symbol, VolumeName, whole};
 use crate::world::{Depth, Form, Space};
 
 impl Kind for Walk<'_> {
@@ -180,7 +180,7 @@ impl Kind for Walk<'_> {
 
     fn tally(&self, at: &Instant) -> String {
         let (tests, tested) = tested(self.structure, self.prims, &at.state::<Moment>().cost);
-        format!("{tests} of {tested} tested")
+        format!("{} of {tested} tested", whole(tests))
     }
 
     fn guess(&self, at: &mut Instant, guesses: &[Guess]) {

@@ -136,6 +136,22 @@ impl Mark {
 }
 
 impl Figure {
+    /// The same drawing `by` times as large, letters and heads of arrows too.
+    pub fn scaled(mut self, by: f32) -> Figure {
+        self.size *= by;
+        for mark in &mut self.marks {
+            match &mut mark.ink {
+                Ink::Line { points } | Ink::Area { points } => points.iter_mut().for_each(|point| *point *= by),
+                Ink::Rect { min, max, round } => (*min, *max, *round) = (*min * by, *max * by, *round * by),
+                Ink::Circle { center, radius } => (*center, *radius) = (*center * by, *radius * by),
+                Ink::Arrowhead { tip, length, .. } => (*tip, *length) = (*tip * by, *length * by),
+                Ink::Text { at, size, .. } | Ink::Formula { at, size, .. } => (*at, *size) = (*at * by, *size * by),
+                Ink::Image { min, max, .. } => (*min, *max) = (*min * by, *max * by),
+            }
+        }
+        self
+    }
+
     /// An empty drawing.
     pub fn new(size: Vec2) -> Figure {
         Figure { size, marks: Vec::new() }

@@ -38,6 +38,9 @@ impl Entry {
 const APART: f32 = 1.9;
 pub(crate) const CLOSE: f32 = 1.4;
 
+/// Most spare room between two columns, in letters.
+const SPARE: f32 = 2.0;
+
 impl Table {
     /// Draws the table from `top` to at most `bottom`, in smaller letters if it is too large. Returns where it ends.
     pub(crate) fn draw(&self, figure: &mut Figure, top: f32, bottom: f32, look: &Look) -> f32 {
@@ -50,7 +53,7 @@ impl Table {
         let widths = self.widths(size);
         // Spare room goes between the columns, up to a point: eyes follow short rows.
         let used: f32 = widths.iter().sum();
-        let spare = ((room - used) / widths.len().max(1) as f32).clamp(0.0, size * 2.0);
+        let spare = ((room - used) / widths.len().max(1) as f32).clamp(0.0, size * SPARE);
         let row_height = (size * APART).min(high.max(size * CLOSE));
 
         let rights: Vec<f32> = widths
@@ -84,6 +87,16 @@ impl Table {
             }
         }
         y + row_height * 0.5
+    }
+
+    /// How wide it is at most in letters of this size.
+    pub(crate) fn width(&self, size: f32) -> f32 {
+        self.widths(size).iter().map(|width| width + size * SPARE).sum()
+    }
+
+    /// How high it is at least in letters of this size.
+    pub(crate) fn height(&self, size: f32) -> f32 {
+        size * CLOSE * (self.rows.len() as f32 + 1.0)
     }
 
     fn widths(&self, size: f32) -> Vec<f32> {

@@ -199,17 +199,16 @@ fn draw(before: usize, now: usize, rows: &[Row], size: Vec2, look: &Look) -> Fig
     // Of more rows than there is room for, those at the end say what it comes to.
     let fit = (((size.y - top) / line) as usize).max(1);
     let shown = &rows[rows.len().saturating_sub(fit)..];
-    let names = shown.iter().map(|row| named(&mut Figure::default(), Role::Text, None, Vec2::ZERO, &row.now.name, u));
-    let names = names.fold(u * 7.0, f32::max) + u;
-    let rest = (right - left - names).max(u * 8.0);
-    let (old, arrow, new) = (left + names + rest * 0.36, left + names + rest * 0.46, left + names + rest * 0.56);
+    let columns = Columns::of(shown, right - left, look);
+    let u = columns.u;
+    let (old, arrow, new) = (left + columns.old, left + columns.arrow, left + columns.new);
     for (index, row) in shown.iter().enumerate() {
         let y = top + line * (index as f32 + 0.5);
         let role = if row.now.loud { Role::Live } else { Role::Text };
         let place = row.now.place;
         named(&mut figure, role, place, Vec2::new(left, y), &row.now.name, u);
         let before = row.before.as_deref().unwrap_or("–");
-        let before = elided(before, Face::Mono, u, old - left - names);
+        let before = elided(before, Face::Mono, u, old - left - columns.names);
         write(&mut figure, Role::Quiet, None, Vec2::new(old, y), &before, u, Face::Mono, Anchor::End);
         write(&mut figure, role, None, Vec2::new(arrow, y), "→", u, Face::Mono, Anchor::Middle);
         let now = elided(row.now.says.as_deref().unwrap_or("–"), Face::MonoMedium, u, right - new);
@@ -217,6 +216,49 @@ fn draw(before: usize, now: usize, rows: &[Row], size: Vec2, look: &Look) -> Fig
     }
     figure
 }
+
+/// The letters of the rows, and where after the names the old value ends, the arrow stands and the new one begins.
+struct Columns {
+    u: f32,
+    names: f32,
+    old: f32,
+    arrow: f32,
+    new: f32,
+}
+
+/// How far the letters of the rows shrink before a value is cut short.
+const SHRUNK: [f32; 5] = [1.0, 0.92, 0.85, 0.78, 0.72];
+
+impl Columns {
+    /// At fixed shares of the room where the values fit there; else as close as they come, in smaller letters.
+    fn of(rows: &[Row], room: f32, look: &Look) -> Columns {
+        let longest = |wide: &dyn Fn(&Row) -> f32| rows.iter().map(wide).fold(0.0, f32::max);
+        let old = longest(&|row| text_width(row.before.as_deref().unwrap_or("–"), Face::Mono, 1.0));
+        let new = longest(&|row| text_width(row.now.says.as_deref().unwrap_or("–"), Face::MonoMedium, 1.0));
+        let name = longest(&|row| named(&mut Figure::default(), Role::Text, None, Vec2::ZERO, &row.now.name, 1.0));
+        let (u, names) = (look.text, (name.max(7.0) + 1.0) * look.text);
+        let rest = (room - names).max(u * 8.0);
+        if old * u <= rest * 0.36 && new * u <= room - names - rest * 0.56 {
+            return Columns {
+                u,
+                names,
+                old: names + rest * 0.36,
+                arrow: names + rest * 0.46,
+                new: names + rest * 0.56,
+            };
+        }
+        let sizes = SHRUNK.map(|part| (part * look.text).max(look.least.min(look.text)));
+        let fits = |u: &f32| (name + 0.6 + old + ARROW + new) * u <= room;
+        let u = sizes.into_iter().find(fits).unwrap_or(sizes[SHRUNK.len() - 1]);
+        // What is too long even so leaves the old value less room.
+        let names = (name + 0.6) * u;
+        let old = (names + old * u).min((room - new * u - ARROW * u).max(names + u * 2.0));
+        Columns { u, names, old, arrow: old + ARROW * 0.5 * u, new: old + ARROW * u }
+    }
+}
+
+/// The room of an arrow between two values, in parts of the letters.
+const ARROW: f32 = 2.0;
 
 /// Writes a name, what stands behind its `_` smaller and lower; says how wide it is.
 fn named(figure: &mut Figure, role: Role, place: Option<Place>, at: Vec2, name: &str, size: f32) -> f32 {

@@ -151,14 +151,22 @@ impl Plot<'_> {
             let beside = at - Vec2::new(u * 0.5, 0.0);
             write(self.figure, Role::Quiet, None, beside, &number(cost), small, Face::Regular, Anchor::End);
         }
-        let name = match (counted, hide) {
-            (true, true) => "candidates, in order".to_owned(),
-            (true, false) => "cost of each candidate, in order".to_owned(),
-            (false, true) => format!("{}s {} {axis}", self.cut, self.along()),
-            (false, false) => format!("cost of each {} {} {axis}", self.cut, self.along()),
+        let cut = self.cut;
+        let across = format!("{} {axis}", self.along());
+        let names = match (counted, hide) {
+            (true, true) => ["candidates, in order".to_owned(), "candidates".to_owned(), "in order".to_owned()],
+            (true, false) => {
+                ["cost of each candidate, in order".to_owned(), "cost, in order".to_owned(), "cost".to_owned()]
+            }
+            (false, true) => [format!("{cut}s {across}"), across.clone(), across],
+            (false, false) => [format!("cost of each {cut} {across}"), format!("cost {across}"), across],
         };
+        // No longer than its plot.
+        let room = right - left + u * 2.0;
+        let fits = |name: &&String| text_width(name, Face::Regular, small) <= room;
+        let name = names.iter().find(fits).unwrap_or(&names[2]);
         let at = Vec2::new(left - u * 2.0, self.plot_top - u * 1.7);
-        write(self.figure, Role::Quiet, None, at, &name, small, Face::Regular, Anchor::Start);
+        write(self.figure, Role::Quiet, None, at, name, small, Face::Regular, Anchor::Start);
     }
 
     /// Planes stand across an axis; a list is shared out along it.
@@ -193,7 +201,15 @@ impl Plot<'_> {
                 0 => (-u * 0.3, Anchor::End),
                 _ => (u * 0.3, Anchor::Start),
             };
-            let at = Vec2::new(x + aside, self.plot_top - u * 0.5);
+            // Within the picture.
+            let wide = wide(word);
+            let begin = match anchor {
+                Anchor::Start => x + aside,
+                Anchor::Middle => x + aside - wide * 0.5,
+                Anchor::End => x + aside - wide,
+            };
+            let at = Vec2::new(begin.min(self.figure.size.x - wide).max(0.0), self.plot_top - u * 0.5);
+            let anchor = Anchor::Start;
             write(self.figure, Role::Quiet, None, at, word, small, Face::Regular, anchor);
         }
     }

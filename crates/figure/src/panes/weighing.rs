@@ -65,7 +65,8 @@ pub(crate) fn weighing(build: &Build<'_>, moment: &GrowMoment, ask: &Ask<'_>) ->
     let mut plot = Plot { figure: &mut figure, build, moment, look, space: &space, costs, beside, hide };
     plot.draw(now);
     if let (Some(now), false) = (now, hide) {
-        tags(&mut figure, &space, now, sides.as_ref(), look);
+        let listed = plots::Order::of(build, now.node, Axis::X).is_some();
+        tags(&mut figure, &space, now, sides.as_ref(), listed, look);
         if chances > 0.0 {
             bars(&mut figure, now, size.y - chances, &space, look);
         }
@@ -105,7 +106,7 @@ impl Layout {
         let chances = if weighs && size.y > u * 38.0 { u * 8.2 } else { 0.0 };
         let costs = if weighs { (size.y * 0.27).clamp(u * 8.0, u * 16.0) + u * 3.0 } else { 0.0 };
         let beside = if weighs { (size.x * 0.2).clamp(u * 9.0, u * 15.0) + u * 3.4 } else { 0.0 };
-        let (left, top) = (u * 3.6, u * 2.6);
+        let (left, top) = (u * 4.6, u * 2.6);
         let room = Vec2::new(size.x - left - beside - u * 2.2, size.y - top - costs - chances - u * 2.6);
         let world = build.nodes.reach();
         let small = |bounds: &Aabb| bounds.extent().length() < SMALL * world.extent().length();
@@ -196,7 +197,9 @@ fn picture(
     let center = area.seen.center().truncate();
     let half_height = area.seen.extent().y * 0.5 * size.y / (size.y - 2.0 * margin);
     let camera = Camera::Flat { center, half_height };
-    let mut drawn = stage(&space, build.prims, &camera, size, Scenery::Drawn);
+    // As large as the words of the plots.
+    let scale = look.text / Look::WINDOW.text;
+    let mut drawn = stage(&space, build.prims, &camera, size / scale, Scenery::Drawn).scaled(scale);
     // What lies beside a node that is shown alone does not reach into the plots.
     crop(&mut drawn, look.text * 0.8);
     figure.marks.extend(drawn.marks.into_iter().map(|mark| mark.moved(area.min - margin)));
@@ -206,8 +209,8 @@ fn is_label(mark: &SpaceMark) -> bool {
     matches!(mark.form, Form::Label { .. })
 }
 
-/// The plane or the cut that is weighed, and how many lie on its sides.
-fn tags(figure: &mut Figure, area: &Area, now: Candidate, sides: Option<&Sides>, look: &Look) {
+/// How many lie on the two sides of what is weighed: over a picture that is cut from above, else over and under it.
+fn tags(figure: &mut Figure, area: &Area, now: Candidate, sides: Option<&Sides>, listed: bool, look: &Look) {
     let u = look.text;
     let place = Some(Place::Node(now.node));
     let mut tag = |role, at: Vec2, text: String| {
@@ -238,9 +241,11 @@ fn tags(figure: &mut Figure, area: &Area, now: Candidate, sides: Option<&Sides>,
         tag(Role::Below, Vec2::new(low, y), below);
         tag(Role::Above, Vec2::new(high, y), above);
     } else {
-        let x = area.min.x + (area.max.x - area.min.x) * 0.25;
-        tag(Role::Below, Vec2::new(x, y), below);
-        tag(Role::Above, Vec2::new(area.max.x - (x - area.min.x), y), above);
+        let x = (area.min.x + area.max.x) * 0.5;
+        // A list leaves no room under the picture.
+        let under = area.max.y + if listed { -u * 1.2 } else { u * 2.0 };
+        tag(Role::Below, Vec2::new(x, under), below);
+        tag(Role::Above, Vec2::new(x, y), above);
     }
     if let Some(shared) = sides.map(Sides::shared).filter(|shared| *shared > 0) {
         let text = format!("{shared} on both");

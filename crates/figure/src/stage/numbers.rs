@@ -13,7 +13,7 @@ use crate::world::{Form, Space};
 /// What it may cost to set a number somewhere: more, and it could not be read, or would hide something.
 const MOST: f32 = 25.0;
 
-/// Of so many primitives one that is too small for its number has it beside it. Among more it could be another one's.
+/// Of so many primitives one that is too small for its number, or crossed by the ray, has it beside it. Among more it could be another one's.
 const FEW: usize = 24;
 
 /// Writes each number of a space where there is room for it beside what is drawn and labelled already.
@@ -74,7 +74,7 @@ impl Obstacles {
     }
 }
 
-/// Inside a primitive where it is large enough; beside a segment, which has no inside, and beside a small disc.
+/// Inside a primitive where it is large enough; beside a segment, which has no inside, and beside a disc that has no room.
 fn within_prim(prims: &Prims, prim: PrimId, lens: &Lens, half: Vec2) -> Vec<Spot> {
     let page = |at: Vec3| lens.point(at.with_z(0.0)).map(|(at, _)| at);
     let inside = |corners: Vec<Vec3>| {
@@ -90,12 +90,10 @@ fn within_prim(prims: &Prims, prim: PrimId, lens: &Lens, half: Vec2) -> Vec<Spot
             let radius = sphere.radius * lens.scale_at(sphere.center);
             let room = radius - half.length() - 1.0;
             let around = AROUND.iter().map(|&(x, y)| Vec2::new(x, y).normalize_or_zero());
-            if room < 0.0 && prims.len() <= FEW {
-                let beside = |way: Vec2| center + way * (radius + way.abs().dot(half) + 2.0);
-                return around.map(|way| Spot::around(beside(way), half)).collect();
-            }
-            let offsets = [Vec2::ZERO].into_iter().chain(around).map(|way| center + way * room);
-            offsets.filter(|_| room >= 0.0).map(|at| Spot::around(at, half)).collect()
+            let inside = [Vec2::ZERO].into_iter().chain(around.clone()).map(|way| center + way * room);
+            let beside = around.map(|way| center + way * (radius + way.abs().dot(half) + 2.0));
+            let spots = inside.filter(|_| room >= 0.0).chain(beside.filter(|_| prims.len() <= FEW));
+            spots.map(|at| Spot::around(at, half)).collect()
         }
         Shape::Wall(wall) => {
             let (Some(from), Some(to)) = (page(wall.from.extend(0.0)), page(wall.to.extend(0.0))) else {

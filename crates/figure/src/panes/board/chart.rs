@@ -3,7 +3,7 @@
 use glam::Vec2;
 
 use super::{Filled, place};
-use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
+use crate::page::{Anchor, Figure, Ink, Look, Ticks, block, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
 
@@ -135,11 +135,18 @@ pub(super) fn draw(chart: &Chart, filled: Filled, room: Vec2, look: &Look) -> Fi
     order.sort_by_key(|drawn| drawn.entry);
     // Points lie on their lines.
     order.sort_by_key(|drawn| (matches!(drawn.curve, Curve::Point(_)), drawn.moves, drawn.entry));
+    let named: Vec<(&Drawn, Vec2)> =
+        order.iter().rev().filter_map(|drawn| Some((*drawn, plot.place(drawn)?))).collect();
+    // The lines of the scale do not run through names.
+    for (from, to) in &plot.taken {
+        let around = Vec2::new(look.text * 0.2, 0.0);
+        figure.add(Role::Page, None, block(*from - around, *to - *from + 2.0 * around, look.text * 0.2));
+    }
     for drawn in &order {
         plot.ink(&mut figure, drawn, filled.is_new(drawn.entry));
     }
-    for drawn in order.iter().rev() {
-        plot.name(&mut figure, drawn, filled.is_new(drawn.entry));
+    for (drawn, corner) in named {
+        plot.name(&mut figure, drawn, corner, filled.is_new(drawn.entry));
     }
     figure
 }
@@ -216,26 +223,45 @@ impl Plot<'_> {
         }
     }
 
-    /// The name, where it covers nothing: right of a point or of a line's end, else left, above or below.
-    fn name(&mut self, figure: &mut Figure, drawn: &Drawn, new: bool) {
+    /// Where a name covers least.
+    fn place(&mut self, drawn: &Drawn) -> Option<Vec2> {
         let u = self.look.text;
-        let at = match &drawn.curve {
-            Curve::Point(dot) => self.at(*dot),
-            Curve::Line { dots, .. } => {
-                let inside = dots.iter().filter(|dot| self.chart.y.shows(dot[1]));
-                // In the middle of a law there is most room.
-                let inside: Vec<&Dot> = inside.collect();
-                let named = if inside.len() < LAW { inside.len().saturating_sub(1) } else { inside.len() / 2 };
-                match inside.get(named) {
-                    Some(dot) => self.at(**dot),
-                    None => return,
-                }
-            }
-        };
         let wide =
             text_width(&drawn.name, Face::Bold, u).max(text_width(&drawn.note, Face::Regular, self.look.small()));
-        let high = if drawn.note.is_empty() { u * 1.3 } else { u * 2.6 };
-        let size = Vec2::new(wide, high);
+        let size = Vec2::new(wide, if drawn.note.is_empty() { u * 1.3 } else { u * 2.6 });
+        let corners = self.named(drawn).into_iter().flat_map(|at| self.around(at, size));
+        let corner = corners.min_by_key(|corner| self.hidden(*corner, *corner + size))?;
+        self.taken.push((corner, corner + size));
+        Some(corner)
+    }
+
+    /// The name, with its note below.
+    fn name(&self, figure: &mut Figure, drawn: &Drawn, corner: Vec2, new: bool) {
+        let u = self.look.text;
+        let place = place(drawn.entry);
+        let role = if new || drawn.moves { Role::Value } else { Role::Text };
+        write(figure, role, place, corner + Vec2::new(0.0, u * 0.65), &drawn.name, u, Face::Bold, Anchor::Start);
+        let below = corner + Vec2::new(0.0, u * 1.95);
+        write(figure, Role::Quiet, place, below, &drawn.note, self.look.small(), Face::Regular, Anchor::Start);
+    }
+
+    /// Where on a curve its name may stand: at a point, at the end of what was measured, along a law.
+    fn named(&self, drawn: &Drawn) -> Vec<Vec2> {
+        let dots = match &drawn.curve {
+            Curve::Point(dot) => return vec![self.at(*dot)],
+            Curve::Line { dots, .. } => dots,
+        };
+        let inside: Vec<Vec2> = dots.iter().filter(|dot| self.chart.y.shows(dot[1])).map(|dot| self.at(*dot)).collect();
+        if inside.len() < LAW {
+            return inside.last().copied().into_iter().collect();
+        }
+        // In the middle there is most room.
+        [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].map(|part| inside[(inside.len() as f32 * part) as usize]).to_vec()
+    }
+
+    /// The corners of a name beside a point, right of it first, and of one moved into the chart.
+    fn around(&self, at: Vec2, size: Vec2) -> Vec<Vec2> {
+        let (u, Vec2 { x: wide, y: high }) = (self.look.text, size);
         let sides = [
             Vec2::new(u * 0.9, -high * 0.5),
             Vec2::new(-u * 0.9 - wide, -high * 0.5),
@@ -245,35 +271,31 @@ impl Plot<'_> {
             Vec2::new(-wide - u * 0.5, u * 0.5),
             Vec2::new(-wide * 0.5, -high - u * 0.9),
             Vec2::new(-wide * 0.5, u * 0.9),
+            Vec2::new(u * 1.1, u * 0.5),
         ];
-        let free = |corner: Vec2| {
-            let end = corner + size;
-            let inside = corner.x >= self.min.x
-                && end.x <= self.max.x + u * 2.0
-                && corner.y >= self.min.y - u
-                && end.y <= self.max.y;
-            let apart = |(a, b): &(Vec2, Vec2)| end.x < a.x || b.x < corner.x || end.y < a.y || b.y < corner.y;
-            inside && self.taken.iter().all(apart) && !self.crossed(corner, end)
-        };
-        let inside = |corner: Vec2| corner.x >= self.min.x && corner.x + wide <= self.max.x + u * 2.0;
-        let corner = sides.map(|side| at + side).into_iter().find(|corner| free(*corner));
-        let corner = corner.or_else(|| sides.map(|side| at + side).into_iter().find(|corner| inside(*corner)));
-        let corner = corner.unwrap_or(at + sides[0]);
-        self.taken.push((corner, corner + size));
-        let place = place(drawn.entry);
-        let role = if new || drawn.moves { Role::Value } else { Role::Text };
-        write(figure, role, place, corner + Vec2::new(0.0, u * 0.65), &drawn.name, u, Face::Bold, Anchor::Start);
-        let below = corner + Vec2::new(0.0, u * 1.95);
-        write(figure, Role::Quiet, place, below, &drawn.note, self.look.small(), Face::Regular, Anchor::Start);
+        let end = Vec2::new(self.max.x + u * 2.0, self.max.y) - size;
+        let begin = Vec2::new(self.min.x + u * 0.2, self.min.y - u);
+        let moved = sides[6..].iter().map(|side| at + *side).map(|corner| corner.clamp(begin, end.max(begin)));
+        let inside = |corner: &Vec2| corner.cmpge(begin).all() && corner.cmple(end).all();
+        sides.iter().map(|side| at + *side).filter(inside).chain(moved).collect()
     }
 
-    /// Whether a line or a point of the chart runs through a box on the page.
-    fn crossed(&self, min: Vec2, max: Vec2) -> bool {
+    /// How much a box on the page would hide of names, lines and points.
+    fn hidden(&self, min: Vec2, max: Vec2) -> usize {
+        let apart = |(a, b): &(Vec2, Vec2)| max.x < a.x || b.x < min.x || max.y < a.y || b.y < min.y;
+        let names = self.taken.iter().filter(|taken| !apart(taken)).count();
         let within = |at: Vec2| at.x > min.x && at.x < max.x && at.y > min.y && at.y < max.y;
         let crosses = |from: Vec2, to: Vec2| (0..=PARTS).any(|part| within(from.lerp(to, part as f32 / PARTS as f32)));
-        self.chart.drawn.iter().any(|drawn| match &drawn.curve {
-            Curve::Point(dot) => within(self.at(*dot)),
-            Curve::Line { dots, .. } => dots.windows(2).any(|pair| crosses(self.at(pair[0]), self.at(pair[1]))),
-        })
+        let curves = self.chart.drawn.iter().map(|drawn| match &drawn.curve {
+            Curve::Point(dot) => usize::from(within(self.at(*dot))) * POINT,
+            Curve::Line { dots, .. } => {
+                dots.windows(2).filter(|pair| crosses(self.at(pair[0]), self.at(pair[1]))).count()
+            }
+        });
+        names * NAME + curves.sum::<usize>()
     }
 }
+
+/// What it counts to hide a point or a name, where a piece of a line counts 1.
+const POINT: usize = 100;
+const NAME: usize = 1000;

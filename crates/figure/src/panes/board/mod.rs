@@ -228,15 +228,26 @@ fn lines_of_tables(column: &[&Panel], room: Vec2, look: &Look) -> Lines {
         Panel::Meter(_) | Panel::Chart(_) | Panel::Pictures(_) => letters(panel)[1],
     };
     let others = look.text * column.iter().map(|panel| least(panel)).sum::<f32>();
-    let row = if column.iter().any(|panel| matches!(panel, Panel::Maps(_))) { table::CLOSE } else { table::ROW };
-    let high = |text: f32| tables().map(|table| table.height(Lines { text, row }, look)).sum::<f32>();
+    // A table alone that is wider than its letters allow has more lines instead.
+    let narrow = column.len() == 1 && tables().any(|table| table.across(room.x, false, look) < look.text);
+    let row = match column.iter().any(|panel| matches!(panel, Panel::Maps(_))) {
+        _ if narrow => table::TWO,
+        true => table::CLOSE,
+        false => table::ROW,
+    };
+    let high = |text: f32| tables().map(|table| table.height(Lines { text, row, narrow }, look)).sum::<f32>();
     let (heads, lines) = (high(0.0), high(1.0) - high(0.0));
     // Beside pictures it is they that grow.
     let pictures = column.iter().any(|panel| matches!(panel, Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_)));
-    let largest = look.text * if pictures { table::BESIDE } else { table::LARGEST };
-    let across = tables().map(|table| table.across(room.x, look)).fold(largest, f32::min);
+    let largest = match column {
+        [_] => table::ALONE,
+        _ if pictures => table::BESIDE,
+        _ => table::LARGEST,
+    };
+    let largest = look.text * largest;
+    let across = tables().map(|table| table.across(room.x, narrow, look)).fold(largest, f32::min);
     let text = across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST);
-    Lines { text, row }
+    Lines { text, row, narrow }
 }
 
 /// The heights of what stands one over the other in so much room.

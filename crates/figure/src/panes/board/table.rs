@@ -54,6 +54,8 @@ pub(super) struct Lines {
     pub(super) text: f32,
     /// A row's height in letters.
     pub(super) row: f32,
+    /// Whether notes stand below their names, and long heads take two lines.
+    pub(super) narrow: bool,
 }
 
 /// Where a table's columns lie.
@@ -63,57 +65,65 @@ struct Set {
     gap: f32,
 }
 
-/// Most that letters grow where there is room, and where pictures stand there, too; and least that they shrink.
+/// Most that letters grow where there is room, where nothing else stands there, and where pictures do; and least that
+/// they shrink.
 pub(super) const LARGEST: f32 = 1.3;
+pub(super) const ALONE: f32 = 2.0;
 pub(super) const BESIDE: f32 = 1.15;
 pub(super) const SMALLEST: f32 = 0.72;
 /// The room of the heading, in letters of the board.
 const HEAD: f32 = 3.0;
-/// A row's height in letters, and where heat maps need the room.
+/// A row's height in letters, where notes stand below names, and where heat maps need the room.
 pub(super) const ROW: f32 = 2.5;
+pub(super) const TWO: f32 = 3.0;
 pub(super) const CLOSE: f32 = 1.8;
 
 impl Table {
     /// How high it stands in letters of this size.
-    pub(super) fn height(&self, Lines { text, row }: Lines, look: &Look) -> f32 {
-        look.text * HEAD + text * (row * self.rows.len() as f32 + self.head_lines() as f32 * 1.5 + 0.8)
+    pub(super) fn height(&self, Lines { text, row, narrow }: Lines, look: &Look) -> f32 {
+        look.text * HEAD + text * (row * self.rows.len() as f32 + self.head_lines(narrow) as f32 * 1.5 + 0.8)
     }
 
     /// The largest letters in which it is no wider than this.
-    pub(super) fn across(&self, width: f32, look: &Look) -> f32 {
-        let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
+    pub(super) fn across(&self, width: f32, narrow: bool, look: &Look) -> f32 {
+        let natural: f32 = self.widths(1.0, narrow).iter().map(|width| width + GAP).sum();
         (width - 2.0 * look.margin()) / natural
     }
 
     /// How wide and how high it is at least, in letters.
     pub(super) fn letters(&self) -> [f32; 2] {
-        let natural: f32 = self.widths(1.0).iter().map(|width| width + GAP).sum();
-        [natural * 0.9 + 2.0, 0.8 * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines() as f32 * 1.5) + 3.5]
+        let natural: f32 = self.widths(1.0, false).iter().map(|width| width + GAP).sum();
+        [natural * 0.9 + 2.0, 0.8 * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines(false) as f32 * 1.5) + 3.5]
     }
 
     /// How many lines the longest head has.
-    fn head_lines(&self) -> usize {
-        self.columns.iter().map(|column| lines_of(&column.head).len()).max().unwrap_or(1)
+    fn head_lines(&self, narrow: bool) -> usize {
+        self.columns.iter().map(|column| lines_of(&column.head, narrow).len()).max().unwrap_or(1)
     }
 
-    fn set(&self, room: Vec2, text: f32, look: &Look) -> Set {
-        let widths = self.widths(text);
+    fn set(&self, room: Vec2, Lines { text, narrow, .. }: Lines, look: &Look) -> Set {
+        let widths = self.widths(text, narrow);
         let used: f32 = widths.iter().sum();
         // Eyes follow short rows: spare room goes between the columns, up to a point.
         let gap = ((room.x - 2.0 * look.margin() - used) / widths.len() as f32).clamp(text * 0.8, text * 4.0);
         Set { widths, gap }
     }
 
-    fn widths(&self, text: f32) -> Vec<f32> {
+    fn widths(&self, text: f32, narrow: bool) -> Vec<f32> {
         let name = |row: &Row| {
-            let note =
-                if row.note.is_empty() { 0.0 } else { text_width(&row.note, Face::Regular, text * 0.9) + text * 0.7 };
-            text_width(&row.name, Face::Bold, text) + note
+            let name = text_width(&row.name, Face::Bold, text);
+            let note = text_width(&row.note, Face::Regular, text * 0.9);
+            match () {
+                () if row.note.is_empty() => name,
+                () if narrow => name.max(note),
+                () => name + text * 0.7 + note,
+            }
         };
         let first = self.rows.iter().map(name).fold(text_width(&self.of, Face::Regular, text * 0.9), f32::max);
         let column = |index: usize| {
-            let head = lines_of(&self.columns[index].head);
-            let head = head.iter().map(|line| text_width(line, Face::Regular, text * 0.9)).fold(text * 2.5, f32::max);
+            let head = lines_of(&self.columns[index].head, narrow);
+            let head =
+                head.iter().map(|(line, _)| text_width(line, Face::Regular, text * 0.9)).fold(text * 2.5, f32::max);
             let (before, behind) = self.around_points(index, text);
             head.max(before + behind)
         };
@@ -144,16 +154,32 @@ impl Table {
 /// Room between two columns, at least, in letters.
 const GAP: f32 = 1.6;
 
-/// The lines of a head: written with `|` between them.
-fn lines_of(head: &str) -> Vec<&str> {
-    head.split('|').map(str::trim).collect()
+/// A longer line of a head is parted in a narrow table.
+const LONG: usize = 12;
+
+/// The lines of a head, written with `|` between them, and whether each stands above several columns.
+fn lines_of(head: &str, narrow: bool) -> Vec<(&str, bool)> {
+    let lines: Vec<&str> = head.split('|').map(str::trim).collect();
+    let several = lines.len() > 1;
+    let mut all = Vec::new();
+    for (index, line) in lines.into_iter().enumerate() {
+        let above = several && index == 0;
+        // At the blank that is nearest to its middle.
+        let blanks = line.match_indices(' ').map(|(at, _)| at);
+        let middle = blanks.min_by_key(|at| (at * 2).abs_diff(line.len()));
+        match middle.filter(|_| narrow && !above && line.len() > LONG) {
+            Some(at) => all.extend([(&line[..at], false), (&line[at + 1..], false)]),
+            None => all.push((line, above)),
+        }
+    }
+    all
 }
 
 pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
     let top = look.heading(&mut figure, &table.title, &table.about) + look.text * 0.6;
-    let Lines { text, row } = lines;
-    let Set { widths, gap } = table.set(room, text, look);
+    let Set { widths, gap } = table.set(room, lines, look);
+    let Lines { text, row, narrow } = lines;
     let left = look.margin();
     // The right ends of the columns; a column's share of spare room lies before it.
     let ends: Vec<f32> = widths
@@ -164,17 +190,17 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look
         })
         .collect();
     let right = ends.last().copied().unwrap_or(left);
-    let heads = table.head_lines();
+    let heads = table.head_lines(narrow);
     let small = text * 0.9;
     let head_bottom = top + heads as f32 * text * 1.5;
     let at = Vec2::new(left, head_bottom - text * 0.9);
     write(&mut figure, Role::Quiet, None, at, &table.of, small, Face::Regular, Anchor::Start);
     for ((column, end), wide) in table.columns.iter().zip(&ends[1..]).zip(&widths[1..]) {
-        let lines = lines_of(&column.head);
+        let lines = lines_of(&column.head, narrow);
         let (x, anchor) = if column.words { (end - wide, Anchor::Start) } else { (*end, Anchor::End) };
-        for (index, head) in lines.iter().rev().enumerate() {
+        for (index, (head, above)) in lines.iter().rev().enumerate() {
             let at = Vec2::new(x, head_bottom - text * 0.9 - index as f32 * text * 1.35);
-            let face = if lines.len() > 1 && index + 1 == lines.len() { Face::Bold } else { Face::Regular };
+            let face = if *above { Face::Bold } else { Face::Regular };
             write(&mut figure, Role::Quiet, None, at, head, small, face, anchor);
         }
     }
@@ -190,11 +216,12 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look
             figure.add(Role::Ground, place, block(corner, Vec2::new(right - left + text * 1.2, high), text * 0.2));
         }
         let name = if shown || asked { Role::Text } else { Role::Quiet };
-        write(&mut figure, name, place, Vec2::new(left, y), &row.name, text, Face::Bold, Anchor::Start);
-        if !row.note.is_empty() {
-            let x = left + text_width(&row.name, Face::Bold, text) + text * 0.7;
-            write(&mut figure, Role::Quiet, place, Vec2::new(x, y), &row.note, small, Face::Regular, Anchor::Start);
-        }
+        let below = narrow && !row.note.is_empty();
+        let at = Vec2::new(left, if below { y - text * 0.6 } else { y });
+        write(&mut figure, name, place, at, &row.name, text, Face::Bold, Anchor::Start);
+        let beside = Vec2::new(text_width(&row.name, Face::Bold, text) + text * 0.7, 0.0);
+        let at = at + if below { Vec2::new(0.0, text * 1.25) } else { beside };
+        write(&mut figure, Role::Quiet, place, at, &row.note, small, Face::Regular, Anchor::Start);
         for (index, (column, end)) in table.columns.iter().zip(&ends[1..]).enumerate() {
             let Some(cell) = row.cells.get(index).filter(|cell| !cell.is_empty()) else { continue };
             if asked && !column.given {

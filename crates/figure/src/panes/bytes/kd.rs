@@ -107,9 +107,11 @@ impl Row {
         // What a compiler makes of it where pointers have 64 bits.
         label(2.15, &format!("64 bit: {compiled}"), Role::Quiet, Face::Regular, u * SMALL);
 
-        let mut x = self.left;
+        let width_of = |field: &NodeField| self.byte * Machine::Printed.bytes(field.word) as f32;
+        let letters = self.caption_size(fields.iter().map(|(field, _)| (field.name, width_of(field))));
+        let (mut x, mut free) = (self.left, 0.0_f32);
         for (field, word) in fields {
-            let width = self.byte * Machine::Printed.bytes(field.word) as f32;
+            let width = width_of(field);
             let name = if self.hide { "" } else { self.named(field.name) };
             let shown = if self.hide { Some("?".to_owned()) } else { self.says(field, name, *word) };
             let role = if shown.is_some() { Role::Seen } else { Role::Edge };
@@ -117,7 +119,12 @@ impl Row {
             figure.add(role, place, block(Vec2::new(x, self.y), Vec2::new(width, u * 1.7), 0.0));
             let middle = x + width / 2.0;
             self.fitted(figure, Role::Value, Vec2::new(middle, self.y + u * 0.85), &shown.unwrap_or_default(), width);
-            self.fitted(figure, Role::Quiet, Vec2::new(middle, self.y + u * 2.2), self.caption(name, width), width);
+            // One that is wider than its field pushes the next one on.
+            let caption = self.caption(name, width);
+            let long = text_width(caption, Face::Regular, letters);
+            let at = Vec2::new((middle - long * 0.5).max(free), self.y + u * 2.2);
+            write(figure, Role::Quiet, None, at, caption, letters, Face::Regular, Anchor::Start);
+            free = at.x + long + u * 0.3;
             x += width;
         }
         if let Some((field, word)) = fields.iter().find(|(field, _)| !field.bits.is_empty() && !self.hide) {
@@ -137,6 +144,17 @@ impl Row {
             Some((of_inner, _)) => of_inner,
             None => name,
         }
+    }
+
+    /// The letters of all captions of a row: so large that each one fits below its field, but for a byte's, which has
+    /// room beside it.
+    fn caption_size(&self, fields: impl Iterator<Item = (&'static str, f32)>) -> f32 {
+        let wide = fields.filter(|(_, width)| *width > self.u * 2.0);
+        let fits = wide.map(|(name, width)| {
+            let caption = self.caption(self.named(name), width);
+            (width - self.u * 0.2) / text_width(caption, Face::Regular, 1.0).max(0.01)
+        });
+        fits.fold(self.u * SMALL, f32::min).max(self.u * LEAST)
     }
 
     /// A name as it stands below its field: in one word where there is no room for two.
@@ -174,6 +192,8 @@ impl Row {
     /// them the highest ones stand there as one box.
     fn bits(&self, figure: &mut Figure, field: &NodeField, word: u32, left: f32, right: f32) {
         let u = self.u;
+        // What the bits say may stand a little to the left of them.
+        let leftmost = left - u * 1.2;
         let least = u * SMALL * text_width("0", Face::Mono, 1.0);
         let side = ((right - left) / 32.0).clamp(least, (u * 1.2).max(least));
         let room = ((right - left) / side + 1e-3) as u32;
@@ -201,17 +221,19 @@ impl Row {
             self.fitted(figure, Role::Quiet, Vec2::new(left, self.y) + wide / 2.0, says, wide.x);
         }
         // The lowest bits stand at the right; names longer than their place push the next ones to the left.
-        let names = field.bits.iter().map(|(name, _)| format!("{}: 00  ", self.named(name)));
-        let all: f32 = names.map(|name| text_width(&name, Face::Regular, u * SMALL)).sum();
-        let letters = u * if all > right - left { LEAST } else { SMALL };
+        let long = |name: &str, size: f32| text_width(&format!("{name}: 0"), Face::Regular, size) + u * 0.5;
+        let all = |size: f32| field.bits.iter().map(|(name, _)| long(self.named(name), size)).sum::<f32>();
+        let letters = u * if all(u * SMALL) > right - leftmost { LEAST } else { SMALL };
+        let short = all(letters) > right - leftmost;
         let (mut low, mut free) = (0, right);
         for (name, count) in field.bits {
             let [start, end] = [low + count, low].map(|bits| right - reach(bits));
             let value = word >> low & (1_u64 << count).wrapping_sub(1) as u32;
             figure.add(Role::Seen, None, block(Vec2::new(start, self.y), Vec2::new(end - start, height), 0.0));
-            let says = format!("{}: {value}", self.named(name));
+            let name = self.named(name);
+            let says = format!("{}: {value}", if short { self.caption(name, 0.0) } else { name });
             let long = text_width(&says, Face::Regular, letters);
-            let x = (f32::midpoint(start, end) - long / 2.0).min(free - long).max(left);
+            let x = (f32::midpoint(start, end) - long / 2.0).min(free - long).max(leftmost);
             let at = Vec2::new(x, self.y + u * 2.2);
             write(figure, Role::Quiet, None, at, &says, letters, Face::Regular, Anchor::Start);
             free = x - u * 0.5;

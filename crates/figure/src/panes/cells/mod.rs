@@ -49,38 +49,27 @@ pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look
         current: stepped.and_then(|stepped| axes.clone().position(|axis| axis == stepped)),
         place,
     };
-    let mut y = table.draw(&mut figure, top, size.y - 2.2 * look.line(), look) + look.text * 0.9;
-
+    // In a low pane what else there is to say stands beside the table.
+    let below = size.y - 2.2 * look.line();
+    let beside = look.margin() + table.width(look.text) + look.text * 2.0;
+    let low = top + table.height(look.text) > below && beside + look.text * BESIDE < size.x;
+    let end = table.draw(&mut figure, top, if low { size.y } else { below }, look);
+    let (left, mut y) = if low { (beside, top + look.line() * 0.5) } else { (look.margin(), end + look.text * 0.9) };
     let interval = format!("t in [{}, {}]", number(moment.entered.near), number(moment.entered.far));
-    write(
-        &mut figure,
-        Role::Here,
-        place,
-        Vec2::new(look.margin(), y),
-        &interval,
-        look.text,
-        Face::Medium,
-        Anchor::Start,
-    );
+    write(&mut figure, Role::Here, place, Vec2::new(left, y), &interval, look.text, Face::Medium, Anchor::Start);
     y += look.line();
     match grid.finer().iter().find(|(holder, _)| *holder == cell) {
         Some((_, finer)) => {
             let says = format!("holds a grid of {} cells", size_of_grid(finer, walk.flat));
-            write(
-                &mut figure,
-                Role::Text,
-                place,
-                Vec2::new(look.margin(), y),
-                &says,
-                look.text,
-                Face::Regular,
-                Anchor::Start,
-            );
+            write(&mut figure, Role::Text, place, Vec2::new(left, y), &says, look.text, Face::Regular, Anchor::Start);
         }
-        None => prims(&mut figure, grid.cell_prims(cell), moment, y, look),
+        None => prims(&mut figure, grid.cell_prims(cell), moment, Vec2::new(left, y), look),
     }
     figure
 }
+
+/// The room that words beside the table need, in letters.
+const BESIDE: f32 = 16.0;
 
 /// Where a cell lies in its grid, counted from 0, and in which cell that grid lies.
 fn coordinates(grid: &dyn AnyGrid, cell: CellId, flat: bool) -> String {
@@ -120,16 +109,15 @@ fn next_planes(walk: &Walk<'_>, grid: &dyn AnyGrid, moment: &Moment, cell: CellI
 
 /// What the cell refers to, each with what became of it. Of more than there is room for, first those that
 /// were hit, then those that something else happened to; the last words say how many are left.
-fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, y: f32, look: &Look) {
+fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, start: Vec2, look: &Look) {
     let u = look.text;
     let says = match prims.len() {
         0 => "refers to no primitive",
         1 => "refers to primitive",
         _ => "refers to primitives",
     };
-    let start = Vec2::new(look.margin(), y);
     write(figure, Role::Quiet, None, start, says, u, Face::Regular, Anchor::Start);
-    let first = Vec2::new(look.margin() + text_width(says, Face::Regular, u) + u * 0.7, y);
+    let first = start + Vec2::new(text_width(says, Face::Regular, u) + u * 0.7, 0.0);
     let room = Vec2::new(figure.size.x - look.margin(), figure.size.y - u * 0.5);
 
     let mut entries: Vec<(usize, Role, Place, String)> = Vec::with_capacity(prims.len());
@@ -146,7 +134,7 @@ fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, y: f32, look: &
     let texts = |entries: &[(usize, Role, Place, String)]| -> Vec<String> {
         entries.iter().map(|(.., text)| text.clone()).collect()
     };
-    let mut places = flow(&texts(&entries), first, room, look);
+    let mut places = flow(&texts(&entries), first, start.x, room, look);
     if places.len() < entries.len() {
         entries.sort_by_key(|(rank, ..)| *rank);
         // As many as leave room for the words at the end.
@@ -154,7 +142,7 @@ fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, y: f32, look: &
             let says = format!("and {} more", entries.len() - shown);
             let mut some = texts(&entries[..shown]);
             some.push(says.clone());
-            places = flow(&some, first, room, look);
+            places = flow(&some, first, start.x, room, look);
             if let (true, Some(at)) = (places.len() == some.len(), places.last()) {
                 write(figure, Role::Quiet, None, *at, &says, u, Face::Regular, Anchor::Start);
                 entries.truncate(shown);
@@ -167,14 +155,14 @@ fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, y: f32, look: &
     }
 }
 
-/// Where words stand, one after the other in lines from `first` on: those that end before `room` does.
-fn flow(words: &[String], first: Vec2, room: Vec2, look: &Look) -> Vec<Vec2> {
+/// Where words stand, one after the other in lines that begin at `left`, from `first` on: those that end before `room` does.
+fn flow(words: &[String], first: Vec2, left: f32, room: Vec2, look: &Look) -> Vec<Vec2> {
     let mut at = first;
     let mut places = Vec::new();
     for word in words {
         let width = text_width(word, Face::Medium, look.text);
-        if at.x + width > room.x && at.x > look.margin() {
-            at = Vec2::new(look.margin(), at.y + look.line());
+        if at.x + width > room.x && at.x > left {
+            at = Vec2::new(left, at.y + look.line());
         }
         if at.y > room.y {
             break;

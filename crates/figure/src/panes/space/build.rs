@@ -402,7 +402,8 @@ impl Drawing<'_> {
         let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
         let place = Some(Place::Node(*id));
         let every = self.moment.weighed.len().div_ceil(TICKS).max(1);
-        for weighed in self.moment.weighed.iter().step_by(every) {
+        // Once the node is split, what else was weighed covers no primitives any more.
+        for weighed in self.moment.weighed.iter().step_by(every).filter(|_| node.split.is_none()) {
             let Some(axis) = weighed.axis.axis() else { continue };
             for (from, to) in ticks(&node.bounds, axis, weighed.plane) {
                 self.add(Role::Candidate, place, Form::Segment(from, to));

@@ -66,9 +66,15 @@ impl Pane<'_> {
         digits(self.look, if self.look.titles { PARTS[IN_A_PANE] } else { PARTS[0] })
     }
 
+    /// Whether what the marks mean stands at the foot: in a picture of nothing but a tree.
+    fn signs_below(&self) -> bool {
+        !self.look.titles && self.size.y > self.look.text * 20.0
+    }
+
     fn pen(&self, sizes: Sizes, top: f32, right: f32) -> Pen<'_> {
         let margin = self.look.margin();
-        let (min, max) = (Vec2::new(margin, top), Vec2::new(right, self.size.y - margin * 0.5));
+        let foot = if self.signs_below() { self.look.text * 1.3 } else { 0.0 };
+        let (min, max) = (Vec2::new(margin, top), Vec2::new(right, self.size.y - margin * 0.5 - foot));
         Pen { tree: self.tree, levels: self.levels, sizes, min, max, alone: !self.look.titles }
     }
 
@@ -82,8 +88,7 @@ impl Pane<'_> {
             let at = Vec2::new(left, look.margin() + look.text * 0.6);
             return Vec2::new(write_signs(figure, &signs, at, right, look), bottom);
         }
-        // In a picture of nothing but a tree, at its foot.
-        if size.y > look.text * 20.0 {
+        if self.signs_below() {
             write_signs(figure, &signs, Vec2::new(look.margin(), size.y - look.margin()), right, look);
         }
         Vec2::new(0.0, bottom)
@@ -113,8 +118,8 @@ impl Pane<'_> {
     /// Draws what there is room for, the way down to it, and how much there is besides.
     fn part(&self, figure: &mut Figure) {
         let Pane { look, size, levels, .. } = *self;
-        let top = look.heading(&mut Figure::default(), "", "");
         let outside = Outside::new(levels, size, look);
+        let top = look.heading(&mut Figure::default(), "", "").max(outside.top());
         let right = size.x - look.margin() - outside.width();
         let sizes = self.sizes();
         // A small tree that does not fit is drawn as small as it may be, a large one so that its path is seen.

@@ -7,6 +7,7 @@ use super::branches::{Branches, Tree};
 use super::pen::text_role;
 use crate::page::{Anchor, Figure, Look, write};
 use crate::theme::{Face, Role, text_width};
+use crate::words::whole;
 use crate::world::Levels;
 
 /// A pane narrower than so many letters has no room for a column beside the tree.
@@ -36,19 +37,26 @@ impl<'a> Outside<'a> {
         self.levels.counts().iter().sum()
     }
 
+    /// Where what says how many nodes are drawn ends: without a heading it stands over the column.
+    pub(super) fn top(&self) -> f32 {
+        if self.has_column() { self.look.margin() + self.look.text * 1.6 } else { 0.0 }
+    }
+
     /// How wide the column beside the tree is, if there is one.
     pub(super) fn width(&self) -> f32 {
         let most = self.levels.counts().iter().max().copied().unwrap_or(0);
         let deepest = self.levels.deepest();
-        let rows =
-            [format!("level {deepest}: 36 of {most}"), format!("levels {deepest}–{deepest}: {} more", self.total())];
+        let rows = [
+            format!("level {deepest}: 36 of {}", count(most)),
+            format!("levels {deepest}–{deepest}: {} more", count(self.total())),
+        ];
         let wide = |row: &String| text_width(row, Face::Regular, self.look.small());
         if self.has_column() { rows.iter().map(wide).fold(0.0, f32::max) + self.look.text } else { 0.0 }
     }
 
     /// How much of the heading's line it takes up.
     pub(super) fn heading_width(&self) -> f32 {
-        let longest = format!("36 of {} nodes drawn", self.total());
+        let longest = format!("36 of {} nodes drawn", count(self.total()));
         text_width(&longest, Face::Regular, self.look.small()) + self.look.text
     }
 
@@ -60,7 +68,7 @@ impl<'a> Outside<'a> {
             let at = Vec2::new(size.x - look.margin(), y);
             write(figure, Role::Quiet, None, at, says, look.small(), Face::Regular, Anchor::End);
         };
-        let says = format!("{} of {} nodes drawn", branches.shown.len(), self.total());
+        let says = format!("{} of {} nodes drawn", branches.shown.len(), count(self.total()));
         put(look.margin() + look.text * 0.6, &says);
         let first = branches.shown.first().and_then(|branch| levels.level(branch.node));
         let Some(first) = first.filter(|_| self.has_column()) else { return };
@@ -71,7 +79,7 @@ impl<'a> Outside<'a> {
         };
         if first > 0 {
             let (named, all) = (branches.above.len(), counts[..first].iter().sum::<usize>());
-            put(top + look.text * 0.5, &format!("{}: {named} of {all}", range(0, first - 1)));
+            put(top + look.text * 0.5, &format!("{}: {named} of {}", range(0, first - 1), count(all)));
         }
         let mut row = 0;
         loop {
@@ -82,8 +90,8 @@ impl<'a> Outside<'a> {
             let says = match drawn {
                 0 => break,
                 1 if all == 1 => format!("level {level}: 1 node"),
-                _ if drawn == all => format!("level {level}: all {all}"),
-                _ => format!("level {level}: {drawn} of {all}"),
+                _ if drawn == all => format!("level {level}: all {}", count(all)),
+                _ => format!("level {level}: {drawn} of {}", count(all)),
             };
             put(y, &says);
             row += 1;
@@ -92,7 +100,7 @@ impl<'a> Outside<'a> {
         if deeper > 0 {
             let foot = places.iter().map(|at| at.y).fold(0.0, f32::max) + look.line();
             let foot = foot.min(size.y - look.small() * 0.6);
-            put(foot, &format!("{}: {deeper} more", range(first + row, levels.deepest())));
+            put(foot, &format!("{}: {} more", range(first + row, levels.deepest()), count(deeper)));
         }
     }
 
@@ -137,6 +145,11 @@ impl<'a> Outside<'a> {
             at.x += wide(&piece);
         }
     }
+}
+
+/// A number of nodes, in words.
+fn count(nodes: usize) -> String {
+    whole(nodes as u64)
 }
 
 /// A piece of the line of ancestors.

@@ -8,6 +8,7 @@ use super::sizes::Sizes;
 use crate::page::{Anchor, Figure, Ink, block, line, write};
 use crate::panes::lanes::{small_strip, strip_room};
 use crate::theme::{Face, Role, text_width};
+use crate::words;
 use crate::world::Levels;
 
 /// A leaf with more primitives than this shows their number.
@@ -74,7 +75,7 @@ impl Pen<'_> {
 
     /// Half the width of what stands for the nodes below a closed one.
     pub(super) fn rest_width(&self, node: NodeId) -> f32 {
-        let count = text_width(&self.levels.below(node).to_string(), Face::Regular, self.sizes.small());
+        let count = text_width(&words::whole(self.levels.below(node) as u64), Face::Regular, self.sizes.small());
         (count / 2.0).max(self.sizes.digits * CELL)
     }
 
@@ -228,7 +229,7 @@ impl Pen<'_> {
         let place = Some(Place::Node(node));
         figure.add(Role::Scene, place, triangle(tip, self.sizes.digits));
         let at = tip + Vec2::new(0.0, self.sizes.digits * 1.4);
-        let says = self.levels.below(node).to_string();
+        let says = words::whole(self.levels.below(node) as u64);
         write(figure, Role::Quiet, place, at, &says, self.sizes.small(), Face::Regular, Anchor::Middle);
     }
 }

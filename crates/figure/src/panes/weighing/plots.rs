@@ -322,8 +322,15 @@ impl Plot<'_> {
             let y = scale.x(*cost);
             let (from, to) = (Vec2::new(space.min.x, y), Vec2::new(space.max.x, y));
             self.figure.add(Role::Hidden, None, line(from, to));
-            let at = to - Vec2::new(u * 0.3, u * 0.8);
-            write(self.figure, Role::Quiet, None, at, says, small, Face::Regular, Anchor::End);
+            // At the end where the curve leaves it room.
+            let wide = text_width(says, Face::Regular, small) + u * 0.6;
+            let in_row = |at: &&Vec2| (at.y - (y - u * 0.8)).abs() < u;
+            let near = |from: f32| points.iter().filter(in_row).filter(|at| at.x > from && at.x < from + wide).count();
+            let (at, anchor) = match near(to.x - wide) > near(from.x) {
+                true => (from + Vec2::new(u * 0.3, -u * 0.8), Anchor::Start),
+                false => (to - Vec2::new(u * 0.3, u * 0.8), Anchor::End),
+            };
+            write(self.figure, Role::Quiet, None, at, says, small, Face::Regular, anchor);
         }
         if let (Some(order), Axis::X) = (order, axis) {
             self.cuts(order, now);
@@ -378,12 +385,12 @@ impl Plot<'_> {
                 Some(_) => format!("{} | {}", last.below, last.above),
                 None => format!("{axis} = {}", number(last.plane)),
             };
+            let (size, face, anchor) = (small, Face::Medium, Anchor::Middle);
+            let half = text_width(&says, face, size) * 0.5 + u * 0.6;
             let at = match axis {
-                Axis::Y => Vec2::new(space.min.x - u * 0.2, across),
+                Axis::Y => Vec2::new((space.min.x - u * 0.2 - half).max(half), across),
                 _ => Vec2::new(across, self.bottom() + u * 1.0),
             };
-            let anchor = if axis == Axis::Y { Anchor::End } else { Anchor::Middle };
-            let (size, face) = (small, Face::Medium);
             self.figure.add(Role::Value, place, Ink::Text { at, text: says, size, face, anchor, boxed: true });
         }
     }
