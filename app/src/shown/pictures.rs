@@ -120,6 +120,8 @@ impl Pictures {
             let hide = asks.is_some_and(|(_, coming)| pane != Pane::Bytes || told(coming));
             let lines = lines(code, &playback.play, &playback.rule, still.step(), mistake);
             let space = space.as_deref();
+            // The tree says how many nodes it has: not while that is asked.
+            let view = &TreeView { uncounted: asks.is_some_and(|(total, _)| total), ..view.clone() };
             let ask = Ask { hide, view: Some(view), lines: &lines, beside, part, space, ..Ask::new(size, *look) };
             Arc::new(still.draw(pane, &ask))
         };

@@ -19,6 +19,8 @@ pub struct TreeView {
     pub opened: Vec<NodeId>,
     /// Nodes to keep closed.
     pub closed: Vec<NodeId>,
+    /// Whether it is left out how many nodes there are in all.
+    pub uncounted: bool,
 }
 
 /// What the drawing of a tree asks, of a finished tree or of one that grows.

@@ -138,7 +138,9 @@ impl Pane<'_> {
         let places = pen.places(&branches);
         self.heading(figure, &branches, size.x - look.margin() - outside.heading_width());
         outside.crumbs(figure, self.tree, &branches.above, top, right);
-        outside.rows(figure, &branches, &places, top);
+        if !self.view.uncounted {
+            outside.rows(figure, &branches, &places, top);
+        }
         pen.draw(figure, &branches, &places);
     }
 }
