@@ -25,7 +25,7 @@ pub(super) fn pressed(ui: &Ui, present: bool, typing: &[char]) -> Vec<Command> {
 /// The letter of a slide's number, `40b`, if the event is one of those that are `typing` now.
 fn letter(event: &Event, typing: &[char]) -> Option<Command> {
     let Event::Key { key, pressed: true, modifiers: Modifiers::NONE, .. } = event else { return None };
-    let letter = key.name().to_ascii_lowercase().parse::<char>().ok().filter(|letter| letter.is_ascii_alphabetic())?;
+    let letter = key.name().to_ascii_lowercase().parse::<char>().ok().filter(char::is_ascii_alphabetic)?;
     typing.contains(&letter).then_some(Command::Type(letter as u8))
 }
 

@@ -292,10 +292,10 @@ fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cost: Option<C
     match (cost.node_visits, cost.cell_steps) {
         (0, 0) => {}
         (0, cells) => {
-            says.push(format!("{} {}", raystep_figure::whole(cells), if cells == 1 { "cell" } else { "cells" }))
+            says.push(format!("{} {}", raystep_figure::whole(cells), if cells == 1 { "cell" } else { "cells" }));
         }
         (nodes, _) => {
-            says.push(format!("{} {}", raystep_figure::whole(nodes), if nodes == 1 { "node" } else { "nodes" }))
+            says.push(format!("{} {}", raystep_figure::whole(nodes), if nodes == 1 { "node" } else { "nodes" }));
         }
     }
     let beside = playback.kind != Beside::Nothing;
