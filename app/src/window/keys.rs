@@ -4,22 +4,25 @@ use egui::{Event, Key, Modifiers, Ui};
 
 use crate::shown::command::{Command, ENTRIES};
 
-/// The commands given by keys in this frame, in order; `present` on the presenter's page, where `typing` are the letters
-/// that go on with the number of a slide that is being typed.
-pub(super) fn pressed(ui: &Ui, present: bool, typing: &[char]) -> Vec<Command> {
+/// The events of this frame that may be commands, and whether a widget has the focus and keeps most keys. None while
+/// something is chosen from a list.
+pub(super) fn events(ui: &Ui) -> (Vec<Event>, bool) {
     if ui.ctx().any_popup_open() {
-        return Vec::new();
+        return (Vec::new(), false);
     }
     let focused = ui.ctx().memory(egui::Memory::focused);
-    if let Some(id) = focused {
-        // Esc lets go of a widget.
-        if ui.input(|input| input.key_pressed(Key::Escape)) {
-            ui.ctx().memory_mut(|memory| memory.surrender_focus(id));
-        }
-        return ui.input(|input| input.events.iter().filter_map(|event| command(event, true, present)).collect());
+    // Esc lets go of a widget.
+    if let Some(id) = focused.filter(|_| ui.input(|input| input.key_pressed(Key::Escape))) {
+        ui.ctx().memory_mut(|memory| memory.surrender_focus(id));
     }
-    let given = |event: &Event| letter(event, typing).or_else(|| command(event, false, present));
-    ui.input(|input| input.events.iter().filter_map(given).collect())
+    (ui.input(|input| input.events.clone()), focused.is_some())
+}
+
+/// The command that an event gives; `present` on the presenter's page, where `typing` are the letters that go on with the
+/// number of a slide that is being typed.
+pub(super) fn given_by(event: &Event, focused: bool, present: bool, typing: &[char]) -> Option<Command> {
+    let letter = letter(event, typing).filter(|_| !focused);
+    letter.or_else(|| command(event, focused, present))
 }
 
 /// The letter of a slide's number, `40b`, if the event is one of those that are `typing` now.

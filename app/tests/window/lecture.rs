@@ -134,8 +134,17 @@ fn a_slide_is_found_by_its_number() {
     assert_eq!(go(&[Key::Num2, Key::Slash, Key::Num1, Key::Num4]), "2/14");
     assert_eq!(go(&[Key::Num3, Key::Num6]), "5/33", "a slide stands for 33 to 38");
     assert_eq!(go(&[Key::Num9, Key::Num9]), "5/33", "there is none");
+    assert_eq!(go(&[Key::Num4, Key::Num0, Key::B]), "5/40b");
+    assert_eq!(go(&[Key::Num3, Key::Num3]), "5/33");
     // What is half typed is forgotten by everything else.
     assert_eq!(go(&[Key::Num1, Key::Home, Key::Num2]), "1/2");
+    // Also where all of it comes in one frame.
+    for key in [Key::Num4, Key::Num0, Key::B, Key::Enter] {
+        harness.key_press(key);
+    }
+    settle(&mut harness);
+    assert_eq!(id(&harness), "5/40b");
+    assert_eq!(harness.state().state.lecture.cover, None, "b is a letter here");
 }
 
 #[test]

@@ -35,8 +35,13 @@ impl App {
         if takes_back {
             self.state.take_back();
         } else if !busy {
-            for command in keys::pressed(ui, self.state.present, &self.state.letters_of_number()) {
-                self.run(ui, command);
+            let (events, focused) = keys::events(ui);
+            for event in events {
+                // What a key means depends on what was typed before it, be it in the same frame.
+                let typing = self.state.letters_of_number();
+                if let Some(command) = keys::given_by(&event, focused, self.state.present, &typing) {
+                    self.run(ui, command);
+                }
             }
         }
         if escape && !takes_back {
