@@ -19,7 +19,8 @@ use raystep_accel::{Aabb, Place, PrimId, Primitives, Prims};
 use lens::Lens;
 
 use crate::page::{Anchor, Figure, Ink, Mark};
-use crate::theme::{Face, Role, text_width};
+use crate::theme::fonts::broken;
+use crate::theme::{Face, Role};
 use crate::world::{Form, Space, SpaceMark, corners};
 
 pub use axes::axes;
@@ -132,7 +133,7 @@ impl Stage<'_> {
         // One that is wider than the picture, or than what the axes leave of it, takes two lines; where it took more it
         // would cover the scene.
         let axes = if self.flat { 0.0 } else { axes::room(page)[1].x };
-        let notes = notes.iter().map(|note| broken(note, page.x - 28.0 - axes, size));
+        let notes = notes.iter().map(|note| broken(note, Face::Regular, size, page.x - 28.0 - axes));
         let lines: Vec<String> = notes.filter(|lines| lines.len() <= 2).flatten().collect();
         for (row, text) in lines.into_iter().rev().enumerate() {
             let at = page - Vec2::new(14.0, 16.0 + row as f32 * size * 1.5);
@@ -266,21 +267,6 @@ impl Stage<'_> {
         }
         runs
     }
-}
-
-/// Words in lines that are no wider than this.
-fn broken(text: &str, width: f32, size: f32) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split(' ') {
-        match lines.last_mut() {
-            Some(line) if text_width(&format!("{line} {word}"), Face::Regular, size) <= width => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
 
 /// How a line looks where a surface lies before it.

@@ -68,6 +68,21 @@ pub fn has_glyph(letter: char, face: Face) -> bool {
     parsed(face).glyph_index(letter).is_some()
 }
 
+/// The text in lines of at most `width` points, as far as its words allow.
+pub(crate) fn broken(text: &str, face: Face, size: f32, width: f32) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split(' ') {
+        match lines.last_mut() {
+            Some(line) if text_width(&format!("{line} {word}"), face, size) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 /// The text, shortened with an ellipsis to at most `width` points.
 pub fn elided(text: &str, face: Face, size: f32, width: f32) -> String {
     if text_width(text, face, size) <= width {

@@ -3,7 +3,8 @@
 use glam::Vec2;
 
 use crate::page::{Anchor, Figure, Look, block, write};
-use crate::theme::{Face, Role, text_width};
+use crate::theme::fonts::broken;
+use crate::theme::{Face, Role};
 use crate::words::{Fact, VolumeName};
 
 /// What was computed so far; of many steps the last that there is room for. The first of them has the number `first`.
@@ -15,7 +16,7 @@ pub(crate) fn steps(title: &str, first: usize, steps: &[&dyn Fact], size: Vec2, 
     let (line, small, width) = (look.line(), look.small(), size.x - 2.0 * look.margin());
     let number = first;
     let said: Vec<Vec<String>> =
-        steps.iter().map(|step| broken(&step.sentence(VolumeName::BOX), small, width)).collect();
+        steps.iter().map(|step| broken(&step.sentence(VolumeName::BOX), Face::Regular, small, width)).collect();
     let high = |said: &Vec<String>| (line * (1.15 + 0.8 * said.len() as f32)).round();
     // From the last one up, as many as there is room for.
     let mut room = size.y - top;
@@ -47,19 +48,4 @@ pub(crate) fn steps(title: &str, first: usize, steps: &[&dyn Fact], size: Vec2, 
         write(&mut figure, Role::Quiet, None, at, "Nothing is computed yet.", look.text, Face::Regular, Anchor::Start);
     }
     figure
-}
-
-/// A sentence in lines of this width.
-fn broken(sentence: &str, size: f32, width: f32) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in sentence.split(' ') {
-        match lines.last_mut() {
-            Some(line) if text_width(&format!("{line} {word}"), Face::Regular, size) <= width => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }
