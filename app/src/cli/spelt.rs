@@ -1,5 +1,9 @@
 //! A structure as one line of text.
 
+use std::fmt::Display;
+use std::ops::{Bound, RangeBounds};
+use std::str::FromStr;
+
 use raystep_accel::{Rule, RuleError};
 
 use crate::fault::Fault;
@@ -13,6 +17,21 @@ pub(crate) fn answering(kind: &str) -> Result<Rule, Fault> {
             Rule::KINDS.join(", ")
         ))),
         rule => Ok(rule),
+    }
+}
+
+/// Reads a whole number of these: from one to another, or from one on.
+pub(crate) fn whole<N>(allowed: impl RangeBounds<N> + Clone) -> impl Fn(&str) -> Result<N, String> + Clone
+where
+    N: FromStr + PartialOrd + Display,
+{
+    move |text| {
+        let number = text.trim().parse().ok().filter(|number| allowed.contains(number));
+        number.ok_or_else(|| match (allowed.start_bound(), allowed.end_bound()) {
+            (Bound::Included(least), Bound::Included(most)) => format!("write a whole number from {least} to {most}"),
+            (Bound::Included(least), _) => format!("write a whole number from {least} on"),
+            _ => "write a whole number".to_owned(),
+        })
     }
 }
 

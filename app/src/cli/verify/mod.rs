@@ -31,13 +31,15 @@ use tally::Tally;
 #[derive(Args, Debug)]
 pub struct VerifyArguments {
     /// How many rays to shoot.
-    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, allow_negative_numbers = true,
+          value_parser = spelt::whole(1..))]
     rays: u64,
-    /// The kind of structure: grid, kd, bvh, fast-bvh8 ... or all.
+    /// The kind of structure: grid, kd, bvh, fast-bvh8 ..., all whose names begin alike: fast-*, or all.
     #[arg(long, value_name = "KIND", default_value = "all")]
     structure: String,
     /// Another seed: other scenes and other rays.
-    #[arg(long, value_name = "S", default_value_t = 0)]
+    #[arg(long, value_name = "S", default_value_t = 0, allow_negative_numbers = true,
+          value_parser = spelt::whole(0..))]
     seed: u64,
     /// Ask each ray of one structure of each kind only, of another one for the next ray: more rays in the same time.
     #[arg(long)]
@@ -128,7 +130,11 @@ fn kinds(structure: &str) -> Result<Vec<&'static str>, Fault> {
     let textbook = Rule::KINDS.into_iter().filter(|kind| *kind != "list");
     let judged = || textbook.clone().chain(FastKind::ALL.map(FastKind::name));
     match structure {
-        "all" => Ok(judged().collect()),
+        "all" | "*" => Ok(judged().collect()),
+        alike if judged().any(|kind| alike.strip_suffix('*').is_some_and(|begin| kind.starts_with(begin))) => {
+            let begin = alike.trim_end_matches('*');
+            Ok(judged().filter(|kind| kind.starts_with(begin)).collect())
+        }
         "list" => Err(Fault::new(format!(
             "--structure list: brute force is the judge; there are all, {}",
             judged().collect::<Vec<_>>().join(", ")
@@ -196,6 +202,15 @@ fn percent(part: u64, whole: u64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn names_that_begin_alike_are_one_choice() {
+        let fast: Vec<_> = FastKind::ALL.map(FastKind::name).to_vec();
+        assert_eq!(kinds("fast-*").ok(), Some(fast));
+        assert_eq!(kinds("kd").ok(), Some(vec!["kd"]));
+        assert_eq!(kinds("*").ok(), kinds("all").ok());
+        assert!(kinds("slow-*").is_err());
+    }
 
     #[test]
     fn every_kind_has_rules_to_try() {
