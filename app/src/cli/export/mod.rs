@@ -14,8 +14,6 @@ use raystep_figure::Theme;
 use raystep_lesson::Library;
 use raystep_print::Lettering;
 
-pub(super) use chosen::no_slide;
-
 use super::lessons::Lessons;
 use crate::export::{
     Format, Order, Piece, STEP_MILLIS, Session, Size, View, Which, delay, jobs, pictures, span, write,
@@ -79,7 +77,7 @@ pub struct ExportArguments {
     #[arg(long)]
     transparent: bool,
     /// How many milliseconds a film shows a step; twice as long a beat, three times as long the last one.
-    #[arg(long, value_name = "MS", default_value_t = STEP_MILLIS, value_parser = delay)]
+    #[arg(long, value_name = "MS", default_value_t = STEP_MILLIS, allow_negative_numbers = true, value_parser = delay)]
     delay: u16,
     /// The colours.
     #[arg(long, default_value = "light", value_parser = ["light", "dark", "projector", "print"])]

@@ -17,6 +17,7 @@ use raystep_print::{png, svg};
 use raystep_scene::{MOST_TREES, TRIANGLES_OF_A_TREE, Woods};
 
 use super::measure::bar;
+use super::spelt;
 use crate::export::Size;
 use crate::fault::Fault;
 use crate::files;
@@ -30,15 +31,16 @@ pub struct ForestArguments {
     #[arg(long, value_name = "WxH", default_value = "1000x1000")]
     size: Size,
     /// Rays from the eye for each pixel.
-    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u32).range(1..=64))]
+    #[arg(long, value_name = "N", default_value_t = 4, allow_negative_numbers = true,
+          value_parser = spelt::whole(1..=64))]
     samples: u32,
     /// How many trees there are.
     #[arg(long, value_name = "N", default_value_t = MOST_TREES,
-          value_parser = clap::value_parser!(u32).range(1..=i64::from(MOST_TREES)))]
+          allow_negative_numbers = true, value_parser = spelt::whole(1..=MOST_TREES))]
     trees: u32,
     /// Triangles of each tree, at least.
     #[arg(long, value_name = "N", default_value_t = TRIANGLES_OF_A_TREE,
-          value_parser = clap::value_parser!(u32).range(1000..=4_000_000))]
+          allow_negative_numbers = true, value_parser = spelt::whole(1000..=4_000_000))]
     triangles: u32,
     /// Where to write the picture.
     #[arg(long, value_name = "FILE.png", default_value = "forest.png")]

@@ -30,7 +30,7 @@ pub struct RaceArguments {
     #[arg(long, value_name = "FILE.obj", conflicts_with = "scene")]
     mesh: Option<PathBuf>,
     /// Seconds that each rung is timed.
-    #[arg(long, value_name = "S", default_value_t = 0.5, value_parser = seconds)]
+    #[arg(long, value_name = "S", default_value_t = 0.5, allow_negative_numbers = true, value_parser = seconds)]
     seconds: f64,
     /// How what was found is written.
     #[arg(long, value_name = "FORMAT", default_value = "text")]
