@@ -6,10 +6,11 @@ use clap::Args;
 use raystep_lesson::{Library, Slide};
 
 use super::lessons::Lessons;
-use super::{doctor, page};
+use super::{doctor, page, spelt};
 use crate::fault::Fault;
 use crate::files;
-use crate::shown::link::{Link, no_ray};
+use crate::shown::link::Link;
+use crate::shown::unknown::{no_ray, no_slide};
 use crate::window::{Opening, Wishes};
 
 /// What the window shows first.
@@ -22,7 +23,7 @@ pub struct StartArguments {
     #[arg(long, value_name = "NAME")]
     ray: Option<String>,
     /// The step.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = spelt::whole(0..))]
     step: Option<usize>,
     /// A place as Ctrl+L copies it, as in "5/33?step=13".
     #[arg(long, value_name = "LINK", conflicts_with_all = ["slide", "ray", "step", "mesh"])]
@@ -41,7 +42,7 @@ pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
         return Err(Fault::new(format!("{}: there is no such file, and no such command (--help)", path.display())));
     }
     if let Some(slide) = arguments.slide.as_ref().filter(|slide| library.slide(slide).is_none()) {
-        return Err(super::export::no_slide(&library, slide));
+        return Err(Fault::new(no_slide(&library, slide)));
     }
     if let Some(ray) = &arguments.ray {
         let slide = arguments.slide.as_ref().map_or(library.slides.first(), |slide| library.slide(slide));

@@ -19,6 +19,7 @@ pub(crate) mod reel;
 pub mod state;
 pub(crate) mod steps;
 pub(crate) mod talk;
+pub(crate) mod unknown;
 pub(crate) mod view;
 pub(crate) mod words;
 

@@ -8,6 +8,7 @@ use super::own::{pairs, seen};
 use crate::cli::rays;
 use crate::export::{Format, Ground, Session, rays_of_beats};
 use crate::fault::Fault;
+use crate::shown::unknown::{no_ray, no_slide};
 
 /// A stage, built, with what walks on it.
 pub(super) struct Stood<'a> {
@@ -70,14 +71,8 @@ fn chosen<'a>(library: &'a Library, arguments: &ExportArguments) -> Result<Vec<&
     let Some(id) = &arguments.slide else { return Ok(library.slides.iter().collect()) };
     match library.slide(id) {
         Some(slide) => Ok(vec![slide]),
-        None => Err(no_slide(library, id)),
+        None => Err(Fault::new(no_slide(library, id))),
     }
-}
-
-/// There is no such slide, but there are others.
-pub(in crate::cli) fn no_slide(library: &Library, id: &str) -> Fault {
-    let known: Vec<String> = library.slides.iter().map(Slide::id).collect();
-    Fault::new(format!("there is no slide \"{id}\"; there are {}", known.join(", ")))
 }
 
 /// The named ray, or those that the beats want; without beats, the stage's own.
@@ -96,14 +91,7 @@ pub(super) fn nothing(library: &Library, arguments: &ExportArguments) -> String 
     let slides = chosen(library, arguments).unwrap_or_default();
     let stages = |slide: &Slide| slide.stages.iter().map(|stage| stage.kind.name()).collect::<Vec<_>>().join(" and ");
     match (slides.as_slice(), &arguments.ray, &arguments.stage) {
-        ([slide], Some(_), _) if !slide.plays.has_rays() => {
-            format!("slide {} plays how its structure is built: it has no rays", slide.id())
-        }
-        ([slide], Some(ray), _) => {
-            let known: Vec<&str> =
-                slide.stages.iter().flat_map(|stage| &stage.rays).map(|ray| ray.name.as_str()).collect();
-            format!("slide {} has no ray \"{ray}\"; there are {}", slide.id(), known.join(", "))
-        }
+        ([slide], Some(ray), _) => no_ray(slide, ray),
         ([slide], None, Some(stage)) => format!("slide {} has no {stage} stage, only {}", slide.id(), stages(slide)),
         _ => "there is no such slide, ray and stage".to_owned(),
     }

@@ -13,12 +13,13 @@ use raystep_figure::{Figure, Theme};
 use raystep_lesson::{Library, NamedRay, Slide, StageKind};
 use raystep_print::{Manner, pdf_pages, svg};
 
-use super::export::{bar, no_slide};
+use super::export::bar;
 use super::lessons::Lessons;
 use super::page::escaped;
 use crate::export::{Ground, Session, rays_of_beats};
 use crate::fault::Fault;
 use crate::files;
+use crate::shown::unknown::no_slide;
 use entry::{Entry, answers, entries};
 use sheet::{A4, HEIGHT, Sheet, WIDTH};
 
@@ -113,7 +114,7 @@ const PDF_NAME: &str = "handout.pdf";
 /// The slides that are asked for, in the order of the lecture.
 fn chosen<'a>(library: &'a Library, arguments: &HandoutArguments) -> Result<Vec<&'a Slide>, Fault> {
     if let Some(wrong) = arguments.slide.iter().find(|id| library.slide(id).is_none()) {
-        return Err(no_slide(library, wrong));
+        return Err(Fault::new(no_slide(library, wrong)));
     }
     let number = |slide: &Slide| slide.id().split('/').next().unwrap_or_default().to_owned();
     let is_of = |slide: &Slide, section: &str| number(slide) == section || slide.section == section;
@@ -152,7 +153,7 @@ fn pages(drawn: &[(&Slide, Vec<Entry>)]) -> Vec<Printed> {
         pages.extend(sheet.finish());
     }
     if drawn.iter().any(|(_, entries)| entries.iter().any(Entry::asks)) {
-        let mut sheet = Sheet::new("Answers", "to the questions of this handout");
+        let mut sheet = Sheet::new("Answers", "At the end of this handout");
         for (slide, entries) in drawn {
             for entry in entries.iter().filter(|entry| entry.asks()) {
                 let (figure, says) = answers(entry, &format!("{} · {}", slide.numbers_text(), slide.title));

@@ -1,4 +1,4 @@
-//! A place in the lecture and all that is set there, as one line of text: `5/33?ray=both%20children&step=13`.
+//! A place in the lecture and all that is set there, as one line of text: `5/33?ray=from%20the%20right&step=13`.
 
 #[cfg(test)]
 mod tests;
@@ -15,6 +15,7 @@ use super::command::QUARTERS;
 use super::own::{OwnScene, Tried};
 use super::playback::mistakes;
 use super::state::State;
+use super::unknown::{no_ray, no_slide};
 use super::view::{RayChoice, View};
 
 /// A place, by the names that people know: of a slide, of a ray.
@@ -165,8 +166,7 @@ impl Link {
     pub fn view(&self, library: &Library) -> (Option<View>, Vec<String>) {
         let mut wrong = Vec::new();
         let Some(found) = library.slide(&self.slide) else {
-            let known: Vec<String> = library.slides.iter().map(Slide::id).collect();
-            wrong.push(format!("there is no slide \"{}\"; there are {}", self.slide, known.join(", ")));
+            wrong.push(no_slide(library, &self.slide));
             return (None, wrong);
         };
         let place = library.slides.iter().position(|other| std::ptr::eq(other, found)).unwrap_or(0);
@@ -314,17 +314,6 @@ fn set(stage: Option<&Stage>, rule: Option<&mut Rule>, key: &str, value: &str) -
         (Some(own), _) => own,
         (None, Some(rule)) => rule.set(key, value).map_err(|error| error.to_string()),
         (None, None) => Err(format!("nothing is built that has a parameter \"{key}\"")),
-    }
-}
-
-/// There is no such ray, but there are others.
-pub(crate) fn no_ray(slide: &Slide, name: &str) -> String {
-    let rays = slide.stages.iter().flat_map(|stage| &stage.rays);
-    let mut known: Vec<&str> = rays.map(|ray| ray.name.as_str()).collect();
-    known.dedup();
-    match known.is_empty() {
-        true => format!("slide {} plays how its structure is built: it has no rays", slide.id()),
-        false => format!("slide {} has no ray \"{name}\"; there are \"{}\"", slide.id(), known.join("\", \"")),
     }
 }
 

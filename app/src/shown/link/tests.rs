@@ -293,10 +293,10 @@ fn every_wrong_link_gets_a_sentence() {
     check("5/33?grain=fine", "grain=fine: there are arithmetic, decision and visit");
     check("5/33?speed=0.3", "speed=0.3: a number of quarters");
     check("5/33?present=1", "present=1: yes or no is needed");
-    check("5/99?step=1", "there is no slide \"5/99\"; there are 1/");
+    check("5/99?step=1", "there is no slide \"5/99\"; there are 5/28");
     check("5/33?ray=none", "slide 5/33 has no ray \"none\"; there are \"both children, far hit\"");
     check("5/33?set=max_dept:3", "kd has no parameter \"max_dept\"");
-    check("5/33?set=max_depth:9999999", "set=max_depth:9999999: 9999999 is nothing that max_depth can be");
+    check("5/33?set=max_depth:9999999", "set=max_depth:9999999: max_depth = 9999999: allowed is ");
     check("3/22?stage=solid&ray=a", "slide 3/22");
     check(&format!("5/33?ray={}", "x".repeat(1 << 17)), "a link has at most 65536 letters");
 }

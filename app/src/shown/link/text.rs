@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 use std::str::FromStr;
 
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, percent_decode_str, utf8_percent_encode};
-use raystep_accel::{Grain, HandCut, Interval, Mistake, Ray, Rule};
+use raystep_accel::{Grain, HandCut, Interval, Mistake, Ray, Rule, RuleError};
 use raystep_fast::FastKind;
 use raystep_figure::Depth;
 use raystep_lesson::{Column, StageKind};
@@ -141,9 +141,7 @@ impl Link {
             }
             "set" => {
                 let (key, value) = value.split_once(':').ok_or("a parameter is written set=key:value")?;
-                if !is_known(key, value) {
-                    return Err(format!("{value} is nothing that {key} can be"));
-                }
+                known(key, value)?;
                 if self.set.len() == MOST_SET {
                     return Err(format!("at most {MOST_SET} parameters are set"));
                 }
@@ -222,18 +220,26 @@ impl Link {
     }
 }
 
-/// Whether some structure has such a parameter with such a value. What else there may be are numbers: of a meter, of a
-/// pair's body.
-fn is_known(key: &str, value: &str) -> bool {
-    let mut rules = Rule::KINDS.iter().filter_map(|kind| Rule::default_for(kind).ok());
-    // Cuts by hand are no parameter that is offered, but one that is set.
-    if rules.clone().any(|mut rule| rule.set(key, value).is_ok()) {
-        return true;
+/// Says what is wrong, unless some structure has such a parameter with such a value. What else there may be are numbers:
+/// of a meter, of a pair's body.
+fn known(key: &str, value: &str) -> Result<(), String> {
+    let mut refused = None;
+    for mut rule in Rule::KINDS.iter().filter_map(|kind| Rule::default_for(kind).ok()) {
+        match rule.set(key, value) {
+            Ok(()) => return Ok(()),
+            // This structure has such a parameter, and says what it can be.
+            Err(error @ RuleError::Value { .. }) => refused = refused.or(Some(error.to_string())),
+            Err(_) => {}
+        }
     }
-    if rules.any(|rule| rule.parameters().iter().any(|parameter| parameter.key == key)) {
-        return false;
+    let is_number = |part: &str| part.parse::<f64>().is_ok_and(f64::is_finite);
+    match refused {
+        Some(refused) => Err(refused),
+        None if value.split(' ').all(is_number) => Ok(()),
+        None => {
+            Err(format!("{value} is nothing that {key} can be: no structure has such a parameter, and it is no number"))
+        }
     }
-    value.split(' ').all(|part| part.parse::<f64>().is_ok_and(f64::is_finite))
 }
 
 /// As forms write it: `+` is a blank, `%20` is one, too.
@@ -307,7 +313,11 @@ fn ray(text: &str) -> Result<Ray, String> {
         Some(&[ox, oy, oz, dx, dy, dz, ref range @ ..]) => {
             (Ray::new([ox, oy, oz].into(), [dx, dy, dz].into()), range.to_vec())
         }
-        _ => return Err("a ray has six numbers: where it starts, and its direction".to_owned()),
+        _ => {
+            return Err("a ray has six numbers with commas between them: where it starts, and its direction, as in \
+                        0.1,1.2,0,1,0.5,0"
+                .to_owned());
+        }
     };
     let ray = match range[..] {
         [] => ray,
