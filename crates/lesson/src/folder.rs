@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use raystep_scene::{SCENE_ENDINGS, Scenes};
 
 use crate::library::wanted;
-use crate::{Library, Problem, Spot, limits};
+use crate::{Library, Problem, Spot, limits, why};
 
 impl Library {
     /// The lessons in a folder. A file or folder in it that cannot be read, or that a link leads out of it to, is
@@ -115,11 +115,11 @@ impl Found {
 
     /// What lies at a path, or behind the link there if that stays in the folder of lessons.
     fn target(&self, path: &Path, is_link: bool) -> Result<Metadata, String> {
-        let wrong = |error: io::Error| format!("cannot be read: {error}; it is left out");
+        let wrong = |error: io::Error| format!("cannot be read: {}; it is left out", why(&error));
         if is_link {
             let target = path.canonicalize().map_err(|error| match error.kind() {
                 io::ErrorKind::NotFound => "a link to nothing; it is left out".to_owned(),
-                _ => format!("a link that leads nowhere: {error}; it is left out"),
+                _ => format!("a link that leads nowhere: {}; it is left out", why(&error)),
             })?;
             if !target.starts_with(&self.root) {
                 return Err("a link out of the folder of lessons; it is left out".to_owned());
@@ -157,7 +157,7 @@ fn too_large_a_scene(bytes: u64) -> String {
 /// The bytes of a plain file of at most so many, or why there are none.
 fn read_bytes(path: &Path, name: &str, most: usize, too_large: fn(u64) -> String) -> Result<Vec<u8>, Problem> {
     let wrong = |why: String| Problem::new(name, Spot::START, why);
-    let unread = |error: io::Error| wrong(format!("cannot be read: {error}"));
+    let unread = |error: io::Error| wrong(format!("cannot be read: {}", why(&error)));
     // A pipe would never end, a device neither.
     let data = path.metadata().map_err(unread)?;
     if !data.is_file() {

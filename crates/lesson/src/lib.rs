@@ -41,6 +41,7 @@ mod texts;
 mod vocabulary;
 mod wait;
 mod walks;
+mod why;
 
 pub use ask::{About, Ask, Choice, Reason};
 pub use beat::{Beat, Medium, Paragraph};
@@ -69,3 +70,4 @@ pub use texts::{Script, Setter};
 pub use vocabulary::names;
 pub use wait::Wait;
 pub use walks::WalksTape;
+pub use why::why;
