@@ -25,6 +25,8 @@ impl Face {
 }
 
 /// The bytes of a face: OpenType, embedded.
+// Copied to where it is called, it would bring all faces along once more.
+#[inline(never)]
 pub fn bytes(face: Face) -> &'static [u8] {
     match face {
         Face::Regular => include_bytes!("../../../../assets/fonts/Inter-Regular.otf"),
