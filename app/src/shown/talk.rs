@@ -13,8 +13,10 @@ pub struct Talk {
     from: usize,
     /// How many minutes there are, once the lecturer has said so.
     length: Option<f32>,
-    /// Where the talk stood last, and by how many minutes the plan was moved by jumps.
+    /// Where the talk stood last, how many minutes were planned for that (nothing before it stood anywhere), and by how many
+    /// the plan was moved: by jumps, and because it began in the middle of a slide.
     stood: usize,
+    planned: Option<f32>,
     moved: f32,
 }
 
@@ -24,10 +26,18 @@ const USUAL: f32 = 3.0;
 /// By how many minutes a talk is made longer or shorter.
 const STEP: f32 = 5.0;
 
+/// The minutes that a talk can have.
+pub(crate) const LENGTHS: std::ops::RangeInclusive<f32> = 5.0..=600.0;
+
 impl Talk {
     /// A talk begins now with a slide.
     pub fn begin(now: f64, from: usize) -> Talk {
-        Talk { began: now, from, length: None, stood: from, moved: 0.0 }
+        Talk { began: now, from, length: None, stood: from, planned: None, moved: 0.0 }
+    }
+
+    /// The same talk from this slide on, its time from now on.
+    pub fn anew(&self, now: f64, from: usize) -> Talk {
+        Talk { length: self.length, ..Talk::begin(now, from) }
     }
 
     /// How many minutes have passed.
@@ -49,17 +59,26 @@ impl Talk {
     pub fn lengthen(&mut self, library: &Library, longer: bool) {
         let now = self.length(library);
         let rounded = (now / STEP).round() * STEP;
-        self.length = Some((rounded + if longer { STEP } else { -STEP }).clamp(STEP, 600.0));
+        self.set_length(rounded + if longer { STEP } else { -STEP });
+    }
+
+    /// Makes it so many minutes long.
+    pub fn set_length(&mut self, minutes: f32) {
+        self.length = Some(minutes.clamp(*LENGTHS.start(), *LENGTHS.end()));
     }
 
     /// Takes in where the talk stands. A jump to a slide that is no neighbour leaves it as far behind its plan as it was:
     /// what is passed over was not to be taught.
     pub fn follow(&mut self, state: &State) {
         let here = state.view.slide;
-        if here.abs_diff(self.stood) > 1 {
-            self.moved += self.before(state, self.stood) - self.before(state, here);
+        let before = match self.planned {
+            None => Some(0.0),
+            planned => planned.filter(|_| here.abs_diff(self.stood) > 1),
+        };
+        if let Some(before) = before {
+            self.moved += before - self.planned_here(state);
         }
-        self.stood = here;
+        (self.stood, self.planned) = (here, Some(self.planned_here(state)));
     }
 
     /// The minutes from the first slide to another one; less than none where that comes before it.
@@ -72,6 +91,10 @@ impl Talk {
     /// How many minutes should have passed where the talk stands: those of the slides before, and of this one as many as
     /// of its beats are over.
     pub fn planned(&self, state: &State) -> f32 {
+        self.planned_here(state).max(0.0)
+    }
+
+    fn planned_here(&self, state: &State) -> f32 {
         let slides = &state.library.slides;
         let here = state.view.slide;
         let before = self.before(state, here) + self.moved;
@@ -80,7 +103,7 @@ impl Talk {
         let over = beats.iter().flatten().filter(|step| **step < state.view.step).count();
         let part = if all > 0 { over as f32 / all as f32 } else { 0.0 };
         let now = slides.get(here).map_or(0.0, minutes);
-        (before + part * now).max(0.0)
+        before + part * now
     }
 }
 
@@ -115,9 +138,12 @@ mod tests {
         talk.lengthen(&library, true);
         assert_eq!(talk.length(&library), (section / 5.0).round() * 5.0 + 5.0);
         assert_eq!((talk.passed(100.0), talk.passed(1730.0)), (0.0, 1630.0 / 60.0));
+        talk.follow(&State::new(library.clone(), first));
         let state = State::new(library.clone(), first + 1);
         assert_eq!(talk.planned(&state), minutes(&library.slides[first]));
         assert_eq!(talk.planned(&State::new(library.clone(), first - 1)), 0.0);
+        talk.set_length(90.0);
+        assert_eq!((talk.anew(7.0, 3).length(&library), talk.anew(7.0, 3).passed(67.0)), (90.0, 1.0));
         // A jump far ahead is no hurry, and one back no delay.
         for slide in [first + 9, first - 9] {
             let there = State::new(library.clone(), slide);

@@ -100,7 +100,8 @@ impl Speaker {
         for asked in &asked {
             match (asked, &mut *talk) {
                 (AskedHere::Lengthen(longer), Some(talk)) => talk.lengthen(&state.library, *longer),
-                (AskedHere::Restart, talk) => *talk = Some(Talk::begin(now, state.view.slide)),
+                (AskedHere::Length(minutes), Some(talk)) => talk.set_length(*minutes),
+                (AskedHere::Restart, Some(talk)) => *talk = talk.anew(now, state.view.slide),
                 _ => {}
             }
         }

@@ -137,7 +137,7 @@ impl App {
                         self.state.playing = false;
                         self.state.go(step);
                     }
-                    AskedHere::Lengthen(_) | AskedHere::Restart => {}
+                    AskedHere::Lengthen(_) | AskedHere::Length(_) | AskedHere::Restart => {}
                 }
             }
             self.overlay(ui);

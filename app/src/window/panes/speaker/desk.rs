@@ -38,6 +38,8 @@ pub(crate) enum AskedHere {
     Step(usize),
     /// A longer talk, or a shorter one.
     Lengthen(bool),
+    /// The talk has so many minutes.
+    Length(f32),
     /// The time begins anew.
     Restart,
 }

@@ -1,10 +1,10 @@
 //! The bar of the time: where the talk is, how many minutes have passed, and how many the notes had planned by now.
 
-use egui::{Align2, Button, Rect, RichText, Sense, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Button, DragValue, Rect, RichText, Ui, UiBuilder, pos2, vec2};
 use raystep_figure::{Face, Role};
 
 use super::desk::{AskedHere, Desk};
-use crate::shown::talk::clock;
+use crate::shown::talk::{LENGTHS, clock};
 use crate::window::look::fonts::font;
 use crate::window::look::painter::caption;
 use crate::window::look::visuals::ink;
@@ -48,7 +48,7 @@ pub(super) fn bar(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<Aske
         plan_at,
         bar.top() - 17.0,
         Align2::CENTER_CENTER,
-        &format!("plan {planned:.0}"),
+        &format!("planned: {planned:.0} min"),
         Face::Regular,
         12.5,
         Role::Quiet,
@@ -75,10 +75,14 @@ pub(super) fn bar(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<Aske
         if button(ui, "−", "Five minutes less") {
             asked.push(AskedHere::Lengthen(false));
         }
-        ui.add(
-            egui::Label::new(RichText::new(format!("{length:.0} min")).font(font(Face::Regular, 13.0)))
-                .sense(Sense::hover()),
-        );
+        let mut minutes = length.round();
+        let has = DragValue::new(&mut minutes).range(LENGTHS).speed(0.5).fixed_decimals(0).suffix(" min");
+        let has = ui
+            .add(has)
+            .on_hover_text("How long the talk is: as the notes of this section's slides plan it, or as you set it");
+        if has.changed() {
+            asked.push(AskedHere::Length(minutes));
+        }
         if button(ui, "+", "Five minutes more") {
             asked.push(AskedHere::Lengthen(true));
         }
