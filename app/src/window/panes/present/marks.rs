@@ -1,7 +1,7 @@
 //! What the lecturer's hand leaves on the page: a large pointer, and strokes of a pen that go at the next step. Both are
 //! kept in parts of the page, so that the class's page and its picture on the speaker's window show the same.
 
-use egui::{Color32, CursorIcon, Pos2, Rect, Sense, Stroke, Ui, pos2};
+use egui::{Color32, CursorIcon, Event, PointerButton, Pos2, Rect, Sense, Stroke, Ui, pos2};
 use raystep_figure::{Role, Theme};
 
 use crate::shown::lecture::InHand;
@@ -15,6 +15,8 @@ pub(crate) struct Marks {
     /// The slide and the step that the strokes are drawn on.
     of: Option<(usize, usize)>,
     strokes: Vec<Vec<Pos2>>,
+    /// Whether the pen is down.
+    down: bool,
     /// Where the large pointer is, as far as a page has said so in this frame, and where it was in the last one.
     pointer: [Option<Pos2>; 2],
 }
@@ -50,7 +52,11 @@ impl Marks {
                 point(ui, page.theme, place(rect, at), body);
             }
         }
-        let stroke = Stroke::new(body * 0.16, ink(page.theme, Role::Live));
+        // No colour that means something in the picture.
+        let stroke = Stroke::new(body * 0.16, ink(page.theme, Role::Text));
+        if let Some(at) = hover.filter(|_| in_hand == InHand::Pen) {
+            ui.painter().circle_filled(at, stroke.width * 0.5, stroke.color);
+        }
         for points in &self.strokes {
             let points: Vec<Pos2> = points.iter().map(|at| place(rect, *at)).collect();
             match points.as_slice() {
@@ -66,12 +72,28 @@ impl Marks {
         if response.hovered() || response.dragged() {
             ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
         }
-        let at = response.interact_pointer_pos().map(|at| part(rect, at));
-        let Some(at) = at else { return };
-        if response.drag_started() || response.clicked() {
-            self.strokes.push(Vec::new());
+        // All places since the last frame, not the last one alone: a quick hand draws a curve.
+        for event in ui.input(|input| input.events.clone()) {
+            match event {
+                Event::PointerButton { pos, button: PointerButton::Primary, pressed: true, .. } => {
+                    self.down = response.contains_pointer();
+                    if self.down {
+                        self.strokes.push(vec![part(rect, pos)]);
+                    }
+                }
+                Event::PointerMoved(pos) if self.down => self.draw_to(part(rect, pos)),
+                Event::PointerButton { pos, button: PointerButton::Primary, pressed: false, .. } if self.down => {
+                    self.draw_to(part(rect, pos));
+                    self.down = false;
+                }
+                Event::PointerGone => self.down = false,
+                _ => {}
+            }
         }
-        if let Some(stroke) = self.strokes.last_mut().filter(|_| response.dragged() || response.clicked())
+    }
+
+    fn draw_to(&mut self, at: Pos2) {
+        if let Some(stroke) = self.strokes.last_mut()
             && stroke.last() != Some(&at)
             && stroke.len() < LONGEST
         {
