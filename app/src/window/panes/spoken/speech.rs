@@ -51,6 +51,10 @@ impl Speech {
             }
             return Speech(parts);
         }
+        if let Some(mistake) = state.view.example {
+            parts.push(strong(escaped(mistake.title())));
+            parts.push(plain_text(escaped(mistake.consequence())));
+        }
         let playback = state.playback();
         match state.beat().filter(|(_, step)| *step == state.view.step).zip(playback) {
             Some(((beat, step), playback)) => {
