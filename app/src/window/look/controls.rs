@@ -4,6 +4,7 @@ use egui::{Button, Checkbox, ComboBox, DragValue, Response, RichText, Role, Stro
 use raystep_accel::{Allowed, Parameter};
 use raystep_figure::Theme;
 
+use super::typed::{self, Typed};
 use super::visuals::ink;
 
 /// Gives a drop-down its accessible name.
@@ -62,9 +63,18 @@ pub(crate) fn change(response: &Response) -> Option<Change> {
     Some(if goes_on { Change::GoesOn } else { Change::Begins })
 }
 
-/// A control for one parameter; returns its new value as text when it was changed.
-pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Option<(String, Change)> {
-    let mut changed = None;
+/// What a control has to say.
+#[derive(Default)]
+pub(crate) struct Said {
+    /// The new value as text, if it was changed.
+    pub(crate) value: Option<(String, Change)>,
+    /// What was wrong with what was typed.
+    pub(crate) wrong: Option<String>,
+}
+
+/// A control for one parameter.
+pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Said {
+    let mut said = Said::default();
     let label = parameter.key.replace('_', " ");
     ui.with_layout(egui::Layout::top_down(egui::Align::Min), |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
@@ -72,16 +82,16 @@ pub(crate) fn parameter(ui: &mut Ui, parameter: &Parameter, theme: &Theme) -> Op
             ui.set_min_height(30.0);
             ui.label(&label);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                changed = control(ui, parameter, &label);
+                said = control(ui, parameter, &label);
             });
         });
         ui.label(RichText::new(parameter.about).small().color(ink(theme, raystep_figure::Role::Quiet)));
     });
-    changed
+    said
 }
 
-fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<(String, Change)> {
-    match parameter.allowed {
+fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Said {
+    let value = match parameter.allowed {
         Allowed::Flag => {
             let mut on = parameter.value == "true";
             let response = tick(ui, &mut on, "");
@@ -103,9 +113,13 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<(String, C
         }
         Allowed::Count { min, max } => {
             let mut count: u32 = parameter.value.parse().unwrap_or(min);
-            let response = ui.add(DragValue::new(&mut count).range(min..=max).speed(0.05).update_while_editing(false));
+            let field = DragValue::new(&mut count).range(min..=max).speed(0.05);
+            let Typed { response, wrong } =
+                typed::field(ui, label, &typed::Allowed::within(min.into(), max.into()), field, |ui, field| {
+                    ui.add(field)
+                });
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));
-            change(&response).map(|change| (count.to_string(), change))
+            return Said { value: change(&response).map(|change| (count.to_string(), change)), wrong };
         }
         // They are set where they are seen.
         Allowed::Cuts => {
@@ -115,12 +129,16 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Option<(String, C
         Allowed::Real { min, max } => {
             let mut number: f32 = parameter.value.parse().unwrap_or(min);
             let speed = (max - min) * 0.002;
-            let field = DragValue::new(&mut number).range(min..=max).speed(speed).update_while_editing(false);
-            let response = ui.add(field);
+            let field = DragValue::new(&mut number).range(min..=max).speed(speed);
+            let Typed { response, wrong } =
+                typed::field(ui, label, &typed::Allowed::within(min.into(), max.into()), field, |ui, field| {
+                    ui.add(field)
+                });
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));
-            change(&response).map(|change| (number.to_string(), change))
+            return Said { value: change(&response).map(|change| (number.to_string(), change)), wrong };
         }
-    }
+    };
+    Said { value, wrong: None }
 }
 
 /// A dialog over the window.

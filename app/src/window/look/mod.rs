@@ -12,5 +12,6 @@ pub(super) mod painter;
 pub(super) mod prose;
 pub(super) mod remembered;
 pub(super) mod tex;
-pub(super) mod visuals;
+pub(super) mod typed;
+pub(crate) mod visuals;
 pub(super) mod words;

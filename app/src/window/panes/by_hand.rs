@@ -1,8 +1,6 @@
 //! What can be set by hand: the structure's parameters and the ray in numbers, docked below the lesson.
 
-use egui::{
-    Direction, DragValue, Frame, Layout, Margin, Response, RichText, ScrollArea, Ui, UiBuilder, WidgetInfo, vec2,
-};
+use egui::{Direction, DragValue, Frame, Layout, Margin, RichText, ScrollArea, Ui, UiBuilder, WidgetInfo, vec2};
 use raystep_accel::Ray;
 use raystep_figure::{Face, Role, Theme};
 
@@ -11,9 +9,10 @@ use crate::shown::command::Command;
 use crate::shown::kind_name::kind_name;
 use crate::shown::state::State;
 use crate::shown::view::RayChoice;
-use crate::window::look::controls::{self, Change};
+use crate::window::look::controls::{self, Change, Said};
 use crate::window::look::fonts::font;
 use crate::window::look::icons::{Icon, icon_button};
+use crate::window::look::typed::{self, Typed};
 use crate::window::look::visuals::ink;
 
 /// Shows the panel in all the room there is.
@@ -58,7 +57,9 @@ fn structure(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<Asked>) 
     }
     heading(ui, &format!("{}: how it is built", kind_name(rule.kind())), theme);
     for parameter in &parameters {
-        if let Some((value, change)) = controls::parameter(ui, parameter, theme) {
+        let Said { value, wrong } = controls::parameter(ui, parameter, theme);
+        asked.extend(wrong.map(Asked::Say));
+        if let Some((value, change)) = value {
             asked.extend((change == Change::Begins).then_some(Asked::Keep));
             asked.push(Asked::Set(parameter.key, value));
         }
@@ -89,7 +90,8 @@ fn ray(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<Asked>) {
             ui.label(RichText::new(name).font(font(Face::Mono, 13.5)));
             for axis in 0..axes {
                 let letter = ["x", "y", "z"][axis];
-                let response = number(ui, &mut vector[axis], speed, &format!("{name}.{letter}"));
+                let Typed { response, wrong } = number(ui, &mut vector[axis], speed, &format!("{name}.{letter}"));
+                asked.extend(wrong.map(Asked::Say));
                 change = controls::change(&response).or(change);
             }
         });
@@ -106,16 +108,16 @@ fn ray(ui: &mut Ui, state: &State, theme: &Theme, asked: &mut Vec<Asked>) {
     }
 }
 
-fn number(ui: &mut Ui, value: &mut f32, speed: f32, name: &str) -> Response {
-    let field = DragValue::new(value).speed(speed).update_while_editing(false).custom_formatter(|x, _| short(x));
+fn number(ui: &mut Ui, value: &mut f32, speed: f32, name: &str) -> Typed {
+    let field = DragValue::new(value).speed(speed).custom_formatter(|x, _| short(x));
     // However long what is typed becomes, its neighbours stay where they are.
     let (_, room) = ui.allocate_space(vec2(62.0, 24.0));
     let layout = Layout::centered_and_justified(Direction::LeftToRight);
     let mut child = ui.new_child(UiBuilder::new().max_rect(room).layout(layout));
     child.set_clip_rect(room.expand(2.0).intersect(ui.clip_rect()));
-    let response = child.add(field);
-    response.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, name));
-    response
+    let typed = typed::field(&mut child, name, &typed::Allowed::ANY, field, |ui, field| ui.add(field));
+    typed.response.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, name));
+    typed
 }
 
 /// A number as a field has room for it, and as it is typed: with at most four digits behind the point, and far from 1 with

@@ -1,7 +1,5 @@
 //! The numbers of a board's meter, taken in the hand: dragged along their tracks, moved by the arrows, or typed.
 
-use std::cell::RefCell;
-
 use egui::{CursorIcon, DragValue, Key, PointerButton, Pos2, Rect, Response, Ui, WidgetInfo};
 use raystep_figure::{Face, Knob, KnobLine, Look, Theme};
 
@@ -12,6 +10,7 @@ use super::space::glam_size;
 use crate::shown::pictures::Pictures;
 use crate::window::look::controls::{Change, change};
 use crate::window::look::fonts::font;
+use crate::window::look::typed::{self, Allowed, Typed};
 
 /// Lets the numbers of a figure be moved.
 pub(super) fn hold(
@@ -69,7 +68,7 @@ pub(super) fn hold(
     }
     for line in &lines {
         keys(ui, response, line, on_page(line.at()), theme, asked);
-        typed(ui, line, line.digits.map(on_page), asked);
+        by_keys(ui, line, line.digits.map(on_page), asked);
     }
 }
 
@@ -94,75 +93,27 @@ fn keys(ui: &Ui, response: &Response, line: &KnobLine, at: Pos2, theme: &Theme, 
 }
 
 /// The same typed: a click on the digits, and a drag over them.
-fn typed(ui: &mut Ui, line: &KnobLine, digits: [Pos2; 2], asked: &mut Vec<Asked>) {
+fn by_keys(ui: &mut Ui, line: &KnobLine, digits: [Pos2; 2], asked: &mut Vec<Asked>) {
     let own = &line.knob;
     let mut value = own.is;
-    let refused = RefCell::new(None);
     let speed = if own.log { own.is.abs() * 0.01 } else { (own.to - own.from) * 0.002 };
     let field = DragValue::new(&mut value)
         .range(own.from..=own.to)
         .speed(speed)
-        .update_while_editing(false)
-        .custom_formatter(|value, _| Knob::digits(value))
-        .custom_parser(|text| {
-            let number = read(text);
-            if number.is_none() {
-                refused.replace(Some(text.to_owned()));
-            }
-            number
-        });
-    let field = ui
-        .scope(|ui| {
+        .custom_formatter(|value, _| Knob::digits(value));
+    let allowed = Allowed { range: own.from..=own.to, digits: Knob::digits };
+    let Typed { response: field, wrong } = typed::field(ui, &own.name, &allowed, field, |ui, field| {
+        let add = |ui: &mut Ui| {
             ui.style_mut().override_font_id = Some(font(Face::Mono, line.text));
             ui.put(Rect::from_two_pos(digits[0], digits[1]), field)
-        })
-        .inner;
+        };
+        ui.scope(add).inner
+    });
     field.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, format!("{}, typed", own.name)));
-    if let Some(text) = refused.into_inner() {
-        let [from, to] = [own.from, own.to].map(Knob::digits);
-        asked.push(Asked::Say(format!("\u{201c}{text}\u{201d} is no number; {} goes from {from} to {to}.", own.name)));
-    }
+    asked.extend(wrong.map(Asked::Say));
     let value = own.nearest(value);
     if let Some(change) = change(&field).filter(|_| value != own.is) {
         asked.extend((change == Change::Begins).then_some(Asked::Keep));
         asked.push(Asked::Number(own.name.clone(), value));
-    }
-}
-
-/// A number as somebody types it: `50000`, `50,000`, `5e4`, `5·10⁴`, `5*10^4`.
-fn read(text: &str) -> Option<f64> {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let plain: String = text.chars().filter(|letter| !matches!(letter, ',' | '\'' | ' ' | '\u{a0}')).collect();
-    let plain = plain.replace(['−', '⁻'], "-");
-    let raised = |letter: char| RAISED.iter().position(|known| *known == letter);
-    let lowered: String = plain
-        .chars()
-        .map(|letter| raised(letter).and_then(|digit| char::from_digit(digit as u32, 10)).unwrap_or(letter))
-        .collect();
-    let lowered = lowered.replace("·10^", "e").replace("*10^", "e").replace("·10", "e");
-    lowered.parse::<f64>().ok().filter(|number| number.is_finite())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_number_is_read_as_it_is_written() {
-        let table = [
-            ("1000", Some(1000.0)),
-            (" 50,000 ", Some(50_000.0)),
-            ("5e10", Some(5e10)),
-            ("5·10¹⁰", Some(5e10)),
-            ("5*10^10", Some(5e10)),
-            ("1.5·10⁻⁵", Some(1.5e-5)),
-            ("−2", Some(-2.0)),
-            ("many", None),
-            ("", None),
-            ("inf", None),
-        ];
-        for (text, number) in table {
-            assert_eq!(read(text), number, "{text}");
-        }
     }
 }
