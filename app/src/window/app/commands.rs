@@ -21,6 +21,9 @@ const JUDGED: [u32; 2] = [160, 120];
 impl App {
     /// Does what the keys say, while no dialog has them.
     pub(super) fn take_keys(&mut self, ui: &Ui) {
+        // A press goes on from a page that was seen: one that came before the page was drawn is none.
+        let page = (self.state.view.slide, self.state.view.stage);
+        let mut unseen = self.seen.replace(page) != Some(page) && self.state.present;
         // What is open on the speaker's window leaves the class's window to the clicker.
         let wall = self.state.present && self.state.lecture.speaker && !ui.ctx().embed_viewports();
         let aside = wall && ui.ctx().viewport_id() == ViewportId::ROOT;
@@ -40,7 +43,11 @@ impl App {
                 // What a key means depends on what was typed before it, be it in the same frame.
                 let typing = self.state.letters_of_number();
                 if let Some(command) = keys::given_by(&event, focused, self.state.present, &typing) {
-                    self.run(ui, command);
+                    let goes = matches!(command, Command::Onward | Command::Backward);
+                    if !(goes && unseen) {
+                        self.run(ui, command);
+                    }
+                    unseen |= self.state.present && goes;
                 }
             }
         }

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use egui::{Ui, ViewportInfo};
 use raystep_accel::Ray;
 use raystep_figure::Theme;
-use raystep_lesson::Library;
+use raystep_lesson::{Library, StageKind};
 use raystep_paint::Mesh;
 use raystep_scene::Scene;
 
@@ -69,6 +69,8 @@ pub struct App {
     mesh: Option<(Arc<Scene>, PathBuf)>,
     /// The ray of the pixel of a heat map that was clicked last, and what was counted of it.
     stepped: Option<(Ray, u32)>,
+    /// The slide and the stage that were drawn when keys were taken last.
+    seen: Option<(usize, StageKind)>,
     /// Keeps where the window stands.
     keeper: Option<Keeper>,
     /// Where it stood the last time, while the bar asks whether to go on there, and the view at which that was asked.
@@ -124,6 +126,7 @@ impl App {
             mesh: None,
             first_mesh: false,
             stepped: None,
+            seen: None,
             keeper: None,
             offers: None,
             reopens: None,
@@ -229,6 +232,10 @@ impl eframe::App for App {
             }
         }
         self.catch_up(ui);
+        if self.seen != Some((self.state.view.slide, self.state.view.stage)) {
+            // Keys that come while a page is drawn for the first time are those of the next frame.
+            ui.ctx().request_repaint();
+        }
         // Playing follows the clock, however long a frame takes.
         let now = ui.input(|input| input.time);
         let seconds = self.played.replace(now).filter(|_| self.state.playing).map_or(0.0, |then| now - then);
