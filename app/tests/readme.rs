@@ -5,6 +5,8 @@ use std::process::Command;
 
 use clap::Parser;
 use raystep::cli::Arguments;
+use raystep::shown::Link;
+use raystep_lesson::Library;
 
 const README: &str = include_str!("../../README.md");
 
@@ -37,6 +39,32 @@ fn every_line_is_understood() {
             panic!("{call:?}: {error}");
         }
     }
+}
+
+/// Every slide, ray and step that a line or a link of the README names is in the lecture.
+#[test]
+fn every_place_is_there() {
+    let library = Library::embedded();
+    let mut places = 0;
+    let mut there = |link: &str| {
+        let link: Link = link.parse().unwrap_or_else(|wrong| panic!("{link}: {wrong}"));
+        let (view, wrong) = link.view(&library);
+        assert!(view.is_some() && wrong.is_empty(), "{link}: {wrong:?}");
+        places += 1;
+    };
+    let after = |call: &[String], key: &str| call.windows(2).find(|pair| pair[0] == key).map(|pair| pair[1].clone());
+    for call in calls() {
+        if let Some(link) = after(&call, "--at") {
+            there(&link);
+        }
+        let slide = after(&call, "--slide");
+        if let (Some(slide), Some(ray)) = (slide, after(&call, "--ray").filter(|ray| !ray.contains(','))) {
+            there(&Link { slide, ray: Some(ray), ..Link::default() }.to_string());
+        }
+    }
+    let links = README.split('`').filter(|text| text.contains("?") && text.contains("step="));
+    links.for_each(&mut there);
+    assert!(places >= 3, "{places}");
 }
 
 /// A folder with the files that the lines name: a mesh, and rays at it.
