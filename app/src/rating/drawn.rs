@@ -1,7 +1,7 @@
 //! The table and the chart of all structures.
 
 use raystep_accel::{Primitives, Reveal};
-use raystep_figure::{Board, Chart, Column, Curve, Drawn, Panel, Reel, Role, Row, Scale, Table, whole};
+use raystep_figure::{Board, Chart, Column, Curve, Drawn, Known, Panel, Reel, Role, Row, Scale, Table, whole};
 use raystep_scene::Scene;
 
 use super::Rated;
@@ -61,7 +61,14 @@ impl Rating {
 
 /// A row for each.
 fn table(rated: &[Rated], about: String, times: bool) -> Table {
-    let column = |head: &str, role: Role| Column { head: head.to_owned(), role, given: false, words: false };
+    let column = |head: &str, role: Role| Column {
+        head: head.to_owned(),
+        role,
+        given: false,
+        words: false,
+        rays: false,
+        digits: 0,
+    };
     let mut columns = vec![
         column("Measured here|tests per ray", Role::Missed),
         column("|nodes or cells per ray", Role::Value),
@@ -88,7 +95,7 @@ fn table(rated: &[Rated], about: String, times: bool) -> Table {
             cells.push(unless(digits(rated.build_ms)));
             cells.push(digits(rated.ray_us));
         }
-        Row { entry, name: rated.what.name().to_owned(), note: String::new(), cells }
+        Row { entry, name: rated.what.name().to_owned(), note: String::new(), cells, known: Known::Fully }
     };
     let (title, of) = ("Which is best?".to_owned(), "structure".to_owned());
     Table { title, about, of, columns, rows: rated.iter().enumerate().map(row).collect() }
@@ -125,6 +132,7 @@ fn chart(rated: &[Rated]) -> Option<Chart> {
         note: String::new(),
         curve: Curve::Point([rated.steps(), rated.tests]),
         moves: false,
+        known: Known::Fully,
     };
     let title = "Steps against tests".to_owned();
     let about = "down and to the left is better; brute force takes no step and lies far above".to_owned();

@@ -6,7 +6,7 @@ use glam::Vec2;
 use rayon::prelude::*;
 use raystep_accel::{Accel, Cost, Prims, Ray, RayError, Reveal, Structure, Want};
 use raystep_fast::{AnyFast, Fast, FastKind, Settings};
-use raystep_figure::{Board, Camera, Instant, Map, Maps, Panel, Pixel, Reel};
+use raystep_figure::{Board, Camera, Instant, Known, Map, Maps, Panel, Pixel, Reel};
 use raystep_lesson::Column;
 use raystep_scene::Scene;
 
@@ -138,6 +138,7 @@ impl Heated {
             name: name.clone(),
             size: rays,
             counts,
+            known: Known::Fully,
         };
         let maps: Vec<Map> = named.map(map).collect();
         let title = format!("{} per ray", capital(counted(wish.of)));

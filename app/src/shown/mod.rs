@@ -2,6 +2,7 @@
 //! that. It knows no window, file or clock, so that everything that shows slides can share it.
 
 pub(crate) mod all_nodes;
+pub(crate) mod awaited;
 pub(crate) mod beside;
 pub(crate) mod board;
 pub(crate) mod camera;

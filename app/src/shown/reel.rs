@@ -11,7 +11,7 @@ use raystep_figure::{
     Board, Build, Fact, Fitting, ListingLine, Nodes, PacketWalk, Pairs, Pane, Reel, Symbol, VolumeName, Walk, Walks,
     told,
 };
-use raystep_lesson::{Beat, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
+use raystep_lesson::{Beat, Care, Facts, Listing, Medium, Plan, Play, Plays, Show, Tape, WalksTape};
 
 /// What a play is shown as: the only place that knows which kind that is. `instead` is what a builder weighed where
 /// another cut is tried.
@@ -96,6 +96,10 @@ impl Fact for Known<'_> {
 
     fn field(&self, name: &str) -> Option<Value> {
         self.0.field(name)
+    }
+
+    fn is_rough(&self, name: &str) -> bool {
+        self.0.care(name) == Care::Draft
     }
 
     fn symbol(&self) -> Option<Symbol> {

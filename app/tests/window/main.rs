@@ -1,5 +1,6 @@
 //! The window without a screen, as somebody uses it. One program, so that it is linked once.
 
+mod boards;
 mod files;
 mod hand;
 mod heat;

@@ -32,12 +32,12 @@ pub use moments::{
 };
 pub use page::{Anchor, Figure, Image, Ink, Look, Mark, Motion, nothing};
 pub use panes::{
-    Ask, Bar, Bars, Chart, Column, Curve, CutLine, Dot, Drawn, Given, Grip, Knob, KnobLine, ListingLine, Map, Maps,
-    Meter, Pane, Panel, Picture, Pictures, Pixel, Row, RulerScale, Scale, Table, Track, TreeView, bin, bin_of_build,
-    bytes, cells, cells_of_build, changed, changed_height, changed_of_build, costs, ghost, ghost_of_build, line_at,
-    listing, listing_height, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space, space_of_build,
-    space_of_build_to, space_to, stack, stack_height, stack_of_build, tested, timeline, timeline_of_build, tree,
-    tree_height, tree_of_build, work, work_of_build,
+    Ask, Bar, Bars, Chart, Column, Curve, CutLine, Dot, Drawn, Given, Grip, Knob, KnobLine, Known, ListingLine, Map,
+    Maps, Meter, Pane, Panel, Picture, Pictures, Pixel, Row, RulerScale, Scale, Table, Track, TreeView, bin,
+    bin_of_build, bytes, cells, cells_of_build, changed, changed_height, changed_of_build, costs, ghost,
+    ghost_of_build, line_at, listing, listing_height, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space,
+    space_of_build, space_of_build_to, space_to, stack, stack_height, stack_of_build, tested, timeline,
+    timeline_of_build, tree, tree_height, tree_of_build, work, work_of_build,
 };
 pub use stage::{
     Camera, Scenery, Shaded, axes, close_up, crop, inset_size, is_label, is_nearer, labels, pointed_at, set_inset,
@@ -45,6 +45,6 @@ pub use stage::{
 };
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use words::{
-    Answer, Fact, Symbol, VolumeName, coordinate, fill, number, sentence, short, told, value, veiled, whole,
+    Answer, Fact, ROUGH, Symbol, VolumeName, coordinate, fill, number, sentence, short, told, value, veiled, whole,
 };
 pub use world::{Depth, Form, Nodes, Space, SpaceMark, circles, contour, faces, forms_of, lines};

@@ -3,7 +3,8 @@
 use glam::Vec2;
 use raystep_accel::Reveal;
 use raystep_figure::{
-    Ask, Board, Column, Face, Figure, Given, Ink, Knob, Look, Meter, Pane, Panel, Reel, Role, Row, Table,
+    Ask, Board, Column, Face, Figure, Given, Image, Ink, Knob, Known, Look, Meter, Pane, Panel, Picture, Pictures,
+    Reel, Role, Row, Table,
 };
 
 /// A table with so many rows, the first of which comes to be seen with this entry.
@@ -13,12 +14,20 @@ fn table(title: &str, rows: usize, from: usize) -> Panel {
         name: format!("{title} {index}"),
         note: "a few words".to_owned(),
         cells: vec!["12.5".to_owned()],
+        known: Known::Fully,
     };
     Panel::Table(Table {
         title: title.to_owned(),
         about: String::new(),
         of: "row".to_owned(),
-        columns: vec![Column { head: "number".to_owned(), role: Role::Value, given: false, words: false }],
+        columns: vec![Column {
+            head: "number".to_owned(),
+            role: Role::Value,
+            given: false,
+            words: false,
+            rays: true,
+            digits: 7,
+        }],
         rows: (0..rows).map(row).collect(),
     })
 }
@@ -94,4 +103,75 @@ fn a_meter_waits_for_what_follows_it_and_nothing_moves_when_it_comes() {
     }
     // Where it stands alone, somebody has asked for it.
     assert_eq!(board(&panels[1..], 0, &ask).1, 2);
+}
+
+/// A text of a figure, with where it stands and what it is.
+fn said(figure: &Figure, words: &str) -> Option<(Vec2, Role)> {
+    figure.marks.iter().find_map(|mark| match &mark.ink {
+        Ink::Text { at, text, .. } if text == words => Some((*at, mark.role)),
+        _ => None,
+    })
+}
+
+#[test]
+fn what_is_not_final_looks_so_and_nothing_moves_when_it_is() {
+    let ask = Ask::new(Vec2::new(1000.0, 670.0), Look::WINDOW);
+    let drawn = |known: Known, cell: &str| {
+        let Panel::Table(mut table) = table("first", 3, 0) else { unreachable!() };
+        table.about = "a remark".to_owned();
+        for row in &mut table.rows {
+            (row.known, row.cells) = (known, vec![cell.to_owned()]);
+        }
+        board(&[Panel::Table(table)], 2, &ask).0
+    };
+    let fully = drawn(Known::Fully, "12.5");
+    let names = letters(&fully, "first ");
+    for (known, cell, sign, legend) in [
+        (Known::NotYet, "\u{2026}", "\u{2026}", "\u{2026} not measured yet · a remark"),
+        (Known::Roughly, "12.5", "\u{2248}", "\u{2248} from few rays so far · a remark"),
+    ] {
+        let figure = drawn(known, cell);
+        assert_eq!(letters(&figure, "first "), names, "{known:?}");
+        assert!(said(&figure, legend).is_some(), "{known:?}");
+        let (at, role) = said(&figure, sign).expect("a sign");
+        assert_eq!(role, Role::Quiet, "{known:?}");
+        assert_eq!(at.y, said(&fully, "12").expect("a number").0.y, "{known:?}");
+        assert_eq!(said(&figure, "number"), said(&fully, "number"), "{known:?}");
+    }
+    assert!(said(&fully, "a remark").is_some() && said(&fully, "\u{2248}").is_none());
+    assert_eq!(said(&fully, "12").expect("a number").1, Role::Value);
+    // Where nothing is counted of rays, a few of them tell all.
+    let figure = drawn(Known::Roughly, "\u{2013}");
+    assert!(said(&figure, "\u{2248}").is_none() && said(&figure, "a remark").is_some());
+}
+
+#[test]
+fn a_picture_that_waits_has_its_frame() {
+    let ask = Ask::new(Vec2::new(1000.0, 670.0), Look::WINDOW);
+    let drawn = |image: Option<Image>, known: Known| {
+        let picture = |entry: usize| Picture {
+            entry,
+            name: format!("picture {entry}"),
+            says: if image.is_some() { "few".to_owned() } else { String::new() },
+            room: "some more words".to_owned(),
+            size: [720, 450],
+            image: image.clone(),
+            over: None,
+            known,
+        };
+        let (title, about) = ("Pictures".to_owned(), String::new());
+        board(&[Panel::Pictures(Pictures { title, about, pictures: (0..3).map(picture).collect() })], 2, &ask).0
+    };
+    // A draft's pixels are not quite of the shape of the frame.
+    let image = Image { width: 100, height: 62, rgba: vec![200; 100 * 62 * 4].into() };
+    let (waits, there) = (drawn(None, Known::NotYet), drawn(Some(image), Known::Fully));
+    assert_eq!(letters(&waits, "picture "), letters(&there, "picture "));
+    let frames = |figure: &Figure| {
+        let lines = figure.marks.iter().filter(|mark| matches!(mark.ink, Ink::Line { .. }) && mark.role == Role::Edge);
+        lines.map(|mark| mark.ink.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(frames(&waits), frames(&there));
+    let seen = |figure: &Figure| figure.marks.iter().filter(|mark| matches!(mark.ink, Ink::Image { .. })).count();
+    assert_eq!((seen(&waits), seen(&there)), (0, 2));
+    assert!(said(&waits, "not traced yet").is_some() && said(&there, "not traced yet").is_none());
 }

@@ -9,8 +9,8 @@ use raystep_accel::{
     Rule, Shape, Sphere, Structure, Trial, Triangle, Value, fit_around,
 };
 use raystep_figure::{
-    Anchor, Ask, Board, Build, Depth, Face, Fact, Figure, Film, Fitting, Form, Ink, Instant, Kind, Look, Map, Maps,
-    Motion, Nodes, Pairs, Pane, Panel, Reel, Role, Space, Symbol, VolumeName, Walk, told,
+    Anchor, Ask, Board, Build, Depth, Face, Fact, Figure, Film, Fitting, Form, Ink, Instant, Kind, Known, Look, Map,
+    Maps, Motion, Nodes, Pairs, Pane, Panel, Reel, Role, Space, Symbol, VolumeName, Walk, told,
 };
 
 const SIZE: Vec2 = Vec2::new(600.0, 200.0);
@@ -192,7 +192,13 @@ fn a_build_has_stored_at_its_end_what_the_structure_refers_to() {
 
 #[test]
 fn a_pixel_of_a_heat_map_is_found_and_seen_from_near() {
-    let map = |entry: usize, counts: Vec<u32>| Map { entry, name: format!("map {entry}"), size: [4, 3], counts };
+    let map = |entry: usize, counts: Vec<u32>| Map {
+        entry,
+        name: format!("map {entry}"),
+        size: [4, 3],
+        counts,
+        known: Known::Fully,
+    };
     let few: Vec<u32> = (0..12).collect();
     let many: Vec<u32> = few.iter().map(|count| count * 100).collect();
     let maps = Maps::new("Where".to_owned(), String::new(), "tests".to_owned(), vec![map(0, few), map(1, many)]);

@@ -1,10 +1,10 @@
 //! What is known at a step: the fields of its event, those of events before it, and how often things happened.
 
-use raystep_accel::{Event, Value};
+use raystep_accel::{Event, Place, Value};
 
 use crate::reading::Reading;
 use crate::vocabulary::{check_event, check_field};
-use crate::{Play, Plays, StageKind, Tape, WalksTape, names};
+use crate::{BoardTape, Care, Play, Plays, StageKind, Tape, WalksTape, names};
 
 /// What a slide can say at a step of what is played. Nothing in it comes from later steps.
 #[derive(Clone, Copy, Debug)]
@@ -56,8 +56,36 @@ impl<'a> Facts<'a> {
             return self.tape.count(event, self.step).map(Value::Count);
         }
         match name.rsplit_once('.') {
-            Some((event, field)) => known(&self.before(event)?, field),
-            None => known(&self.event, name).or_else(|| self.tape.number(name)),
+            Some((event, field)) => self.known(&self.before(event)?, field),
+            None => self.known(&self.event, name).or_else(|| self.tape.number(name)),
+        }
+    }
+
+    /// How carefully a fact was measured; all but the numbers of boards are as they are.
+    pub fn care(&self, name: &str) -> Care {
+        let (event, field) = match name.rsplit_once('.') {
+            Some((event, field)) => (self.before(event), field),
+            None => (Some(self.event), name),
+        };
+        match (self.tape, event.map(|event| event.place())) {
+            (Tape::Board(board), Some(Place::Cell(entry))) => board.care_of_number(entry.0 as usize, field),
+            _ => Care::Full,
+        }
+    }
+
+    /// A field of an event; of a board nothing where nothing was measured, and a sign where something is still to be.
+    fn known(&self, event: &Event, name: &str) -> Option<Value> {
+        let Event::Board(reveal) = event else { return event.field(name) };
+        let waits = |board: &BoardTape| match reveal.place() {
+            Place::Cell(entry) => board.care_of_number(entry.0 as usize, name) == Care::Bare,
+            _ => false,
+        };
+        match event.field(name)? {
+            Value::Number(number) if number.is_nan() => match self.tape {
+                Tape::Board(board) if waits(board) => Some(Value::Word(WAITS, &[])),
+                _ => None,
+            },
+            value => Some(value),
         }
     }
 
@@ -81,11 +109,8 @@ impl<'a> Facts<'a> {
     }
 }
 
-/// A field of an event; of a board nothing where nothing was measured.
-fn known(event: &Event, name: &str) -> Option<Value> {
-    let unmeasured = |value: &Value| matches!(value, Value::Number(number) if number.is_nan());
-    event.field(name).filter(|value| !(matches!(event, Event::Board(_)) && unmeasured(value)))
-}
+/// What stands for a number that is still to be measured.
+const WAITS: &str = "\u{2026}";
 
 const BESIDE: &str = "beside.";
 const COUNT: &str = "count.";

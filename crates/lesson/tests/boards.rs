@@ -154,6 +154,54 @@ fn what_follows_the_meter_is_measured_where_it_stands() {
 }
 
 #[test]
+fn a_board_stands_bare_before_anything_is_measured_and_is_then_filled_as_at_once() {
+    let library = library(SLIDE);
+    let slide = &library.slides[0];
+    let full = slide.stages[0].build(slide.plays).unwrap();
+    let Some(Tape::Board(whole)) = full.told.clone() else { panic!("a board") };
+    let mut tape = Arc::new(BoardTape::fill(&whole.board, &full.scene, Care::Bare, &mut ()).unwrap());
+    assert!(tape.measured.iter().all(Option::is_none) && tape.counted.iter().all(Option::is_none));
+    assert!(tape.grown.iter().all(Vec::is_empty));
+    let many = tape.places.len();
+    let (waiting, _) = (many - tape.filled_to(Care::Draft).0, tape.filled_to(Care::Draft).1);
+    assert!(waiting > 3, "{waiting}");
+
+    // A text that names what waits has its room, and says so.
+    let texts = |tape: &Arc<BoardTape>| {
+        let play = Built { told: Some(Tape::Board(tape.clone())), ..full.clone() }.play(None, &slide.beats).unwrap();
+        let told = |(beat, step): (&Beat, &Option<usize>)| {
+            let facts = Facts::at(&play, step.unwrap()).unwrap();
+            let care = ["tests", "mean", "first", "nodes", "printed", "speed"].map(|name| facts.care(name));
+            let known = ["tests", "mean", "first"].map(|name| facts.field(name).is_some());
+            (beat.text(&facts, Medium::Window), care, known)
+        };
+        slide.beats.iter().zip(&play.beats).map(told).collect::<Vec<_>>()
+    };
+    let (bare, last) = (texts(&tape), texts(&whole));
+    for ((bare, cares, known), (last, _, measured)) in bare.iter().zip(&last) {
+        assert_eq!(bare, last, "the same is said, before its numbers are filled in");
+        assert_eq!(known, measured);
+        assert_eq!(cares[4..], [Care::Full; 2], "what is not measured, or timed, is as it is");
+    }
+    assert!(bare.iter().any(|(_, cares, _)| cares.contains(&Care::Bare)));
+
+    let mut rounds = 0;
+    while tape.care() < Care::Full {
+        let before = tape.fineness();
+        tape = tape.filled_further(&full.scene, &mut ()).unwrap();
+        assert!(tape.fineness() > before);
+        rounds += 1;
+        if rounds == waiting {
+            assert_eq!(tape.care(), Care::Draft, "all of it coarsely first");
+            let nodes = |(_, cares, _): &(String, [Care; 6], _)| cares[3];
+            assert!(texts(&tape).iter().all(|text| nodes(text) == Care::Full), "nodes are counted without rays");
+        }
+    }
+    assert!(rounds <= waiting * 2);
+    assert_eq!(format!("{:?}", tape.events), format!("{:?}", whole.events), "as if it was filled at once");
+}
+
+#[test]
 fn wrong_boards_are_told_what_is_wrong() {
     let mistakes = [
         ("nothing on it", "[[chart]]", "[[chrat]]"),

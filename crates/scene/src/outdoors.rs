@@ -1,6 +1,6 @@
 //! Forest and meadow, slides 2-4 and 25-27: a few models stored once, placed many times from a seed.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use glam::{DVec3, Mat3, Vec3};
 use raystep_accel::{Aabb, BvhRule, Instances, Mesh, Model, PrimId, Primitives, Prims, Random, Rule, Transform};
@@ -21,9 +21,12 @@ const PATCH: f32 = 1.0;
 /// Blades on a patch.
 const BLADES: u32 = 500;
 
+/// The trees of every forest, grown once.
+static GROWN: LazyLock<[Arc<Model>; 3]> = LazyLock::new(|| [11, 12, 13].map(|seed| model(tree(seed))));
+
 /// A forest of so many trees, at least 1: three grown trees, each placed many times, on a floor.
 pub(crate) fn forest(trees: u32) -> Scene {
-    let grown = [11, 12, 13].map(|seed| model(tree(seed)));
+    let grown = GROWN.clone();
     let random = &mut Random::new(2);
     // Rows as a forester plants them, each tree a little beside its place.
     let side = (1..).find(|side| side * side >= trees).unwrap_or(1);

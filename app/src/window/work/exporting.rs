@@ -11,6 +11,7 @@ use super::errands::{Errands, News};
 use super::task::Task;
 use crate::export::{self, Changes, Ground, Order, Session, View, Which, jobs, pictures, rays_of_beats};
 use crate::fault::Fault;
+use crate::shown::all_nodes::AllNodes;
 use crate::shown::camera::Seen;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::state::State;
@@ -61,6 +62,11 @@ impl Window {
                 Some(Tape::Board(filled.map_err(|Cancelled| Fault::new("the export was cancelled"))?))
             }
             other => other,
+        };
+        // What is drawn follows.
+        let nodes = match &told {
+            Some(Tape::Board(_)) => Arc::new(AllNodes::of(&structure, told.as_ref())),
+            _ => nodes,
         };
         let built = raystep_lesson::Built { scene, structure, told };
         let changes = Changes {

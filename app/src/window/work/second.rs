@@ -6,8 +6,8 @@ use raystep_accel::{Cancelled, Primitives, Ray, Rule};
 use raystep_lesson::{Care, Plays};
 
 use super::bench::{Bench, Broken};
+use super::making::{Failure, build, builds_quickly, walks_quickly};
 use super::task::Task;
-use super::workshop::{Failure, build, builds_quickly, walks_quickly};
 use crate::shown::beside::Beside;
 use crate::shown::playback::{Built, Playback};
 use crate::shown::state::State;

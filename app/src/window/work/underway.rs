@@ -7,9 +7,10 @@ use raystep_paint::Mesh;
 use super::errands::Errands;
 use super::heating::{Heating, Level};
 use super::judging::Judging;
+use super::making::{Failure, Made};
 use super::second::Second;
 use super::task::Task;
-use super::workshop::{Failure, Made, Workshop};
+use super::workshop::Workshop;
 use crate::shown::beside::Beside;
 use crate::shown::heat::Wish;
 use crate::shown::playback::Playback;
@@ -97,7 +98,7 @@ impl Underway {
             }
             None => {
                 match state.playback().filter(|shown| shown.is_draft() && !self.is_left_so(shown)) {
-                    Some(draft) => self.workshop.refine(&draft.view, &state.library),
+                    Some(draft) => self.workshop.refine(draft, &state.library),
                     None => _ = self.workshop.cancel(),
                 }
                 wrong

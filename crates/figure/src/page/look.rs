@@ -44,13 +44,23 @@ impl Look {
         let y = self.margin() + self.text * 0.6;
         let left = self.margin();
         write(figure, Role::Quiet, None, Vec2::new(left, y), title, self.text * 0.95, Face::Bold, Anchor::Start);
-        let x = left + text_width(title, Face::Bold, self.text * 0.95) + self.text;
+        let x = self.behind(title);
         // A remark that has no room is left out: what stands beside is not covered.
-        let fits = x + text_width(remark, Face::Regular, self.small()) <= figure.size.x || figure.size.x == 0.0;
-        if !remark.is_empty() && fits {
+        if !remark.is_empty() && self.has_room(figure, title, remark) {
             write(figure, Role::Quiet, None, Vec2::new(x, y), remark, self.small(), Face::Regular, Anchor::Start);
         }
         y + self.text * 1.0
+    }
+
+    /// Whether a remark fits behind a heading.
+    pub(crate) fn has_room(&self, figure: &Figure, title: &str, remark: &str) -> bool {
+        let end = self.behind(title) + text_width(remark, Face::Regular, self.small());
+        end <= figure.size.x || figure.size.x == 0.0
+    }
+
+    /// Where a remark behind a heading begins.
+    fn behind(&self, title: &str) -> f32 {
+        self.margin() + text_width(title, Face::Bold, self.text * 0.95) + self.text
     }
 
     /// A pane with nothing to draw says why.

@@ -2,6 +2,9 @@
 
 use raystep_accel::{Lanes, Value};
 
+/// What stands before a number that few rays have told: nobody should quote it.
+pub const ROUGH: &str = "\u{2248}";
+
 /// A number as it stands on every page: three significant digits, whole from 1000 on, no idle zeros, and from 10,000 on
 /// with commas between the thousands.
 pub fn number(x: f32) -> String {

@@ -2,7 +2,7 @@
 
 use raystep_accel::Value;
 
-use crate::words::{Fact, Piece, come_out, counted, value};
+use crate::words::{Fact, Piece, ROUGH, come_out, counted, value};
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
 /// `{{prims reference}}` counts: 1 reference, 2 references; `{{lanes ray}}` counts those that take part. Sums come out in
@@ -30,6 +30,9 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
             }
             Some(Value::Number(x)) => {
                 // Nobody reads "3.5 − −1".
+                if event.is_rough(field) {
+                    filled.push_str(ROUGH);
+                }
                 let bracketed = x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']);
                 pieces.extend([Piece::Text(std::mem::take(&mut filled)), Piece::Number { x, bracketed }]);
             }

@@ -139,12 +139,18 @@ impl Board {
     }
 
     /// Whether something is counted at a place of a panel: a table that has only times counts nothing.
-    pub(crate) fn measures(&self, (panel, _): (usize, usize)) -> bool {
-        match self.panels.get(panel) {
-            Some(Panel::Table(table)) => {
-                table.columns.iter().any(|(column, _)| column.is_measured() && !column.is_timed())
+    pub(crate) fn measures(&self, at: (usize, usize)) -> bool {
+        match self.entry(at) {
+            Some(Entry::Row(row)) => {
+                let counts = |(column, _): &(Column, String)| column.is_measured() && !column.is_timed();
+                let told =
+                    matches!(self.panels.get(at.0), Some(Panel::Table(table)) if table.columns.iter().any(counts));
+                told && (row.plan.is_some() || row.fast.is_some() || row.volume.is_some())
             }
-            Some(Panel::Chart(_) | Panel::Meter(_) | Panel::Maps(_) | Panel::Pictures(_)) => true,
+            Some(Entry::Drawn(drawn)) => {
+                matches!(&drawn.stroke, Stroke::Growth { plan: Some(_), of, .. } if !of.is_timed())
+            }
+            Some(Entry::Map(..) | Entry::Picture(_)) => true,
             None => false,
         }
     }

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
-use raystep_accel::{Cancelled, Grow, Hit, Observer, Prims, Ray, Structure};
+use raystep_accel::{Cancelled, Grow, Hit, Mesh, Observer, Prims, Ray, Structure, Transform};
 use raystep_fast::{Bvh8, Fast, Settings, TwoLevels};
 use raystep_scene::Scene;
 
@@ -86,11 +86,26 @@ pub(super) fn fast(scene: &Scene) -> Option<Quick> {
 fn print(prims: &Prims) -> u64 {
     let mut hasher = DefaultHasher::new();
     match prims {
-        Prims::Mesh(mesh) => {
-            mesh.triangles.hash(&mut hasher);
-            mesh.corners.iter().for_each(|corner| corner.to_array().map(f32::to_bits).hash(&mut hasher));
+        Prims::Mesh(mesh) => of_mesh(mesh, &mut hasher),
+        // Written out, the models of a forest would fill books.
+        Prims::Instances(instances) => {
+            for model in instances.models() {
+                of_mesh(&model.mesh, &mut hasher);
+                (model.structure.node_count(), model.structure.bytes()).hash(&mut hasher);
+            }
+            for instance in instances.placed() {
+                let Transform { matrix, shift } = instance.world_from_local;
+                instance.model.hash(&mut hasher);
+                matrix.to_cols_array().map(f32::to_bits).hash(&mut hasher);
+                shift.to_array().map(f32::to_bits).hash(&mut hasher);
+            }
         }
         prims => format!("{prims:?}").hash(&mut hasher),
     }
     hasher.finish()
+}
+
+fn of_mesh(mesh: &Mesh, hasher: &mut DefaultHasher) {
+    mesh.triangles.hash(hasher);
+    mesh.corners.iter().for_each(|corner| corner.to_array().map(f32::to_bits).hash(hasher));
 }

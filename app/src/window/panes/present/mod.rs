@@ -14,6 +14,7 @@ use super::figure::figure;
 use super::page::{Asked, Kept, Page};
 use super::spoken::{Column, Fitted, Speech};
 use super::stage;
+use crate::shown::awaited::awaited;
 use crate::shown::lecture::Cover;
 use crate::shown::pictures::{Pane, Pictures};
 use crate::window::look::painter::caption;
@@ -108,9 +109,13 @@ fn says_so_far(ui: &Ui, page: Page<'_>, kept: &Kept, rect: Rect, body: f32) {
     let tally = tally.map_or_else(String::new, |tally| format!(" · {tally}"));
     // What is on its way for longer than a moment is waited for; nobody in a class need wonder why nothing moves.
     let waits = ui.ctx().animate_bool_with_time(ui.scope_id().with("waits"), page.making, WAITS) >= 1.0;
-    let says = match waits && page.making {
-        true => "the next picture is being made …".to_owned(),
-        false => format!("step {step} of {}{tally}", playback.steps().last()),
+    let awaited = match page.state.wanted() {
+        Some(_) => Some("the next picture is being made …"),
+        None => awaited(playback, step),
+    };
+    let says = match awaited.filter(|_| waits && page.making) {
+        Some(awaited) => awaited.to_owned(),
+        None => format!("step {step} of {}{tally}", playback.steps().last()),
     };
     let at = rect.left_center() + vec2(0.0, body * 0.3);
     caption(ui.painter(), at, Align2::LEFT_CENTER, &says, Face::Regular, body * 0.68, Role::Quiet, page.theme);

@@ -2,6 +2,7 @@
 
 use glam::Vec2;
 
+use super::known::{Known, heading, legend};
 use super::{Filled, place};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, block, line, write};
 use crate::theme::{Face, Role, text_width};
@@ -50,6 +51,8 @@ pub struct Drawn {
     pub moves: bool,
     /// What it is.
     pub curve: Curve,
+    /// How well it is known.
+    pub known: Known,
 }
 
 /// A point, or points joined by a line.
@@ -73,6 +76,17 @@ impl Chart {
     /// When what is drawn in it comes to be seen.
     pub(super) fn entries(&self) -> Vec<usize> {
         self.drawn.iter().map(|drawn| drawn.entry).collect()
+    }
+
+    /// What it says of those of its lines that are seen, and not as they will stay.
+    fn legend(&self, filled: Filled) -> Option<String> {
+        let seen = || self.drawn.iter().filter(|drawn| filled.shows(drawn.entry));
+        let waits: Vec<&str> =
+            seen().filter(|drawn| drawn.known == Known::NotYet).map(|drawn| drawn.name.as_str()).collect();
+        match waits[..] {
+            [] => legend(seen().map(|drawn| drawn.known)),
+            _ => Some(format!("{}: not measured yet", waits.join(", "))),
+        }
     }
 }
 
@@ -122,7 +136,7 @@ struct Plot<'a> {
 
 pub(super) fn draw(chart: &Chart, filled: Filled, room: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
-    let top = look.heading(&mut figure, &chart.title, &chart.about) + look.text * 1.2;
+    let top = heading(look, &mut figure, &chart.title, &chart.about, chart.legend(filled)) + look.text * 1.2;
     let u = look.text;
     let up = chart.y.marks((room.y / (u * 3.0)).max(2.0));
     let names = up.iter().map(|(_, text)| text_width(text, Face::Regular, look.small())).fold(0.0, f32::max);
@@ -203,7 +217,9 @@ impl Plot<'_> {
                 figure.add(role, place, Ink::Circle { center, radius: u * 0.42 });
             }
             Curve::Line { dots, guess } => {
+                let rough = drawn.known == Known::Roughly;
                 let role = match (guess, new) {
+                    _ if rough => Role::Waiting,
                     (true, _) => Role::Waiting,
                     (false, true) => Role::Here,
                     (false, false) => Role::Seen,
@@ -239,7 +255,11 @@ impl Plot<'_> {
     fn name(&self, figure: &mut Figure, drawn: &Drawn, corner: Vec2, new: bool) {
         let u = self.look.text;
         let place = place(drawn.entry);
-        let role = if new || drawn.moves { Role::Value } else { Role::Text };
+        let role = match drawn.known {
+            Known::Roughly => Role::Quiet,
+            _ if new || drawn.moves => Role::Value,
+            _ => Role::Text,
+        };
         write(figure, role, place, corner + Vec2::new(0.0, u * 0.65), &drawn.name, u, Face::Bold, Anchor::Start);
         let below = corner + Vec2::new(0.0, u * 1.95);
         write(figure, Role::Quiet, place, below, &drawn.note, self.look.small(), Face::Regular, Anchor::Start);

@@ -1,5 +1,7 @@
 //! A heat map: what was counted, pixel by pixel.
 
+use super::known::Known;
+
 /// A heat map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Map {
@@ -9,6 +11,8 @@ pub struct Map {
     pub name: String,
     /// Pixels across and down.
     pub size: [u32; 2],
-    /// What was counted for each pixel's ray, rows from above.
+    /// What was counted for each pixel's ray, rows from above; nothing as long as nothing was.
     pub counts: Vec<u32>,
+    /// How well its counts are known.
+    pub known: Known,
 }

@@ -3,11 +3,12 @@
 use glam::Vec2;
 
 use super::heat_scale::{Legend, image, legend, outline, shares};
+use super::known::{Known, heading, legend as signs};
 use super::map::Map;
 use super::{Filled, place};
 use crate::page::{Anchor, Figure, Image, Ink, Look, write};
 use crate::theme::{Face, Role};
-use crate::words::number;
+use crate::words::{ROUGH, number};
 
 /// Heat maps of a board. Their colours are made once, when the maps are.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,8 @@ pub struct Maps {
     pub maps: Vec<Map>,
     /// The largest count of all maps: the upper end of their scale.
     most: u32,
+    /// The shape of their frames: so many across for so many down; that of their pixels if nobody says.
+    frame: Option<[u32; 2]>,
     inked: Vec<Inked>,
 }
 
@@ -49,6 +52,9 @@ pub struct Pixel {
     pub count: u32,
 }
 
+/// What stands in the frame of a map that waits.
+const NOT_YET: &str = "not counted yet";
+
 /// Room right of a map, for its scale and histogram, in letters.
 const SCALE: f32 = 9.0;
 /// Room below a map, for its name and numbers, in letters.
@@ -65,7 +71,13 @@ impl Maps {
             range: [map.counts.iter().min(), map.counts.iter().max()].map(|count| count.copied().unwrap_or(0)),
         });
         let inked = inked.collect();
-        Maps { title, about, of, maps, most, inked }
+        Maps { title, about, of, maps, most, frame: None, inked }
+    }
+
+    /// The same maps in frames of this shape, however coarse they are.
+    #[must_use]
+    pub fn framed(self, frame: [u32; 2]) -> Maps {
+        Maps { frame: Some(frame), ..self }
     }
 
     /// The largest count of all maps, at least 2.
@@ -94,7 +106,7 @@ impl Maps {
     /// Where the maps lie: the upper left corner of each and the lower right one.
     pub(super) fn corners(&self, room: Vec2, look: &Look) -> Vec<[Vec2; 2]> {
         let most = Maps::picture(room, self.maps.len(), look);
-        let [width, height] = self.maps.first().map_or([4, 3], |map| map.size);
+        let [width, height] = self.frame.or(self.maps.first().map(|map| map.size)).unwrap_or([4, 3]);
         let aspect = width as f32 / height as f32;
         let high = (most.x / aspect).min(most.y);
         let size = Vec2::new(high * aspect, high);
@@ -140,25 +152,32 @@ fn top(count: usize, look: &Look) -> f32 {
 pub(super) fn draw(maps: &Maps, filled: Filled, room: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
     let u = look.text;
-    look.heading(&mut figure, &maps.title, &maps.about);
+    let seen = maps.maps.iter().filter(|map| filled.shows(map.entry)).map(|map| map.known);
+    heading(look, &mut figure, &maps.title, &maps.about, signs(seen));
     for ((map, inked), [min, max]) in maps.maps.iter().zip(&maps.inked).zip(maps.corners(room, look)) {
         let shown = filled.shows(map.entry);
         let place = place(map.entry).filter(|_| shown);
-        if shown {
+        let counted = shown && map.known != Known::NotYet;
+        if counted {
             figure.add(Role::Scene, place, Ink::Image { min, max, image: inked.image.clone() });
         }
         figure.add(Role::Edge, place, outline(min, max));
+        if shown && !counted {
+            write(&mut figure, Role::Quiet, place, (min + max) * 0.5, NOT_YET, u, Face::Regular, Anchor::Middle);
+        }
         if filled.is_asked(map.entry) {
             write(&mut figure, Role::Guess, None, (min + max) * 0.5, "?", u * 2.0, Face::Bold, Anchor::Middle);
         }
         let name = Vec2::new(min.x, max.y + u * 1.4);
         let role = if shown { Role::Text } else { Role::Quiet };
         write(&mut figure, role, place, name, &map.name, u * 1.05, Face::Bold, Anchor::Start);
-        if shown {
+        if counted {
             let [least, most] = inked.range;
-            let says = format!("mean {}, {least} to {most}", number(inked.mean as f32));
+            let rough = map.known == Known::Roughly;
+            let (sign, role) = if rough { (ROUGH, Role::Quiet) } else { ("", Role::Missed) };
+            let says = format!("mean {sign}{}, {least} to {most}", number(inked.mean as f32));
             let at = name + Vec2::new(0.0, u * 1.5);
-            write(&mut figure, Role::Missed, place, at, &says, u, Face::Regular, Anchor::Start);
+            write(&mut figure, role, place, at, &says, u, Face::Regular, Anchor::Start);
             let (of, most, zero) = (maps.of.as_str(), maps.most, map.counts.contains(&0));
             let beside = Legend { of, most, zero, shares: &inked.shares };
             legend(&mut figure, &beside, Vec2::new(max.x + u * 0.8, min.y), max.y - min.y, look);

@@ -3,6 +3,7 @@
 
 mod chart;
 mod heat_scale;
+mod known;
 mod map;
 mod maps;
 mod meter;
@@ -14,6 +15,7 @@ use glam::Vec2;
 use raystep_accel::{CellId, Place};
 
 pub use chart::{Chart, Curve, Dot, Drawn, Scale};
+pub use known::Known;
 pub use map::Map;
 pub use maps::{Maps, Pixel};
 pub use meter::{Given, Knob, KnobLine, Meter};

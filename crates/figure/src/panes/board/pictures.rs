@@ -3,6 +3,7 @@
 use glam::Vec2;
 use raystep_accel::Prims;
 
+use super::known::{Known, heading, legend};
 use super::{Filled, place};
 use crate::page::{Anchor, Figure, Image, Ink, Look, Mark, write};
 use crate::stage::{Camera, Scenery, crop, stage};
@@ -27,14 +28,22 @@ pub struct Picture {
     pub entry: usize,
     /// What it is called.
     pub name: String,
-    /// What it shows, in numbers.
+    /// What it shows, in numbers; nothing as long as they are not known.
     pub says: String,
-    /// The picture itself.
-    pub image: Image,
+    /// Words for which there is room below it from the first: as wide as those that come.
+    pub room: String,
+    /// Its pixels across and down, once it is made in full: the shape of its frame.
+    pub size: [u32; 2],
+    /// The picture itself, once there is one.
+    pub image: Option<Image>,
+    /// How well it and its numbers are known.
+    pub known: Known,
     /// What is drawn over it, as a camera sees it that the picture was made with.
     pub over: Option<(Vec<Form>, Camera)>,
 }
 
+/// What stands in the frame of a picture that waits.
+const NOT_YET: &str = "not traced yet";
 /// Room below a picture for two lines of words, in letters.
 const BELOW: f32 = 4.4;
 /// Most that its words grow.
@@ -52,11 +61,12 @@ fn over(forms: &[Form], camera: &Camera, size: Vec2) -> Figure {
 pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
     let u = look.text;
-    let top = look.heading(&mut figure, &pictures.title, &pictures.about) + u * 0.8;
+    let seen = pictures.pictures.iter().filter(|picture| filled.shows(picture.entry)).map(|picture| picture.known);
+    let top = heading(look, &mut figure, &pictures.title, &pictures.about, legend(seen)) + u * 0.8;
     let left = look.margin();
     let gap = u * 1.5;
     let Some(first) = pictures.pictures.first() else { return figure };
-    let aspect = first.image.width as f32 / first.image.height.max(1) as f32;
+    let aspect = first.size[0] as f32 / first.size[1].max(1) as f32;
     // As many columns as make the pictures largest; each has two lines of words below.
     let many = pictures.pictures.len();
     let set = |letters: f32| {
@@ -77,7 +87,8 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
     // Words may be wider than their picture: they have the room as far as the next one.
     let words = |picture: &Picture| {
         let name = text_width(&picture.name, Face::Bold, u * 1.1);
-        name.max(text_width(&picture.says, Face::Regular, u))
+        let says = text_width(&picture.says, Face::Regular, u).max(text_width(&picture.room, Face::Regular, u));
+        name.max(says)
     };
     let longest = pictures.pictures.iter().map(words).fold(wide, f32::max);
     let step = (longest + gap).min((room.x - 2.0 * left + gap) / columns as f32).max(wide + gap);
@@ -89,12 +100,15 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
         let max = min + Vec2::new(wide, high);
         let shown = filled.shows(picture.entry);
         let place = place(picture.entry).filter(|_| shown);
-        if shown {
-            figure.add(Role::Scene, place, Ink::Image { min, max, image: picture.image.clone() });
+        if let Some(image) = picture.image.as_ref().filter(|_| shown) {
+            figure.add(Role::Scene, place, Ink::Image { min, max, image: image.clone() });
             if let Some((forms, camera)) = &picture.over {
                 let drawn = over(forms, camera, max - min);
                 figure.marks.extend(drawn.marks.into_iter().map(|mark| Mark { place, ..mark.moved(min) }));
             }
+        }
+        if shown && picture.known == Known::NotYet {
+            write(&mut figure, Role::Quiet, place, (min + max) * 0.5, NOT_YET, u, Face::Regular, Anchor::Middle);
         }
         let frame = vec![min, Vec2::new(max.x, min.y), max, Vec2::new(min.x, max.y), min];
         figure.add(Role::Edge, place, Ink::Line { points: frame });

@@ -2,9 +2,11 @@
 
 use glam::Vec2;
 
+use super::known::{Known, WAITS, heading, legend};
 use super::{Filled, place};
 use crate::page::{Anchor, Figure, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};
+use crate::words::ROUGH;
 
 /// A table of a board.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +34,10 @@ pub struct Column {
     pub given: bool,
     /// Whether it holds words or code, which begin below each other.
     pub words: bool,
+    /// Whether its numbers are counted of rays: of few of them only roughly.
+    pub rays: bool,
+    /// For so many digits there is room, before any are known.
+    pub digits: usize,
 }
 
 /// A row.
@@ -45,6 +51,8 @@ pub struct Row {
     pub note: String,
     /// What stands in its columns; nothing where a row has none.
     pub cells: Vec<String>,
+    /// How well its numbers are known.
+    pub known: Known,
 }
 
 /// How the rows of a board's tables are set.
@@ -125,7 +133,8 @@ impl Table {
             let head =
                 head.iter().map(|(line, _)| text_width(line, Face::Regular, text * 0.9)).fold(text * 2.5, f32::max);
             let (before, behind) = self.around_points(index, text);
-            head.max(before + behind)
+            let waits = text_width("0", Face::Mono, text) * self.columns[index].digits as f32;
+            head.max(before + behind).max(waits)
         };
         std::iter::once(first).chain((0..self.columns.len()).map(column)).collect()
     }
@@ -134,7 +143,7 @@ impl Table {
     fn at_point<'a>(&self, column: usize, cell: &'a str) -> (&'a str, &'a str) {
         let bare = |cell: &str| cell.bytes().all(|byte| byte.is_ascii_digit() || matches!(byte, b',' | b'.'));
         let mut cells = self.rows.iter().filter_map(|row| row.cells.get(column));
-        match cell.find('.').filter(|_| cells.all(|cell| bare(cell) || cell == "\u{2013}")) {
+        match cell.find('.').filter(|_| cells.all(|cell| bare(cell) || cell == "\u{2013}" || cell == WAITS)) {
             Some(at) => cell.split_at(at),
             None => (cell, ""),
         }
@@ -148,6 +157,28 @@ impl Table {
             (text_width(before, Face::Mono, text), text_width(behind, Face::Mono, text))
         });
         parts.fold((0.0, 0.0), |(a, b), (before, behind)| (a.max(before), b.max(behind)))
+    }
+}
+
+impl Table {
+    /// What the signs in its rows mean, of those that are seen.
+    fn legend(&self, filled: Filled) -> Option<String> {
+        let seen = self.rows.iter().filter(|row| filled.shows(row.entry));
+        let cells =
+            seen.flat_map(|row| self.columns.iter().zip(&row.cells).map(move |(column, cell)| (row, column, cell)));
+        let known = cells.filter_map(|(row, column, cell)| match () {
+            () if row.is_rough(column, cell) => Some(Known::Roughly),
+            () if cell == WAITS => Some(Known::NotYet),
+            () => None,
+        });
+        legend(known)
+    }
+}
+
+impl Row {
+    /// Whether a number of it is told by few rays.
+    fn is_rough(&self, column: &Column, cell: &str) -> bool {
+        self.known == Known::Roughly && column.rays && cell.contains(|letter: char| letter.is_ascii_digit())
     }
 }
 
@@ -177,7 +208,7 @@ fn lines_of(head: &str, narrow: bool) -> Vec<(&str, bool)> {
 
 pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look: &Look) -> Figure {
     let mut figure = Figure::new(room);
-    let top = look.heading(&mut figure, &table.title, &table.about) + look.text * 0.6;
+    let top = heading(look, &mut figure, &table.title, &table.about, table.legend(filled)) + look.text * 0.6;
     let Set { widths, gap } = table.set(room, lines, look);
     let Lines { text, row, narrow } = lines;
     let left = look.margin();
@@ -237,8 +268,14 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look
                 let (before, behind) = table.at_point(index, cell);
                 let (_, after) = table.around_points(index, text);
                 let at = Vec2::new(end - after, y);
-                write(&mut figure, column.role, place, at, before, text, Face::Mono, Anchor::End);
-                write(&mut figure, column.role, place, at, behind, text, Face::Mono, Anchor::Start);
+                let rough = row.is_rough(column, cell);
+                let role = if rough || cell == WAITS { Role::Quiet } else { column.role };
+                if rough {
+                    let left = at - Vec2::new(text_width(before, Face::Mono, text), 0.0);
+                    write(&mut figure, role, place, left, ROUGH, text, Face::Regular, Anchor::End);
+                }
+                write(&mut figure, role, place, at, before, text, Face::Mono, Anchor::End);
+                write(&mut figure, role, place, at, behind, text, Face::Mono, Anchor::Start);
             }
         }
         let below = y + high * 0.5;

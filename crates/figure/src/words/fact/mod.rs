@@ -25,6 +25,11 @@ pub trait Fact {
     /// The value of one of its fields.
     fn field(&self, name: &str) -> Option<Value>;
 
+    /// Whether a field is a number that few rays have told: then a sign stands before it.
+    fn is_rough(&self, _name: &str) -> bool {
+        false
+    }
+
     /// Whether flat scenes leave it out.
     fn concerns_z(&self) -> bool {
         false

@@ -49,6 +49,9 @@ impl Fact for Reveal {
 
     fn sentence(&self, _: VolumeName) -> String {
         let template = match self {
+            Reveal::Picture { tests, .. } if tests.is_nan() => "The picture is not traced yet.",
+            Reveal::Map { mean, .. } if mean.is_nan() => "What its rays cost is not counted yet.",
+            Reveal::Line { first, .. } if first.is_nan() => "The line is not measured yet.",
             Reveal::Row { .. } => "A row of the table is filled.",
             Reveal::Point { .. } => "A point is marked at ({{x}}, {{y}}).",
             Reveal::Picture { .. } => {

@@ -1,14 +1,19 @@
 //! A slide's board as the figures draw it: its printed words, its formulas' values, its measured numbers.
 
+mod numbers;
+
 use std::borrow::Cow;
 
-use raystep_accel::{Appraisal, Measure, Place, Reveal, Value};
+use raystep_accel::{Measure, Place, Reveal, Value};
 use raystep_figure::{
-    Board, Camera, Chart, Curve, Drawn, Fact, Given, Image, Knob, Map, Maps, Meter, Panel, Picture, Pictures, Role,
-    Row, Scale, Symbol, Table, VolumeName, forms_of, number, told, whole,
+    Board, Camera, Chart, Curve, Drawn, Fact, Given, Image, Knob, Known, Map, Maps, Meter, Panel, Picture, Pictures,
+    ROUGH, Role, Row, Scale, Symbol, Table, VolumeName, forms_of, number, told, whole,
 };
-use raystep_lesson::{BoardTape, Cell, Column, Measured, Numbers, Stroke, Timed};
+use raystep_lesson::{BoardTape, Care, Cell, Column, Rendered, Stroke, Timing};
 use raystep_scene::View;
+
+use numbers::{around, here, timed_here};
+pub(crate) use numbers::{digits, span};
 
 /// How many points a law is drawn through.
 const POINTS: usize = 96;
@@ -68,15 +73,28 @@ fn entry(filled: &BoardTape, panel: usize, place: usize) -> usize {
 /// What stands beside an entry, with its numbers and those of the meter filled in.
 fn words(text: &str, entry: usize, filled: &BoardTape) -> String {
     match filled.events.get(entry) {
-        Some(event) if text.contains("{{") => told(text, &Shown { event, numbers: &filled.numbers }),
+        Some(event) if text.contains("{{") => told(text, &Shown { event, entry, filled }),
         _ => text.to_owned(),
     }
 }
 
-/// An entry, and where the numbers of the meter stand.
+/// How well an entry is known.
+fn known(filled: &BoardTape, entry: usize) -> Known {
+    match filled.care_of(entry) {
+        Care::Bare => Known::NotYet,
+        Care::Draft => Known::Roughly,
+        Care::Full => Known::Fully,
+    }
+}
+
+/// What stands for a number that is still to be measured.
+const WAITS: &str = "\u{2026}";
+
+/// An entry of a board, with the numbers of the meter.
 struct Shown<'a> {
     event: &'a Reveal,
-    numbers: &'a Numbers,
+    entry: usize,
+    filled: &'a BoardTape,
 }
 
 impl Fact for Shown<'_> {
@@ -89,8 +107,17 @@ impl Fact for Shown<'_> {
     }
 
     fn field(&self, name: &str) -> Option<Value> {
-        let moved = || self.numbers.get(name).map(|number| Value::Number(number as f32));
-        self.event.field(name).or_else(moved)
+        let moved = || self.filled.numbers.get(name).map(|number| Value::Number(number as f32));
+        match self.event.field(name).or_else(moved)? {
+            Value::Number(number) if number.is_nan() => {
+                (self.filled.care_of_number(self.entry, name) == Care::Bare).then_some(Value::Word(WAITS, &[]))
+            }
+            value => Some(value),
+        }
+    }
+
+    fn is_rough(&self, name: &str) -> bool {
+        self.filled.care_of_number(self.entry, name) == Care::Draft
     }
 
     fn symbol(&self) -> Option<Symbol> {
@@ -145,11 +172,14 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
         },
         given: matches!(column, Column::Printed | Column::Total | Column::Before),
         words: matches!(column, Column::Before | Column::After),
+        rays: matches!(column, Column::Tests | Column::Visits | Column::Boxes | Column::Alive),
+        digits: if column.is_measured() { DIGITS } else { 0 },
     });
     let rows = table.rows.iter().enumerate().map(|(place, row)| {
         let entry = entry(filled, panel, place);
         let measured = filled.measured.get(entry).copied().flatten();
         let timing = filled.timed.get(entry).and_then(Option::as_ref);
+        let known = known(filled, entry);
         let is_built = row.plan.is_some() || row.fast.is_some();
         let first = table.columns.iter().map(|(column, _)| *column).find(|column| column.is_timed());
         let cell = |(column, _): &(Column, String)| match row.cells.iter().find(|(own, _)| own == column) {
@@ -162,12 +192,13 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
                 Some(Ok(timed)) => timed_here(*column, timed),
                 Some(Err(_)) => "\u{2013}".to_owned(),
                 None if !is_built => String::new(),
-                None if filled.is_clocked => "\u{2026}".to_owned(),
+                None if filled.is_clocked => WAITS.to_owned(),
                 None if first == Some(*column) => ELSEWHERE.to_owned(),
                 None => "\u{2013}".to_owned(),
             },
             None => match filled.appraised.get(entry).and_then(Option::as_ref) {
                 Some(appraised) => around(*column, appraised),
+                None if column.is_measured() && known == Known::NotYet => WAITS.to_owned(),
                 None => measured.map_or_else(String::new, |measured| here(*column, &measured)),
             },
         };
@@ -177,7 +208,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
             Some(Err(why)) => why.clone(),
             _ => words(&row.note, entry, filled),
         };
-        Row { entry, name: words(&row.name, entry, filled), note, cells }
+        Row { entry, name: words(&row.name, entry, filled), note, cells, known }
     });
     Table {
         title: table.title.clone(),
@@ -188,87 +219,11 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
     }
 }
 
+/// So many digits have room in a column of measured numbers before any is known.
+const DIGITS: usize = 6;
+
 /// What stands instead of times where none are told.
 const ELSEWHERE: &str = "in the window";
-
-/// What was timed, in three digits.
-fn timed_here(column: Column, timed: &Timed) -> String {
-    let known =
-        |value: f64, says: &dyn Fn(f64) -> String| if value.is_nan() { "\u{2013}".to_owned() } else { says(value) };
-    match column {
-        Column::Speed => known(timed.speed, &digits),
-        Column::Spread => {
-            let [least, most] = timed.spread;
-            known(least, &|least| format!("{}\u{2013}{}", digits(least), digits(most)))
-        }
-        Column::Time => known(timed.time(), &digits),
-        Column::Build => known(timed.build, &digits),
-        Column::Share => known(timed.share, &|share| format!("{:.1} %", share * 100.0)),
-        Column::Picture => known(timed.seconds, &span),
-        _ => String::new(),
-    }
-}
-
-/// A time in the unit in which people say it.
-pub(crate) fn span(seconds: f64) -> String {
-    const YEAR: f64 = 365.25 * 86_400.0;
-    let units = [(YEAR, "years"), (86_400.0, "days"), (3600.0, "hours"), (60.0, "minutes"), (1.0, "s"), (1e-3, "ms")];
-    let (unit, name) = units.into_iter().find(|(unit, _)| seconds >= *unit * 1.5).unwrap_or((1e-6, "µs"));
-    format!("{} {name}", digits(seconds / unit))
-}
-
-/// A measured number: counts a ray in three digits, counts of things in full.
-fn here(column: Column, measured: &Measured) -> String {
-    match column {
-        Column::Tests => digits(measured.tests),
-        // Where there is nothing to enter, none were.
-        Column::Visits | Column::Boxes if measured.nodes == 0 && measured.visits == 0.0 => "\u{2013}".to_owned(),
-        // Of fast structures only what a ray enters is counted.
-        Column::Nodes if measured.nodes == 0 => "\u{2013}".to_owned(),
-        Column::Visits => digits(measured.visits),
-        Column::Boxes => digits(measured.boxes),
-        Column::Alive if measured.alive.is_nan() => "\u{2013}".to_owned(),
-        Column::Alive => digits(measured.alive),
-        Column::Bytes if measured.bytes == 0 => "\u{2013}".to_owned(),
-        Column::Nodes => whole(measured.nodes),
-        Column::Bytes => whole(measured.bytes),
-        Column::Printed | Column::Total | Column::Computed | Column::Before | Column::After => String::new(),
-        // Of a structure nobody asks.
-        Column::Content | Column::Area | Column::Planes | Column::Cuts | Column::Vain => String::new(),
-        // Told by `timed_here`.
-        Column::Speed | Column::Spread | Column::Time | Column::Build | Column::Share | Column::Picture => {
-            String::new()
-        }
-    }
-}
-
-/// A number of a volume around everything.
-fn around(column: Column, appraised: &Appraisal) -> String {
-    match column {
-        Column::Content => digits(appraised.content),
-        Column::Area => digits(f64::from(appraised.area)),
-        Column::Bytes => whole(appraised.bytes as u64),
-        // A sphere has none.
-        Column::Planes if appraised.planes == 0 => "\u{2013}".to_owned(),
-        Column::Planes => whole(u64::from(appraised.planes)),
-        Column::Cuts => digits(appraised.cuts),
-        Column::Vain => format!("{:.1} %", appraised.vain_share() * 100.0),
-        _ => String::new(),
-    }
-}
-
-/// Three digits, idle zeros too: numbers below each other compare by their points.
-pub(crate) fn digits(value: f64) -> String {
-    let short = number(value as f32);
-    let places = short.split_once('.').map_or(0, |(_, behind)| behind.len());
-    let whole = short.chars().take_while(char::is_ascii_digit).count();
-    let wanted = 3_usize.saturating_sub(whole);
-    if short.chars().all(|c| c.is_ascii_digit() || c == '.') && value.abs() >= 1.0 && places < wanted {
-        format!("{value:.wanted$}")
-    } else {
-        short
-    }
-}
 
 fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> Chart {
     let scale = |scale: &raystep_lesson::Scale| Scale {
@@ -298,7 +253,7 @@ fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> 
         let entry = entry(filled, panel, place);
         let moves = matches!(&drawn.stroke, Stroke::Point(x, y) if x.is_moved() || y.is_moved());
         let (name, note) = (words(&drawn.name, entry, filled), words(&drawn.note, entry, filled));
-        Drawn { entry, name, note, moves, curve }
+        Drawn { entry, name, note, moves, curve, known: known(filled, entry) }
     });
     let untold = |(place, drawn): (usize, &raystep_lesson::Drawn)| {
         let seconds = matches!(drawn.stroke, Stroke::Growth { of: Column::Picture, .. });
@@ -319,12 +274,15 @@ fn of_maps(maps: &raystep_lesson::Maps, panel: usize, filled: &BoardTape) -> Map
     let map = |(place, map): (usize, &raystep_lesson::Map)| {
         let entry = entry(filled, panel, place);
         let counted = filled.counted.get(entry).and_then(Option::as_ref);
-        let (size, counts) = counted.map_or(([1, 1], vec![0]), |counted| (counted.size, counted.counts.clone()));
-        Map { entry, name: words(&map.name, entry, filled), size, counts }
+        let (size, counts) = counted.map_or((FRAME, Vec::new()), |counted| (counted.size, counted.counts.clone()));
+        Map { entry, name: words(&map.name, entry, filled), size, counts, known: known(filled, entry) }
     };
     let (title, about) = (maps.title.clone(), maps.about.clone());
-    Maps::new(title, about, counted(maps.of).to_owned(), maps.maps.iter().enumerate().map(map).collect())
+    Maps::new(title, about, counted(maps.of).to_owned(), maps.maps.iter().enumerate().map(map).collect()).framed(FRAME)
 }
+
+/// The shape of a map's frame: so many across for so many down.
+const FRAME: [u32; 2] = [4, 3];
 
 /// What is counted of a ray, in words.
 pub(crate) fn counted(of: Column) -> &'static str {
@@ -339,35 +297,50 @@ fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &Board
     let picture = |(place, picture): (usize, &raystep_lesson::Picture)| {
         let entry = entry(filled, panel, place);
         let rendered = filled.rendered.get(entry).and_then(Option::as_ref);
-        let blank = || ("".to_owned(), Image { width: 8, height: 5, rgba: vec![255; 160].into() }, None);
-        let (says, image, over) = rendered.map_or_else(blank, |rendered| {
+        let known = match known(filled, entry) {
+            // What a volume encloses is known without a ray.
+            Known::Roughly if picture.volume.is_some() => Known::Fully,
+            known => known,
+        };
+        let (image, over) = rendered.map_or((None, None), |rendered| {
             let over = rendered.outline.as_ref().map(|outline| {
                 let View { eye, target, up, fov_degrees } = rendered.view;
                 (forms_of(outline), Camera::Solid { eye, target, up, fov_degrees })
             });
-            let says = match &rendered.outline {
-                Some(outline) => {
-                    let area = f64::from(outline.measure(Measure::Area));
-                    format!("volume {} · area {}", digits(outline.content()), digits(area))
-                }
-                None => {
-                    let counts =
-                        format!("{} triangles · {} tests per ray", whole(rendered.triangles), digits(rendered.tests));
-                    match filled.timed.get(entry).and_then(Option::as_ref) {
-                        Some(Ok(timed)) if !timed.seconds.is_nan() => {
-                            format!("{counts} · {} here", span(timed.seconds))
-                        }
-                        _ if !pictures.times => counts,
-                        _ if filled.is_clocked => format!("{counts} · \u{2026}"),
-                        _ => format!("{counts} · its time: {ELSEWHERE}"),
-                    }
-                }
-            };
             let [width, height] = rendered.size;
-            (says, Image { width, height, rgba: rendered.rgba.clone() }, over)
+            (Some(Image { width, height, rgba: rendered.rgba.clone() }), over)
         });
-        Picture { entry, name: picture.name.clone(), says, image, over }
+        let (name, size) = (picture.name.clone(), picture.size);
+        let says = rendered.map_or_else(String::new, |rendered| {
+            let timing = filled.timed.get(entry).and_then(Option::as_ref);
+            picture_says(rendered, known == Known::Roughly, timing, pictures.times, filled.is_clocked)
+        });
+        let room = match picture.volume {
+            Some(_) => "volume 00.00 · area 00.00".to_owned(),
+            None if pictures.times => format!("{ROOM} · its time: {ELSEWHERE}"),
+            None => ROOM.to_owned(),
+        };
+        Picture { entry, name, says, room, size, image, over, known }
     };
     let (title, about) = (pictures.title.clone(), pictures.about.clone());
     Pictures { title, about, pictures: pictures.pictures.iter().enumerate().map(picture).collect() }
+}
+
+/// Words as wide as those that stand below a picture.
+const ROOM: &str = "000,000,000 triangles · ≈00.0 tests per ray";
+
+/// A picture in numbers.
+fn picture_says(rendered: &Rendered, rough: bool, timing: Option<&Timing>, times: bool, clocked: bool) -> String {
+    if let Some(outline) = &rendered.outline {
+        let area = f64::from(outline.measure(Measure::Area));
+        return format!("volume {} · area {}", digits(outline.content()), digits(area));
+    }
+    let sign = if rough { ROUGH } else { "" };
+    let counts = format!("{} triangles · {sign}{} tests per ray", whole(rendered.triangles), digits(rendered.tests));
+    match timing {
+        Some(Ok(timed)) if !timed.seconds.is_nan() => format!("{counts} · {} here", span(timed.seconds)),
+        _ if !times => counts,
+        _ if clocked => format!("{counts} · {WAITS}"),
+        _ => format!("{counts} · its time: {ELSEWHERE}"),
+    }
 }
