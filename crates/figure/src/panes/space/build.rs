@@ -196,8 +196,7 @@ impl Drawing<'_> {
                     self.add(Role::Filled, Some(Place::Node(id)), form);
                 }
             }
-            // Nodes that are not yet in the tree have numbers beyond its own, and only a box.
-            for form in self.build.nodes.look(self.build.structure, id, node.bounds, self.build.flat) {
+            for form in self.build.look(self.moment, id, node.bounds) {
                 self.add(role, Some(Place::Node(id)), form);
             }
         }
