@@ -191,7 +191,9 @@ fn alone(
     // The same room at every step: the picture stands still.
     let legend = if signs { Still::legend_room(rect.width() - 28.0, &look) } else { 0.0 };
     let legend = if rect.height() > 260.0 { legend } else { 0.0 };
-    let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
+    // What says how many boxes are drawn lies under the picture, never over it.
+    let strip = if signs && !page.state.present { levels::room(&pictures.playback, rect.width()) } else { 0.0 };
+    let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend + strip));
     let camera = sight.camera(page.state, space, glam_size(picture));
     let solid = !space.flat && sight.solid.is_there();
     let figure = Arc::new(pictures.stage(space, &camera, glam_size(picture) / scale, solid).scaled(scale));
@@ -217,15 +219,16 @@ fn alone(
         surface: &|ray| surface(&pictures.playback, ray),
     }
     .show(ui, picture, "Space", &mut sight.hold);
-    if signs && !page.state.present {
-        levels::show(ui, page, &pictures.playback, picture, asked);
+    if strip > 0.0 {
+        let at = Rect::from_min_max(picture.left_bottom(), rect.max - vec2(12.0, legend));
+        levels::show(ui, page, &pictures.playback, at, asked);
     }
     if solid {
         paint_figure(&ui.painter_at(picture), picture.min, &axes(&camera, glam_size(picture)), page.theme, None);
         inset::show(ui, page, sight, pictures, picture, &camera);
     }
     if legend > 0.0 {
-        let at = Rect::from_min_max(pos2(rect.left() + 14.0, picture.bottom()), rect.max);
+        let at = Rect::from_min_max(pos2(rect.left() + 14.0, rect.bottom() - legend), rect.max);
         let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, tree, None);
         paint_figure(&ui.painter_at(at), at.min, &drawn, page.theme, None);
     }
