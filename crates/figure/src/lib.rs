@@ -45,6 +45,6 @@ pub use stage::{
 };
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use words::{
-    Answer, Fact, Symbol, VolumeName, coordinate, fill, number, sentence, short, told, value, veiled, whole,
+    Answer, Fact, Symbol, VolumeName, coordinate, counted, fill, number, sentence, short, told, value, veiled, whole,
 };
 pub use world::{Depth, Form, Nodes, Space, SpaceMark, circles, contour, faces, forms_of, lines};
