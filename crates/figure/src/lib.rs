@@ -40,8 +40,8 @@ pub use panes::{
     tree_height, tree_of_build, work, work_of_build,
 };
 pub use stage::{
-    Camera, Scenery, Shaded, axes, close_up, crop, inset_size, is_label, is_nearer, labels, pointed_at, set_inset,
-    shaded, stage,
+    Camera, Scenery, Shaded, axes, close_up, crop, inset_at, inset_size, is_label, is_nearer, labels, pointed_at,
+    set_inset, shaded, stage, stage_around,
 };
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use words::{

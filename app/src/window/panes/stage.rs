@@ -196,7 +196,13 @@ fn alone(
     let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend + strip));
     let camera = sight.camera(page.state, space, glam_size(picture));
     let solid = !space.flat && sight.solid.is_there();
-    let figure = Arc::new(pictures.stage(space, &camera, glam_size(picture) / scale, solid).scaled(scale));
+    // Labels make room for the small picture in the corner.
+    let inset = if solid { inset::of(sight, pictures, picture, &camera) } else { None };
+    let kept = inset.as_ref().map(|inset| {
+        let from = inset.rect.translate(-picture.min.to_vec2());
+        [from.min, from.max].map(|at| glam::Vec2::new(at.x, at.y) / scale)
+    });
+    let figure = Arc::new(pictures.stage(kept, space, &camera, glam_size(picture) / scale, solid).scaled(scale));
     let moved = (!solid).then(|| moving.figure(ui, Frame::Space, picture, &figure).figure);
     if solid {
         let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
@@ -225,7 +231,9 @@ fn alone(
     }
     if solid {
         paint_figure(&ui.painter_at(picture), picture.min, &axes(&camera, glam_size(picture)), page.theme, None);
-        inset::show(ui, page, sight, pictures, picture, &camera);
+    }
+    if let Some(inset) = &inset {
+        inset::show(ui, page, sight, pictures, inset);
     }
     if legend > 0.0 {
         let at = Rect::from_min_max(pos2(rect.left() + 14.0, rect.bottom() - legend), rect.max);
@@ -252,7 +260,7 @@ fn second(
     let space = &shown.space;
     let camera = sight.camera(page.state, space, glam_size(rect));
     let solid = !space.flat && sight.solid_beside.is_there();
-    let mut figure = drawn(space, beside, &camera, glam_size(rect) / scale, solid).scaled(scale);
+    let mut figure = drawn(None, space, beside, &camera, glam_size(rect) / scale, solid).scaled(scale);
     if verdict(page.state, beside).is_some_and(|(_, role)| role == Role::Wrong) {
         // A hit that is not the answer does not look like one.
         for mark in figure.marks.iter_mut().filter(|mark| matches!(mark.role, Role::Hit | Role::Best)) {
