@@ -4,6 +4,7 @@ mod axes;
 mod camera;
 mod controls;
 mod crop;
+mod entry;
 mod inset;
 mod labels;
 mod lens;
@@ -106,6 +107,7 @@ fn drawn(
     crop::crop_far(&mut stage.figure);
     stage.notes(notes);
     let mut obstacles = labels::place(kept, space, &stage.lens, &mut stage.figure);
+    entry::set(space, &stage.lens, &mut stage.figure, &mut obstacles);
     numbers::set(space, prims, &stage.lens, &mut stage.figure, &mut obstacles);
     rulers::draw(space, &stage.lens, &mut stage.figure);
     stage.figure
