@@ -1,7 +1,7 @@
 //! One walk, step by step, for people.
 
 use raystep_accel::{Accel, Cost, Event, Hit, KdLayout, Ray, Rule, Structure, Trace, Visit};
-use raystep_figure::{Reel, Walk, number, whole};
+use raystep_figure::{Reel, Walk, counted, number, whole};
 use raystep_scene::Scene;
 use serde::Serialize;
 
@@ -88,12 +88,12 @@ impl Walked<'_> {
         });
         let mut page = Page::default();
         page.heading(format!(
-            "{}: {} primitives. {}: {} nodes or cells, {} bytes",
+            "{}: {}. {}: {}, {}",
             scene.name,
-            whole(raystep_accel::Primitives::len(&scene.prims) as u64),
+            counted(raystep_accel::Primitives::len(&scene.prims) as u64, "primitive", "primitives"),
             kind_name(rule.kind()),
-            whole(structure.node_count() as u64),
-            whole(structure.bytes() as u64),
+            counted(structure.node_count() as u64, "node or cell", "nodes or cells"),
+            counted(structure.bytes() as u64, "byte", "bytes"),
         ));
         let parameters: Vec<String> = rule.parameters().iter().map(|p| format!("{}={}", p.key, p.value)).collect();
         if !parameters.is_empty() {
@@ -122,7 +122,8 @@ impl Walked<'_> {
         }
         page.table(grid);
         if tape.lost > 0 {
-            page.text(format!("{} events more happened and are not kept.", whole(tape.lost)));
+            let more = counted(tape.lost, "event more", "events more");
+            page.text(format!("Not kept: {more} that happened."));
         }
         page.text(match hit {
             Some(hit) => format!(
@@ -135,7 +136,6 @@ impl Walked<'_> {
         });
         let mut cost = Cost::default();
         structure.intersect(&scene.prims, ray, &mut cost);
-        let counted = |n: u64, one: &str, many: &str| format!("{} {}", whole(n), if n == 1 { one } else { many });
         let counts = [
             counted(cost.prim_tests, "test of a primitive", "tests of primitives"),
             counted(cost.node_visits, "node visited", "nodes visited"),

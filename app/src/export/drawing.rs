@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 use raystep_figure::{
-    Ask, Camera, Figure, ListingLine, Look, Pane, Reel, Scenery, Space, Still, Theme, close_up, crop, inset_size,
-    is_nearer, set_inset, stage as picture_of,
+    Ask, Camera, Figure, ListingLine, Look, Pane, Reel, Scenery, Space, Still, Theme, close_up, crop, inset_at,
+    inset_size, is_nearer, set_inset, stage_around as picture_of,
 };
 use raystep_lesson::Tape;
 use raystep_print::{Part, Plate, drawn, part, plate, set_in};
@@ -91,18 +91,21 @@ impl Sheet<'_> {
         };
         let ground = self.session.ground;
         let camera = ground.camera(&shown, size);
-        let mut figure = self.seen(&shown, &camera, size);
+        let mut figure = self.seen(None, &shown, &camera, size);
         // What is but a dot there is seen from near in a corner.
         let inset = (!self.still.flat()).then(|| Some((self.still.detail()?, inset_size(size)?))).flatten();
         let framed = inset.map(|((title, bounds), inset)| {
             let near = eye::framed(&camera, &bounds, inset);
             (title, is_nearer(bounds.center(), (&near, inset), (&camera, size)).then_some((near, inset)))
         });
-        if let Some((title, Some((camera, size)))) = framed {
-            let shaded = ground.scenery(&camera, size * self.fineness(), self.order.theme);
+        if let Some((title, Some((near, inset)))) = framed {
+            let shaded = ground.scenery(&near, inset * self.fineness(), self.order.theme);
             let scenery = shaded.as_deref().map_or(Scenery::Left, Scenery::Shaded);
-            let small = close_up(&shown, self.reel.prims(), &camera, size, scenery);
-            set_inset(&mut figure, small, &title);
+            let small = close_up(&shown, self.reel.prims(), &near, inset, scenery);
+            // Labels make room for it.
+            let at = inset_at(&figure, inset);
+            figure = self.seen(Some([at, at + inset]), &shown, &camera, size);
+            set_inset(&mut figure, at, small, &title);
         }
         // Where no ground covers it nothing may be drawn beyond the picture's edge.
         if self.order.clear {
@@ -111,13 +114,14 @@ impl Sheet<'_> {
         figure
     }
 
-    fn seen(&self, shown: &Space, camera: &Camera, size: Vec2) -> Figure {
+    /// Space with its labels; where corners are `kept`, these stay out of the rectangle between them.
+    fn seen(&self, kept: Option<[Vec2; 2]>, shown: &Space, camera: &Camera, size: Vec2) -> Figure {
         let (ground, prims) = (self.session.ground, self.reel.prims());
         if self.still.flat() {
-            return picture_of(shown, prims, camera, size, Scenery::Drawn);
+            return picture_of(kept, shown, prims, camera, size, Scenery::Drawn);
         }
         let shaded = ground.scenery(camera, size * self.fineness(), self.order.theme);
-        picture_of(shown, prims, camera, size, shaded.as_deref().map_or(Scenery::Left, Scenery::Shaded))
+        picture_of(kept, shown, prims, camera, size, shaded.as_deref().map_or(Scenery::Left, Scenery::Shaded))
     }
 
     /// How many pixels of a shaded scene a point has: where lines stay sharp, more than the file is large.

@@ -1,7 +1,7 @@
 //! The table and the chart of all structures.
 
 use raystep_accel::{Primitives, Reveal};
-use raystep_figure::{Board, Chart, Column, Curve, Drawn, Known, Panel, Reel, Role, Row, Scale, Table, whole};
+use raystep_figure::{Board, Chart, Column, Curve, Drawn, Known, Panel, Reel, Role, Row, Scale, Table, counted, whole};
 use raystep_scene::Scene;
 
 use super::Rated;
@@ -20,10 +20,9 @@ impl Rating {
     pub(crate) fn of(scene: &Scene, rated: &[Rated], times: bool) -> Rating {
         let rays = rated.iter().map(|rated| rated.rays).max().unwrap_or(0);
         // Before the first is measured nobody knows how many rays there will be.
-        let rays = if rated.is_empty() { "the rays".to_owned() } else { format!("{} rays", whole(rays)) };
-        let prims = whole(scene.prims.len() as u64);
-        let about =
-            format!("{}, {prims} primitives; {rays}, the same for all, a ray for each pixel of a picture", scene.title);
+        let rays = if rated.is_empty() { "the rays".to_owned() } else { counted(rays, "ray", "rays") };
+        let prims = counted(scene.prims.len() as u64, "primitive", "primitives");
+        let about = format!("{}, {prims}; {rays}, the same for all, a ray for each pixel of a picture", scene.title);
         let mut panels = vec![Panel::Table(table(rated, about, times))];
         panels.extend(chart(rated).map(Panel::Chart));
         let event = |(entry, rated): (usize, &Rated)| Reveal::Row {

@@ -52,6 +52,12 @@ pub(crate) fn told(rated: &[Rated], times: bool) -> Vec<String> {
     rated.iter().map(|own| sentence(rated, own, times)).collect()
 }
 
+/// So many tests, in the mean.
+fn told_tests(tests: f64) -> String {
+    let tests = number(tests as f32);
+    format!("{tests} {}", if tests == "1" { "test" } else { "tests" })
+}
+
 fn sentence(rated: &[Rated], own: &Rated, times: bool) -> String {
     // Like is compared with like: those of the textbook with each other, and those at full speed.
     let alike = |other: &Rated| !other.is_list() && other.what.is_fast() == own.what.is_fast();
@@ -66,9 +72,9 @@ fn sentence(rated: &[Rated], own: &Rated, times: bool) -> String {
             format!(", {} times those of the {}", number((own.tests / least.tests) as f32), named(least.what.name()))
         });
         return format!(
-            "{}: nothing is built and nothing stored; {} tests a ray{against}.",
+            "{}: nothing is built and nothing stored; {} a ray{against}.",
             own.what.name(),
-            number(own.tests as f32)
+            told_tests(own.tests)
         );
     }
     let first: Vec<String> = measures()

@@ -8,7 +8,7 @@ use raystep_accel::{Cost, Event, Grain, Grow, HandCut, Interval, Mistake, Place,
 pub(crate) use raystep_figure::Pane;
 use raystep_figure::{
     Ask, Camera, CutLine, Depth, Figure, Grip, Guess, Ink, Instant, KnobLine, Look, Pixel, RulerScale, Scenery, Space,
-    SpaceMark, Symbol, TreeView, nothing, stage,
+    SpaceMark, Symbol, TreeView, nothing, stage_around,
 };
 use raystep_lesson::{Choice, Listing, Show};
 
@@ -231,8 +231,16 @@ impl Pictures {
     }
 
     /// Space as a camera sees it; `painted` says that the primitives are drawn below it.
-    pub(crate) fn stage(&self, space: &Space, camera: &Camera, size: Vec2, painted: bool) -> Figure {
-        drawn(space, &self.playback, camera, size, painted)
+    /// Labels keep off the rectangle between two corners that are `kept`.
+    pub(crate) fn stage(
+        &self,
+        kept: Option<[Vec2; 2]>,
+        space: &Space,
+        camera: &Camera,
+        size: Vec2,
+        painted: bool,
+    ) -> Figure {
+        drawn(kept, space, &self.playback, camera, size, painted)
     }
 }
 
@@ -272,10 +280,17 @@ impl Drawn {
 }
 
 /// Space as a camera sees it. So many primitives that their outlines would be a blot are left out.
-pub(crate) fn drawn(space: &Space, playback: &Playback, camera: &Camera, size: Vec2, painted: bool) -> Figure {
+pub(crate) fn drawn(
+    kept: Option<[Vec2; 2]>,
+    space: &Space,
+    playback: &Playback,
+    camera: &Camera,
+    size: Vec2,
+    painted: bool,
+) -> Figure {
     let prims = &playback.play.scene.prims;
     let scenery = if painted || prims.len() > OUTLINED { Scenery::Left } else { Scenery::Drawn };
-    stage(space, prims, camera, size, scenery)
+    stage_around(kept, space, prims, camera, size, scenery)
 }
 
 /// An answer of an open question with what it names: a place, or a plane that a builder weighs.

@@ -40,11 +40,12 @@ pub use panes::{
     timeline_of_build, tree, tree_height, tree_of_build, work, work_of_build,
 };
 pub use stage::{
-    Camera, Scenery, Shaded, axes, close_up, crop, inset_size, is_label, is_nearer, labels, pointed_at, set_inset,
-    shaded, stage,
+    Camera, Scenery, Shaded, axes, close_up, crop, inset_at, inset_size, is_label, is_nearer, labels, pointed_at,
+    set_inset, shaded, stage, stage_around,
 };
 pub use theme::{Color, Dash, Face, Role, Stroke, Style, Theme, fonts, text_width};
 pub use words::{
-    Answer, Fact, ROUGH, Symbol, VolumeName, coordinate, fill, number, sentence, short, told, value, veiled, whole,
+    Answer, Fact, ROUGH, Symbol, VolumeName, coordinate, counted, fill, number, sentence, short, told, value, veiled,
+    whole,
 };
 pub use world::{Depth, Form, Nodes, Space, SpaceMark, circles, contour, faces, forms_of, lines};

@@ -4,7 +4,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use raystep_accel::{Accel, Cancelled, Event, Grain, Grow, Hit, Observer, Ray, Rule, Structure, Trace, Value, Visit};
+use raystep_accel::{
+    Accel, Cancelled, Event, Grain, Grow, Hit, NodeId, Observer, Ray, Rule, Structure, Trace, Value, Visit,
+};
 use raystep_scene::Scene;
 
 use crate::{BoardTape, Care, FitTape, PacketTape, PairsTape, Plays, Stage, Told, WalksTape, names};
@@ -48,7 +50,8 @@ pub struct WalkTape {
 }
 
 /// The building of a structure. Of a large build the tape keeps what comes to be, and of the arithmetic as
-/// much as the first nodes or cells need: folding it still gives the structure.
+/// much as the first nodes or cells need: folding it still gives the structure. On it a node has from the beginning the
+/// number that it has in the end.
 #[derive(Clone, Debug, Default)]
 pub struct BuildTape {
     /// What the builder does.
@@ -59,6 +62,8 @@ pub struct BuildTape {
     pub changes: Vec<Told>,
     fine: usize,
     last: Option<Grain>,
+    /// What nodes are called in the end that had other numbers before.
+    finals: BTreeMap<NodeId, NodeId>,
 }
 
 impl Tape {
@@ -233,6 +238,7 @@ impl Tape {
             (Plays::Build, _) => {
                 let mut tape = BuildTape::default();
                 let structure = Structure::build(&scene.prims, rule, &mut (watch, &mut tape))?;
+                tape.name_finally();
                 Ok((structure, Some(Tape::Build(Arc::new(tape)))))
             }
             (Plays::Walks, Some(stage)) => {
@@ -262,8 +268,25 @@ impl Tape {
     }
 }
 
+impl BuildTape {
+    /// Calls each node by its final number wherever it is named: one name from the first step to the last. What a leaf
+    /// took in is no node in the end and keeps its number.
+    fn name_finally(&mut self) {
+        let finals = std::mem::take(&mut self.finals);
+        if finals.is_empty() {
+            return;
+        }
+        for event in &mut self.events {
+            *event = event.renamed(|node| finals.get(&node).copied().unwrap_or(node));
+        }
+    }
+}
+
 impl Observer<Grow> for BuildTape {
     fn on(&mut self, event: Grow) {
+        if let Grow::Renumber { from, to } = event {
+            self.finals.insert(from, to);
+        }
         // What was begun is kept to its end: the splits of a node, the cells of a primitive.
         let fine = event.grain() == Grain::Arithmetic;
         let begun = self.last == Some(Grain::Arithmetic);

@@ -33,14 +33,17 @@ impl Said<'_> {
         Spot { column: start.column + line.chars().count() as u32, ..start }
     }
 
-    /// The text with every `{{field}}` filled with digits, as many as it has bytes: each byte keeps its place.
+    /// The text with every `{{field}}` filled with digits, as many as it has bytes, and its noun with as long words: each
+    /// byte keeps its place.
     pub(crate) fn filled(&self) -> String {
         let mut filled = String::with_capacity(self.text.len());
         let mut rest = self.text;
         while let Some((before, opened)) = rest.split_once("{{") {
             let Some((field, after)) = opened.split_once("}}") else { break };
             filled.push_str(before);
-            filled.extend(std::iter::repeat_n('0', field.len() + 4));
+            filled.push_str("00");
+            filled.extend(field.bytes().map(|byte| if byte == b' ' { ' ' } else { '0' }));
+            filled.push_str("00");
             rest = after;
         }
         filled + rest

@@ -2,7 +2,7 @@
 
 use indicatif::ProgressBar;
 use raystep_accel::Primitives;
-use raystep_figure::{number, whole};
+use raystep_figure::{counted, number, whole};
 use serde::Serialize;
 
 use super::look::Shot;
@@ -64,10 +64,10 @@ pub(super) fn run(arguments: &MeasureArguments) -> Result<String, Fault> {
                 false => String::new(),
             };
             let about = format!(
-                "{}: {} primitives; {} rays, one for each pixel of a picture of {}.{fewer}",
+                "{}: {}; {}, one for each pixel of a picture of {}.{fewer}",
                 scene.name,
-                whole(scene.prims.len() as u64),
-                whole(rays.len() as u64),
+                counted(scene.prims.len() as u64, "primitive", "primitives"),
+                counted(rays.len() as u64, "ray", "rays"),
                 shot.size
             );
             let mut page = Page::default();

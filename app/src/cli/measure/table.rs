@@ -101,7 +101,8 @@ const NOTES: [&str; 2] = [
 ];
 
 fn heading(page: &mut Page, scene: &Scene, shot: &Shot, measured: &[Measured]) {
-    let mut about = format!("{}: {} primitives, {} pixels", scene.name, whole(scene.prims.len() as u64), shot.size);
+    let prims = raystep_figure::counted(scene.prims.len() as u64, "primitive", "primitives");
+    let mut about = format!("{}: {prims}, {} pixels", scene.name, shot.size);
     if let Camera::Solid { eye, target, fov_degrees, .. } = shot.camera {
         let _ = write!(about, ", eye {eye:.2} towards {target:.2}, {fov_degrees}°");
     }

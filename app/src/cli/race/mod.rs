@@ -11,7 +11,7 @@ use clap::Args;
 use glam::Vec2;
 use raystep_accel::{Mesh, Prims, Ray, RayError};
 use raystep_fast::{Race, Row, Rung, tile_order};
-use raystep_figure::whole;
+use raystep_figure::{counted, whole};
 
 use super::measure::bar;
 use super::measure::look::{Look, Shot};
@@ -76,9 +76,9 @@ pub(crate) fn run(arguments: &RaceArguments) -> Result<(), Fault> {
     let rays: Vec<Ray> = tile_order(POWER).map(ray).collect::<Result<_, _>>().map_err(wrong)?;
     let rows = race(mesh, &rays, arguments.seconds)?;
     let about = format!(
-        "{}: {} triangles; {} rays, one for each pixel of a picture of 512x512, in tiles",
+        "{}: {}; {} rays, one for each pixel of a picture of 512x512, in tiles",
         scene.name,
-        whole(mesh.triangles.len() as u64),
+        counted(mesh.triangles.len() as u64, "triangle", "triangles"),
         whole(rays.len() as u64)
     );
     if let Some(out) = &arguments.out {

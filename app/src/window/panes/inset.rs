@@ -11,23 +11,35 @@ use crate::shown::pictures::Pictures;
 use crate::window::look::painter::{caption, paint_labels};
 use crate::window::look::visuals::line;
 
-/// Draws the inset over a stage, if there is anything small to see.
-pub(super) fn show(ui: &Ui, page: Page<'_>, sight: &mut Sight, pictures: &Pictures, rect: Rect, camera: &Camera) {
-    let Some(size) = inset_size(glam_size(rect)).filter(|_| sight.solid_inset.is_there()) else { return };
+/// Where the small picture stands, what it is called, and the camera that it is seen with.
+pub(super) struct Inset {
+    pub(super) rect: Rect,
+    title: String,
+    near: Camera,
+}
+
+/// The small picture of a stage, if there is anything small to see.
+pub(super) fn of(sight: &Sight, pictures: &Pictures, rect: Rect, camera: &Camera) -> Option<Inset> {
+    let size = inset_size(glam_size(rect)).filter(|_| sight.solid_inset.is_there())?;
     let reel = pictures.playback.reel();
-    let still = reel.still(&pictures.instant);
-    let (Some(space), Some((title, bounds))) = (&pictures.space, still.detail()) else { return };
+    let (title, bounds) = reel.still(&pictures.instant).detail()?;
     let size = vec2(size.x, size.y);
     let inset = Rect::from_min_size(rect.right_top() + vec2(-size.x - 12.0, 12.0), size);
     let near = eye::framed(camera, &bounds, glam_size(inset));
-    if !is_nearer(bounds.center(), (&near, glam_size(inset)), (camera, glam_size(rect))) {
-        return;
-    }
+    let nearer = is_nearer(bounds.center(), (&near, glam_size(inset)), (camera, glam_size(rect)));
+    nearer.then_some(Inset { rect: inset, title, near })
+}
+
+/// Draws it over the stage.
+pub(super) fn show(ui: &Ui, page: Page<'_>, sight: &mut Sight, pictures: &Pictures, inset: &Inset) {
+    let Some(space) = &pictures.space else { return };
+    let Inset { rect: inset, title, near } = inset;
+    let inset = *inset;
     let (prims, theme) = (&pictures.playback.play.scene.prims, page.theme);
-    sight.solid_inset.show(ui, inset, space, prims, page.mesh, &near, theme, Role::Page, &pictures.lit(page.lit));
-    let figure = close_up(space, prims, &near, glam_size(inset), Scenery::Left);
+    sight.solid_inset.show(ui, inset, space, prims, page.mesh, near, theme, Role::Page, &pictures.lit(page.lit));
+    let figure = close_up(space, prims, near, glam_size(inset), Scenery::Left);
     paint_labels(&ui.painter_at(inset), inset.min, &figure, theme, page.lit);
     ui.painter().rect_stroke(inset, 4.0, line(theme, Role::Edge), StrokeKind::Inside);
     let at = pos2(inset.left() + 8.0, inset.bottom() - 11.0);
-    caption(ui.painter(), at, Align2::LEFT_CENTER, &title, Face::Medium, 12.0, Role::Quiet, theme);
+    caption(ui.painter(), at, Align2::LEFT_CENTER, title, Face::Medium, 12.0, Role::Quiet, theme);
 }

@@ -1,7 +1,7 @@
 //! The column at the left: what the slide says at this step, and its question.
 
 use egui::{Button, Frame, Margin, Panel, RichText, ScrollArea, Ui, UiBuilder};
-use raystep_figure::{Face, Role, Theme, veiled};
+use raystep_figure::{Face, Role, Theme, counted, veiled};
 use raystep_lesson::Medium;
 
 use super::page::Asked;
@@ -99,7 +99,11 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
     ui.label(RichText::new(&slide.title).font(font(Face::Bold, 22.0)));
     let prose = Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular, leading: LEADING };
     if let Some(mesh) = &state.view.mesh {
-        prose.show(ui, formulas, &format!("Your own mesh: {}, {} triangles.", mesh.title, prims(mesh)));
+        prose.show(
+            ui,
+            formulas,
+            &format!("Your own mesh: {}, {}.", mesh.title, counted(prims(mesh) as u64, "triangle", "triangles")),
+        );
         let quiet = Prose { role: Role::Quiet, size: 13.0, ..prose };
         quiet.show(ui, formulas, &mesh.note);
     }

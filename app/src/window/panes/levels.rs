@@ -1,31 +1,31 @@
 //! How many boxes of a tree a solid stage shows: the path alone, or those down to a level.
 
-use egui::{Rect, Slider, Ui, UiBuilder, pos2, vec2};
-use raystep_figure::{Depth, Role, Theme};
+use egui::{Rect, Slider, Ui, UiBuilder, vec2};
+use raystep_figure::{Depth, Role};
 
 use super::page::{Asked, Page};
 use crate::shown::command::Command;
 use crate::shown::playback::Playback;
 use crate::window::look::controls::{Change, change};
-use crate::window::look::visuals::{fill, ink};
+use crate::window::look::visuals::ink;
 
 /// Width and height of the control.
 const SIZE: egui::Vec2 = vec2(236.0, 26.0);
 
-/// Room between the control and the corner, where the picture says what it shows.
-const CORNER: egui::Vec2 = vec2(12.0, 30.0);
+/// The height of the strip under a stage that is so wide in which the control stands; none where there is no tree.
+pub(super) fn room(playback: &Playback, width: f32) -> f32 {
+    if playback.reel().deepest().is_some() && width > SIZE.x { SIZE.y } else { 0.0 }
+}
 
-/// Shows the control in the lower right corner of a stage, if there is a tree in it.
-pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, picture: Rect, asked: &mut Vec<Asked>) {
-    let Some(deepest) = playback.reel().deepest().filter(|_| picture.width() > 2.0 * SIZE.x) else { return };
-    let corner = picture.right_bottom() - CORNER;
-    let rect = Rect::from_min_max(corner - SIZE, pos2(corner.x, corner.y));
+/// Shows the control at the right end of its strip.
+pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, strip: Rect, asked: &mut Vec<Asked>) {
+    let Some(deepest) = playback.reel().deepest() else { return };
+    let rect = Rect::from_min_max(strip.right_bottom() - SIZE, strip.right_bottom());
     let now = match page.state.depth() {
         Depth::Path => 0,
         Depth::Down(level) => level.min(deepest),
     };
     ui.scope_builder(UiBuilder::new().max_rect(rect), |ui| {
-        ground(ui, rect, page.theme);
         ui.horizontal_centered(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.add_space(6.0);
@@ -50,8 +50,4 @@ pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, picture: Re
             ui.label(egui::RichText::new(says).small());
         });
     });
-}
-
-fn ground(ui: &Ui, rect: Rect, theme: &Theme) {
-    ui.painter().rect_filled(rect, 5.0, fill(theme, Role::Panel).gamma_multiply(0.9));
 }

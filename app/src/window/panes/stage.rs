@@ -191,10 +191,18 @@ fn alone(
     // The same room at every step: the picture stands still.
     let legend = if signs { Still::legend_room(rect.width() - 28.0, &look) } else { 0.0 };
     let legend = if rect.height() > 260.0 { legend } else { 0.0 };
-    let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend));
+    // What says how many boxes are drawn lies under the picture, never over it.
+    let strip = if signs && !page.state.present { levels::room(&pictures.playback, rect.width()) } else { 0.0 };
+    let picture = Rect::from_min_max(rect.min, rect.max - vec2(0.0, legend + strip));
     let camera = sight.camera(page.state, space, glam_size(picture));
     let solid = !space.flat && sight.solid.is_there();
-    let figure = Arc::new(pictures.stage(space, &camera, glam_size(picture) / scale, solid).scaled(scale));
+    // Labels make room for the small picture in the corner.
+    let inset = if solid { inset::of(sight, pictures, picture, &camera) } else { None };
+    let kept = inset.as_ref().map(|inset| {
+        let from = inset.rect.translate(-picture.min.to_vec2());
+        [from.min, from.max].map(|at| glam::Vec2::new(at.x, at.y) / scale)
+    });
+    let figure = Arc::new(pictures.stage(kept, space, &camera, glam_size(picture) / scale, solid).scaled(scale));
     let moved = (!solid).then(|| moving.figure(ui, Frame::Space, picture, &figure).figure);
     if solid {
         let (prims, ground) = (&pictures.playback.play.scene.prims, ground(page.state));
@@ -217,15 +225,18 @@ fn alone(
         surface: &|ray| surface(&pictures.playback, ray),
     }
     .show(ui, picture, "Space", &mut sight.hold);
-    if signs && !page.state.present {
-        levels::show(ui, page, &pictures.playback, picture, asked);
+    if strip > 0.0 {
+        let at = Rect::from_min_max(picture.left_bottom(), rect.max - vec2(12.0, legend));
+        levels::show(ui, page, &pictures.playback, at, asked);
     }
     if solid {
         paint_figure(&ui.painter_at(picture), picture.min, &axes(&camera, glam_size(picture)), page.theme, None);
-        inset::show(ui, page, sight, pictures, picture, &camera);
+    }
+    if let Some(inset) = &inset {
+        inset::show(ui, page, sight, pictures, inset);
     }
     if legend > 0.0 {
-        let at = Rect::from_min_max(pos2(rect.left() + 14.0, picture.bottom()), rect.max);
+        let at = Rect::from_min_max(pos2(rect.left() + 14.0, rect.bottom() - legend), rect.max);
         let drawn = pictures.pane(Pane::Legend, glam_size(at), &look, None, tree, None);
         paint_figure(&ui.painter_at(at), at.min, &drawn, page.theme, None);
     }
@@ -249,7 +260,7 @@ fn second(
     let space = &shown.space;
     let camera = sight.camera(page.state, space, glam_size(rect));
     let solid = !space.flat && sight.solid_beside.is_there();
-    let mut figure = drawn(space, beside, &camera, glam_size(rect) / scale, solid).scaled(scale);
+    let mut figure = drawn(None, space, beside, &camera, glam_size(rect) / scale, solid).scaled(scale);
     if verdict(page.state, beside).is_some_and(|(_, role)| role == Role::Wrong) {
         // A hit that is not the answer does not look like one.
         for mark in figure.marks.iter_mut().filter(|mark| matches!(mark.role, Role::Hit | Role::Best)) {

@@ -136,6 +136,39 @@ impl Grow {
         }
     }
 
+    /// The same event, with its nodes called by other numbers.
+    #[must_use]
+    pub fn renamed(mut self, name: impl Fn(NodeId) -> NodeId) -> Grow {
+        let rename = |node: &mut NodeId| *node = name(*node);
+        match &mut self {
+            Grow::Split { node, below, above, .. } => [node, below, above].into_iter().for_each(rename),
+            Grow::Merge { node, left, right, .. } => [node, left, right].into_iter().for_each(rename),
+            Grow::Divide { node, first, .. } => [node, first].into_iter().for_each(rename),
+            Grow::Prefer { node, nearest } => [node, nearest].into_iter().for_each(rename),
+            Grow::Move { node, parent, .. } => [node, parent].into_iter().for_each(rename),
+            Grow::Renumber { from, to } => [from, to].into_iter().for_each(rename),
+            Grow::Open { node, .. }
+            | Grow::Normal { node, .. }
+            | Grow::Weigh { node, .. }
+            | Grow::Share { node, .. }
+            | Grow::Touch { node }
+            | Grow::Leaf { node, .. }
+            | Grow::Rank { node, .. }
+            | Grow::Refit { node, .. }
+            | Grow::Settle { place: Place::Node(node), .. }
+            | Grow::Remove { place: Place::Node(node), .. } => rename(node),
+            Grow::Settle { .. }
+            | Grow::Remove { .. }
+            | Grow::Widen { .. }
+            | Grow::Resolve { .. }
+            | Grow::Refine { .. }
+            | Grow::Rasterise { .. }
+            | Grow::Prune { .. }
+            | Grow::End { .. } => {}
+        }
+        self
+    }
+
     /// What the event is about.
     pub fn place(&self) -> Place {
         match *self {

@@ -110,7 +110,7 @@ impl Kind for Build<'_> {
         let bounds = Kind::bounds(self, at, place);
         match place {
             Place::Prim(prim) if prim.index() < self.prims.len() => vec![Form::Prim(prim)],
-            Place::Node(node) => self.nodes.look(self.structure, node, bounds, self.flat),
+            Place::Node(node) => self.look(at.state(), node, bounds),
             Place::Cell(_) if !bounds.is_empty() => vec![Form::Box(bounds)],
             _ => Vec::new(),
         }

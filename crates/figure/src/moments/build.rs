@@ -130,6 +130,8 @@ pub struct GrowNode {
     pub leaf: Option<LeafReason>,
     /// What it refers to, as a leaf.
     pub settled: Vec<PrimId>,
+    /// Where sets are joined: whether it lies where it stays.
+    pub placed: bool,
 }
 
 /// A split that was taken.
@@ -262,6 +264,7 @@ impl GrowMoment {
                     children: Vec::new(),
                     leaf: None,
                     settled: Vec::new(),
+                    placed: false,
                 };
                 // A leaf that became too full is opened again: its references go to its children.
                 let before = self.nodes.insert(node, fresh).map_or(0, |before| before.settled.len());

@@ -13,6 +13,10 @@ use crate::words::{VolumeName, coordinate, number};
 /// Most dots of one curve; of more, evenly spaced ones.
 const MOST: usize = 80;
 
+/// In a pane that is lower than this, in letters, or with plots narrower than that, the axes alone say what is across them.
+const LOW: f32 = 14.0;
+const NARROW: f32 = 11.0;
+
 /// A curve for each axis that was tried: cost over the plane's coordinate. Planes of all directions share no
 /// coordinate: they stand side by side in the order in which they were weighed. The cheapest so far is ringed,
 /// the one taken filled. While a question asks for it, `hide` shows the planes without their costs.
@@ -36,14 +40,16 @@ pub fn costs(moment: &GrowMoment, volume: VolumeName, hide: bool, size: Vec2, lo
     let remark = remark(moment, cut, hide);
     let top = look.heading(&mut figure, &title, &remark);
 
-    // Beside each other, over one scale of costs.
+    // Beside each other, over one scale of costs: the first one has its numbers.
     let (least, most) = weighed.iter().fold((f32::INFINITY, 0.0_f32), |(a, b), w| (a.min(w.cost), b.max(w.cost)));
     let u = look.text;
-    let (bottom, plot_top) = (size.y - look.margin() - u * 1.2, top + u * 2.2);
-    let gap = u * 3.5;
-    let width = (size.x - 2.0 * look.margin() - gap * axes.len() as f32) / axes.len() as f32;
+    let (scale, gap) = (u * 3.5, u * 1.2);
+    let many = axes.len() as f32;
+    let width = (size.x - 2.0 * look.margin() - scale - gap * (many - 1.0)) / many;
+    let tight = size.y < u * LOW || width < u * NARROW;
+    let (bottom, plot_top) = (size.y - look.margin() - u * 1.2, top + u * if tight { 1.2 } else { 2.2 });
     for (index, axis) in axes.iter().enumerate() {
-        let left = look.margin() + gap + (width + gap) * index as f32;
+        let left = look.margin() + scale + (width + gap) * index as f32;
         let here: Vec<Dot> = moment.weighed.iter().enumerate().filter_map(|(i, w)| Dot::of(i, w, *axis)).collect();
         let (low, high) =
             here.iter().fold((f32::INFINITY, f32::NEG_INFINITY), |(a, b), dot| (a.min(dot.across), b.max(dot.across)));
@@ -62,8 +68,8 @@ pub fn costs(moment: &GrowMoment, volume: VolumeName, hide: bool, size: Vec2, lo
             // No dot reaches up to the words.
             right: plot_top + u * 0.7,
         };
-        let mut plot = Plot { figure: &mut figure, moment, cut, look, across, up, bottom, plot_top };
-        plot.frame(*axis, hide);
+        let mut plot = Plot { figure: &mut figure, moment, cut, look, across, up, bottom, plot_top, tight };
+        plot.frame(*axis, index == 0, hide);
         if hide || taken(moment) {
             plot.shares(*axis, &here);
         }
@@ -128,18 +134,26 @@ struct Plot<'a> {
     up: Ticks,
     bottom: f32,
     plot_top: f32,
+    /// Whether there is no room for a line of words over each plot.
+    tight: bool,
 }
 
 impl Plot<'_> {
-    fn frame(&mut self, axis: Direction, hide: bool) {
+    /// The axes, with the scale of costs if it is the first plot's.
+    fn frame(&mut self, axis: Direction, first: bool, hide: bool) {
         let (u, small) = (self.look.text, self.look.small());
         let (left, right) = (self.across.left, self.across.right);
         let corner = Vec2::new(left, self.bottom);
         self.figure.add(Role::Edge, None, line(corner, Vec2::new(right, self.bottom)));
         self.figure.add(Role::Edge, None, line(corner, Vec2::new(left, self.plot_top)));
         let counted = axis == Direction::Normal;
+        // The name of the axis stands at its end where it has no line of words.
+        let end = if self.tight { right - u * 1.5 } else { f32::INFINITY };
         for plane in self.across.marks(u * 4.0).into_iter().filter(|at| !counted || at.fract() == 0.0) {
             let at = Vec2::new(self.across.x(plane), self.bottom);
+            if at.x > end {
+                continue;
+            }
             self.figure.add(Role::Edge, None, line(at, at + Vec2::new(0.0, u * 0.3)));
             let below = at + Vec2::new(0.0, u * 1.0);
             write(self.figure, Role::Quiet, None, below, &number(plane), small, Face::Regular, Anchor::Middle);
@@ -148,8 +162,17 @@ impl Plot<'_> {
         for cost in sideways.marks(u * 2.2).into_iter().filter(|_| !hide) {
             let at = Vec2::new(left, self.up.x(cost));
             self.figure.add(Role::Edge, None, line(at, at - Vec2::new(u * 0.3, 0.0)));
+            if !first {
+                continue;
+            }
             let beside = at - Vec2::new(u * 0.5, 0.0);
             write(self.figure, Role::Quiet, None, beside, &number(cost), small, Face::Regular, Anchor::End);
+        }
+        if self.tight {
+            let at = Vec2::new(right, self.bottom + u * 1.0);
+            let name = if counted { "in order".to_owned() } else { axis.to_string() };
+            write(self.figure, Role::Text, None, at, &name, small, Face::Medium, Anchor::End);
+            return;
         }
         let cut = self.cut;
         let across = format!("{} {axis}", self.along());
@@ -162,10 +185,10 @@ impl Plot<'_> {
             (false, false) => [format!("cost of each {cut} {across}"), format!("cost {across}"), across],
         };
         // No longer than its plot.
-        let room = right - left + u * 2.0;
+        let room = right - left + u * 0.6;
         let fits = |name: &&String| text_width(name, Face::Regular, small) <= room;
         let name = names.iter().find(fits).unwrap_or(&names[2]);
-        let at = Vec2::new(left - u * 2.0, self.plot_top - u * 1.7);
+        let at = Vec2::new(left, self.plot_top - u * 1.7);
         write(self.figure, Role::Quiet, None, at, name, small, Face::Regular, Anchor::Start);
     }
 
@@ -194,23 +217,27 @@ impl Plot<'_> {
         if near && notes[1].0 - notes[0].0 < 1.0 {
             notes = vec![(notes[0].0, "middle, most even")];
         }
+        // None reaches into the next plot, nor over the other word.
+        let mut before = self.across.left - u * 0.4;
+        let mut begins = Vec::new();
         for (index, (x, word)) in notes.iter().enumerate() {
-            self.figure.add(Role::Hidden, None, line(Vec2::new(*x, self.bottom), Vec2::new(*x, self.plot_top)));
-            let (aside, anchor) = match index {
-                _ if !near || notes.len() == 1 => (0.0, Anchor::Middle),
-                0 => (-u * 0.3, Anchor::End),
-                _ => (u * 0.3, Anchor::Start),
+            let begin = match index {
+                _ if !near || notes.len() == 1 => x - wide(word) * 0.5,
+                0 => x - u * 0.3 - wide(word),
+                _ => x + u * 0.3,
             };
-            // Within the picture.
-            let wide = wide(word);
-            let begin = match anchor {
-                Anchor::Start => x + aside,
-                Anchor::Middle => x + aside - wide * 0.5,
-                Anchor::End => x + aside - wide,
-            };
-            let at = Vec2::new(begin.min(self.figure.size.x - wide).max(0.0), self.plot_top - u * 0.5);
-            let anchor = Anchor::Start;
-            write(self.figure, Role::Quiet, None, at, word, small, Face::Regular, anchor);
+            begins.push(begin.max(before));
+            before = begin.max(before) + wide(word) + u * 0.6;
+        }
+        let mut after = self.across.right + u * 0.6;
+        for (begin, (_, word)) in begins.iter_mut().zip(&notes).rev() {
+            *begin = begin.min(after - wide(word));
+            after = *begin - u * 0.6;
+        }
+        for (begin, (x, word)) in begins.into_iter().zip(notes) {
+            self.figure.add(Role::Hidden, None, line(Vec2::new(x, self.bottom), Vec2::new(x, self.plot_top)));
+            let at = Vec2::new(begin, self.plot_top - u * 0.5);
+            write(self.figure, Role::Quiet, None, at, word, small, Face::Regular, Anchor::Start);
         }
     }
 

@@ -2,6 +2,7 @@
 //! those along y, on the same axes; and what the chances of the two sides come from.
 
 mod held;
+mod order;
 mod plots;
 mod sides;
 
@@ -65,7 +66,7 @@ pub(crate) fn weighing(build: &Build<'_>, moment: &GrowMoment, ask: &Ask<'_>) ->
     let mut plot = Plot { figure: &mut figure, build, moment, look, space: &space, costs, beside, hide };
     plot.draw(now);
     if let (Some(now), false) = (now, hide) {
-        let listed = plots::Order::of(build, now.node, Axis::X).is_some();
+        let listed = order::Order::of(build, now.node, Axis::X).is_some();
         tags(&mut figure, &space, now, sides.as_ref(), listed, look);
         if chances > 0.0 {
             bars(&mut figure, now, size.y - chances, &space, look);

@@ -10,6 +10,9 @@ use crate::theme::{Face, Role, text_width};
 /// Distance from the corner, in points.
 const CORNER: f32 = 12.0;
 
+/// Height of a small picture's title at its foot, in points.
+pub(super) const FOOT: f32 = 20.0;
+
 /// A small picture that is not so many times as large repeats what the large one shows.
 const NEARER: f32 = 1.5;
 
@@ -27,19 +30,23 @@ pub fn is_nearer(at: Vec3, small: (&Camera, Vec2), large: (&Camera, Vec2)) -> bo
     !seen || near.scale_at(at) >= NEARER * whole.scale_at(at)
 }
 
-/// Sets a small picture into the upper corner of a large one that holds less, with its title at its foot.
-pub fn set_inset(figure: &mut Figure, mut part: Figure, title: &str) {
-    let (size, page) = (part.size, figure.size);
-    let corners = [Vec2::new(page.x - size.x - CORNER, CORNER), Vec2::new(CORNER, CORNER)];
+/// Where a small picture of this size stands in a large one: in the upper corner that holds less.
+pub fn inset_at(figure: &Figure, size: Vec2) -> Vec2 {
+    let right = Vec2::new(figure.size.x - size.x - CORNER, CORNER);
     let crowded = |at: &Vec2| covered(figure, *at, *at + size);
-    let Some(at) = corners.into_iter().min_by_key(crowded) else { return };
+    [right, Vec2::splat(CORNER)].into_iter().min_by_key(crowded).unwrap_or(right)
+}
+
+/// Sets a small picture into a large one, with its title at its foot.
+pub fn set_inset(figure: &mut Figure, at: Vec2, mut part: Figure, title: &str) {
+    let size = part.size;
     crop(&mut part, 0.0);
     let frame = Ink::Rect { min: at, max: at + size, round: 4.0 };
     figure.add(Role::Page, None, frame.clone());
     figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(at)));
     figure.add(Role::Edge, None, frame);
     let wide = text_width(title, Face::Medium, 12.0);
-    let (min, max) = (at + Vec2::new(1.0, size.y - 20.0), at + Vec2::new(wide + 14.0, size.y - 1.0));
+    let (min, max) = (at + Vec2::new(1.0, size.y - FOOT), at + Vec2::new(wide + 14.0, size.y - 1.0));
     figure.add(Role::Page, None, Ink::Rect { min, max, round: 3.0 });
     let text = Ink::Text {
         at: at + Vec2::new(8.0, size.y - 11.0),

@@ -51,10 +51,11 @@ pub(super) struct Obstacles {
 }
 
 /// Sets the labels of a space, the most important first; one that fits nowhere is left out. Returns what is not to be
-/// covered any more.
-pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) -> Obstacles {
+/// covered any more. `kept` are the corners of a rectangle in which something else will stand.
+pub(super) fn place(kept: Option<[Vec2; 2]>, space: &Space, lens: &Lens, figure: &mut Figure) -> Obstacles {
     let size = letters(figure);
     let mut obstacles = obstacles(space, lens, figure);
+    obstacles.spots.extend(kept.map(|[min, max]| (Spot { min, max }, HOPELESS)));
     let mut wanted: Vec<_> = space
         .marks
         .iter()
@@ -90,6 +91,10 @@ pub(super) fn place(space: &Space, lens: &Lens, figure: &mut Figure) -> Obstacle
         };
         // In a crowd there is room only further off.
         candidates.extend(own.into_iter().flat_map(|own| further(own, half)));
+        // What would be cut by the picture's edge is moved into it.
+        let cut = candidates.iter().filter(|spot| outside(**spot, figure.size) > 0.0);
+        let moved: Vec<Spot> = cut.filter_map(|spot| spot.moved_into(figure.size)).collect();
+        candidates.extend(moved);
         // In a box there is room for its label: beside it lies another place.
         let is_place = matches!(place, Some(Place::Cell(_) | Place::Node(_)));
         let beside = |spot: Spot| {
@@ -278,9 +283,14 @@ fn within_page(point: Vec2, size: Vec2) -> bool {
 }
 
 /// What it costs to reach out of the picture.
-fn outside(spot: Spot, size: Vec2) -> f32 {
+pub(super) fn outside(spot: Spot, size: Vec2) -> f32 {
     let out = (Vec2::splat(2.0) - spot.min).max(Vec2::ZERO) + (spot.max - (size - 2.0)).max(Vec2::ZERO);
     if out == Vec2::ZERO { 0.0 } else { HOPELESS * (1.0 + out.length()) }
+}
+
+/// Whether a text lies in a picture of this size with all its letters; what is no text does.
+pub(super) fn is_whole(ink: &Ink, size: Vec2) -> bool {
+    Spot::of_label(ink).is_none_or(|spot| outside(spot, size) == 0.0)
 }
 
 /// Whether a box is a line of a flat scene: a plane seen from above.
@@ -397,7 +407,7 @@ fn ends(shape: &[Vec2]) -> Vec<(Vec2, Vec2)> {
 }
 
 /// All around a point: above first.
-fn beside_point(point: Option<Vec2>, half: Vec2) -> Vec<Spot> {
+pub(super) fn beside_point(point: Option<Vec2>, half: Vec2) -> Vec<Spot> {
     let Some(point) = point else { return Vec::new() };
     let near = half + GAP + 2.0;
     let mut spots = Vec::new();

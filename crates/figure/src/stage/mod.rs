@@ -4,6 +4,7 @@ mod axes;
 mod camera;
 mod controls;
 mod crop;
+mod entry;
 mod inset;
 mod labels;
 mod lens;
@@ -26,7 +27,7 @@ use crate::world::{Form, Space, SpaceMark, corners};
 pub use axes::axes;
 pub use camera::Camera;
 pub use crop::crop;
-pub use inset::{inset_size, is_nearer, set_inset};
+pub use inset::{inset_at, inset_size, is_nearer, set_inset};
 pub use labels::pointed_at;
 pub use shaded::{Shaded, shaded};
 
@@ -44,19 +45,43 @@ pub enum Scenery<'a> {
 /// The space as `camera` sees it in a picture of this size in points, with labels; and the axes of a solid scene,
 /// unless its primitives are painted elsewhere.
 pub fn stage(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>) -> Figure {
-    let mut figure = drawn(space, prims, camera, size, scenery, &space.notes);
+    stage_around(None, space, prims, camera, size, scenery)
+}
+
+/// The same with labels that keep off a rectangle, given by its corners, where something else will stand.
+pub fn stage_around(
+    kept: Option<[Vec2; 2]>,
+    space: &Space,
+    prims: &Prims,
+    camera: &Camera,
+    size: Vec2,
+    scenery: Scenery<'_>,
+) -> Figure {
+    let mut figure = drawn(kept, space, prims, camera, size, scenery, &space.notes);
     if !matches!(scenery, Scenery::Left) {
         figure.marks.extend(axes(camera, size).marks);
     }
     figure
 }
 
-/// The same without axes and notes, for a small picture.
+/// The same without axes and notes, for a small picture with a title at its foot.
 pub fn close_up(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>) -> Figure {
-    drawn(space, prims, camera, size, scenery, &[])
+    let foot = [Vec2::new(0.0, size.y - inset::FOOT), size];
+    let mut figure = drawn(Some(foot), space, prims, camera, size, scenery, &[]);
+    // What has no room for all of its words says none.
+    figure.marks.retain(|mark| labels::is_whole(&mark.ink, size));
+    figure
 }
 
-fn drawn(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>, notes: &[String]) -> Figure {
+fn drawn(
+    kept: Option<[Vec2; 2]>,
+    space: &Space,
+    prims: &Prims,
+    camera: &Camera,
+    size: Vec2,
+    scenery: Scenery<'_>,
+    notes: &[String],
+) -> Figure {
     let depth = match scenery {
         Scenery::Shaded(shaded) => Some(shaded),
         _ => None,
@@ -81,7 +106,8 @@ fn drawn(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Sce
     }
     crop::crop_far(&mut stage.figure);
     stage.notes(notes);
-    let mut obstacles = labels::place(space, &stage.lens, &mut stage.figure);
+    let mut obstacles = labels::place(kept, space, &stage.lens, &mut stage.figure);
+    entry::set(space, &stage.lens, &mut stage.figure, &mut obstacles);
     numbers::set(space, prims, &stage.lens, &mut stage.figure, &mut obstacles);
     rulers::draw(space, &stage.lens, &mut stage.figure);
     stage.figure

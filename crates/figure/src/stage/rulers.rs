@@ -11,7 +11,8 @@ use crate::theme::{Face, Role};
 use crate::words::number;
 use crate::world::{Form, Space};
 
-/// Draws the axes that a flat space asks for. Where labels stand on an axis, they take the place of its numbers.
+/// Draws the axes that a flat space asks for. Where labels stand on an axis, they take the place of its numbers; a number
+/// that a line runs through has a plate.
 pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
     let around = space.marks.iter().filter(|_| space.flat).find_map(|mark| match mark.form {
         Form::Axes(around) => Some(around),
@@ -19,6 +20,7 @@ pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
     });
     let Some(around) = around else { return };
     let labels: Vec<Spot> = figure.marks.iter().filter_map(|mark| Spot::of_label(&mark.ink)).collect();
+    let lines: Vec<(Vec2, Vec2)> = figure.marks.iter().flat_map(|mark| edges(&mark.ink)).collect();
     let (Some(low), Some(high)) = (corner(lens, &around, around.min), corner(lens, &around, around.max)) else {
         return;
     };
@@ -55,11 +57,27 @@ pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
             }
             figure.add(Role::Edge, None, line(at, at + out * u * 0.35));
             let said = Spot::of_text(beside(at), &number(value), u * 0.92, Face::Regular, anchor);
-            if labels.iter().all(|label| label.shared(said) == 0.0) {
-                write(figure, Role::Quiet, None, beside(at), &number(value), u * 0.92, Face::Regular, anchor);
+            if labels.iter().any(|label| label.shared(said) > 0.0) {
+                continue;
             }
+            let (at, text, size, face) = (beside(at), number(value), u * 0.92, Face::Regular);
+            let boxed = lines.iter().any(|(from, to)| said.length_of(*from, *to) > 0.0);
+            figure.add(Role::Quiet, None, Ink::Text { at, text, size, face, anchor, boxed });
         }
         write(figure, Role::Quiet, None, beside(end + way * u * 0.2), name, u, Face::Medium, anchor);
+    }
+}
+
+/// The straight lines of a shape.
+fn edges(ink: &Ink) -> Vec<(Vec2, Vec2)> {
+    match ink {
+        Ink::Line { points } => points.windows(2).map(|ends| (ends[0], ends[1])).collect(),
+        Ink::Area { points } => points.iter().zip(points.iter().cycle().skip(1)).map(|(a, b)| (*a, *b)).collect(),
+        Ink::Rect { min, max, .. } => {
+            let (a, b) = (Vec2::new(max.x, min.y), Vec2::new(min.x, max.y));
+            vec![(*min, a), (a, *max), (*max, b), (b, *min)]
+        }
+        _ => Vec::new(),
     }
 }
 

@@ -52,6 +52,13 @@ impl Spot {
         at.clamp(self.min, self.max)
     }
 
+    /// The same rectangle where all of it lies in a picture of this size; nothing where none of it does, or no room is.
+    pub(super) fn moved_into(self, size: Vec2) -> Option<Spot> {
+        let (low, high) = (self.half() + 2.0, size - self.half() - 2.0);
+        let seen = self.max.cmpgt(Vec2::ZERO).all() && self.min.cmplt(size).all();
+        (seen && low.cmple(high).all()).then(|| Spot::around(self.center().clamp(low, high), self.half()))
+    }
+
     /// The area that two rectangles share.
     pub(super) fn shared(self, other: Spot) -> f32 {
         let common = (self.max.min(other.max) - self.min.max(other.min)).max(Vec2::ZERO);

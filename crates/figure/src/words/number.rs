@@ -1,5 +1,7 @@
 //! The one formatter of numbers: three significant digits, everywhere.
 
+use std::borrow::Cow;
+
 use raystep_accel::{Lanes, Value};
 
 /// What stands before a number that few rays have told: nobody should quote it.
@@ -70,9 +72,21 @@ pub(crate) fn mask(lanes: Lanes) -> String {
     (0..lanes.width()).map(|lane| if lanes.has(lane) { '■' } else { '□' }).collect()
 }
 
-/// `1 node`, `2 nodes`.
-pub(crate) fn counted(count: u64, one: &str, many: &str) -> String {
+/// A count with its noun: `1 node`, `2 nodes`.
+pub fn counted(count: u64, one: &str, many: &str) -> String {
     format!("{} {}", whole(count), if count == 1 { one } else { many })
+}
+
+/// A noun behind a count, as one and as many of it: `leaf|leaves` says both, of another one the plural is regular.
+pub(crate) fn one_or_many(one: bool, noun: &str) -> Cow<'_, str> {
+    match noun.split_once('|') {
+        Some((single, many)) => Cow::Borrowed(if one { single } else { many }),
+        None if one => Cow::Borrowed(noun),
+        None if noun.ends_with(['s', 'x']) || noun.ends_with("ch") || noun.ends_with("sh") => {
+            Cow::Owned(format!("{noun}es"))
+        }
+        None => Cow::Owned(format!("{noun}s")),
+    }
 }
 
 /// Mantissa with three digits and exponent, rounded as they are printed.

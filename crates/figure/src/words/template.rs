@@ -2,11 +2,11 @@
 
 use raystep_accel::Value;
 
-use crate::words::{Fact, Piece, ROUGH, come_out, counted, value};
+use crate::words::{Fact, Piece, ROUGH, come_out, number, one_or_many, value};
 
 /// The template with each `{{field}}` replaced by that field's value; what the event lacks stays as it is.
-/// `{{prims reference}}` counts: 1 reference, 2 references; `{{lanes ray}}` counts those that take part. Sums come out in
-/// the digits that are shown.
+/// `{{prims reference}}` counts: 1 reference, 2 references; `{{lanes ray}}` counts those that take part; and
+/// `{{prims primitive is|primitives are}}` says both itself. Sums come out in the digits that are shown.
 pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
     let mut pieces = Vec::new();
     // The text since the last number.
@@ -22,11 +22,9 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
         let inside = opened[2..end].trim();
         let (field, noun) = inside.split_once(' ').unwrap_or((inside, ""));
         match event.field(field) {
-            Some(Value::Count(n)) if !noun.is_empty() => {
-                filled.push_str(&counted(u64::from(n), noun, &format!("{noun}s")));
-            }
             Some(Value::Lanes(lanes)) if !noun.is_empty() => {
-                filled.push_str(&counted(u64::from(lanes.count()), noun, &format!("{noun}s")));
+                filled.push_str(&value(&Value::Count(lanes.count())));
+                filled.extend([" ", &one_or_many(lanes.count() == 1, noun)]);
             }
             Some(Value::Number(x)) => {
                 // Nobody reads "3.5 − −1".
@@ -35,6 +33,13 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
                 }
                 let bracketed = x < 0.0 && filled.trim_end().ends_with(['−', '-', '+', '·', '/']);
                 pieces.extend([Piece::Text(std::mem::take(&mut filled)), Piece::Number { x, bracketed }]);
+                if !noun.is_empty() {
+                    filled.extend([" ", &one_or_many(number(x) == "1", noun)]);
+                }
+            }
+            Some(Value::Count(n)) if !noun.is_empty() => {
+                filled.push_str(&value(&Value::Count(n)));
+                filled.extend([" ", &one_or_many(n == 1, noun)]);
             }
             Some(found) => filled.push_str(&value(&found)),
             None => filled.push_str(&opened[..end + 2]),
@@ -42,7 +47,8 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
         rest = &opened[end + 2..];
     }
     pieces.push(Piece::Text(filled + rest));
-    come_out(&pieces)
+    // An interval that nothing was left of from the start has no numbers.
+    come_out(&pieces).replace("[∞, −∞]", "empty")
 }
 
 /// The template filled as prose: a place that begins a sentence begins with a capital letter.
@@ -91,6 +97,12 @@ mod tests {
         let leaf = |prims| Visit::Enter { place, t_near: 0.0, t_far: 1.0, prims, leaf: true };
         assert_eq!(fill("{{prims reference}}, {{prims}}", &leaf(1)), "1 reference, 1");
         assert_eq!(fill("{{prims reference}}", &leaf(0)), "0 references");
+        assert_eq!(fill("{{prims box}}, {{prims box}}", &leaf(3)), "3 boxes, 3 boxes");
+        let counted = "{{prims leaf is|leaves are}} left, at {{t_far second}}, {{t_near cell}}";
+        assert_eq!(fill(counted, &leaf(1)), "1 leaf is left, at 1 second, 0 cells");
+        assert_eq!(fill(counted, &leaf(2)), "2 leaves are left, at 1 second, 0 cells");
+        let event = Visit::Enter { place, t_near: f32::INFINITY, t_far: f32::NEG_INFINITY, prims: 0, leaf: true };
+        assert_eq!(fill("{{place}}  [{{t_near}}, {{t_far}}]", &event), "node 3  empty");
         let event = Visit::Test { prim: raystep_accel::PrimId(0), t: -1.0, hit: true };
         assert_eq!(fill("3 − {{t}}, {{t}} − 3", &event), "3 − (−1), −1 − 3");
     }

@@ -39,6 +39,11 @@ impl Nodes {
         self.bounds.get(node.index()).copied().unwrap_or(Aabb::EMPTY)
     }
 
+    /// Whether their boxes are all there is to see of them.
+    pub(crate) fn are_boxes(&self) -> bool {
+        self.looks.is_empty()
+    }
+
     /// How they lie: on which level each, and how many below it.
     pub(crate) fn levels(&self) -> &Levels {
         &self.levels

@@ -1,13 +1,28 @@
-//! What builders do that put sets together: nodes are joined, moved, fitted anew, and numbered at last.
+//! What builders do that put sets together: nodes are joined, moved, fitted anew, and laid in their order at last.
 
 use raystep_accel::{Aabb, Grow, NodeId};
 
 use super::{Build, GrowMoment, GrowNode};
+use crate::world::Form;
 
 impl Build<'_> {
     /// Whether this builder puts sets together, and divides none.
     pub(crate) fn joins(&self) -> bool {
-        self.events.iter().any(|event| matches!(event, Grow::Merge { .. }))
+        // A builder that divides does so before it can join anything.
+        let first = self.events.iter().find(|event| {
+            matches!(event, Grow::Merge { .. } | Grow::Split { .. } | Grow::Divide { .. } | Grow::Leaf { .. })
+        });
+        matches!(first, Some(Grow::Merge { .. }))
+    }
+
+    /// What a node looks like so far, in this box. A set that is joined and moved has only its box, until it lies
+    /// where it stays: then it has the volume of the finished tree.
+    pub(crate) fn look(&self, moment: &GrowMoment, node: NodeId, bounds: Aabb) -> Vec<Form> {
+        let grows = moment.nodes.get(&node).is_some_and(|node| !node.placed);
+        if grows && !self.nodes.are_boxes() && self.joins() {
+            return if bounds.is_empty() { Vec::new() } else { vec![Form::Box(bounds)] };
+        }
+        self.nodes.look(self.structure, node, bounds, self.flat)
     }
 }
 
@@ -19,8 +34,16 @@ impl GrowMoment {
         self.shorten(node, children, bounds);
         let prims = children.iter().filter_map(|child| self.nodes.get(child)).map(|child| child.prims).sum();
         self.forget_below(node);
-        let fresh =
-            GrowNode { bounds, prims, depth: 0, split: None, children: Vec::new(), leaf: None, settled: Vec::new() };
+        let fresh = GrowNode {
+            bounds,
+            prims,
+            depth: 0,
+            split: None,
+            children: Vec::new(),
+            leaf: None,
+            settled: Vec::new(),
+            placed: false,
+        };
         self.nodes.insert(node, fresh);
         for child in children {
             self.hang(child, node);
@@ -90,9 +113,10 @@ impl GrowMoment {
         }
     }
 
-    /// A node gets its final number.
+    /// A node is laid where it stays, and has its final number from now on, if it had not before.
     pub(super) fn renumber(&mut self, from: NodeId, to: NodeId) {
-        let Some(node) = self.nodes.remove(&from) else { return };
+        let Some(mut node) = self.nodes.remove(&from) else { return };
+        node.placed = true;
         self.parents.extend(node.children.iter().map(|child| (*child, to)));
         self.nodes.insert(to, node);
         if let Some(parent) = self.parents.remove(&from) {

@@ -100,7 +100,8 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
         let max = min + Vec2::new(wide, high);
         let shown = filled.shows(picture.entry);
         let place = place(picture.entry).filter(|_| shown);
-        if let Some(image) = picture.image.as_ref().filter(|_| shown) {
+        // What a board begins with is looked at while its question is open; its numbers come with its step.
+        if let Some(image) = picture.image.as_ref().filter(|_| shown || picture.entry == 0) {
             figure.add(Role::Scene, place, Ink::Image { min, max, image: image.clone() });
             if let Some((forms, camera)) = &picture.over {
                 let drawn = over(forms, camera, max - min);

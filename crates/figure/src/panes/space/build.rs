@@ -1,17 +1,19 @@
 //! What a builder has done so far, in space.
 
+mod cells;
+mod cuts;
+
 use std::collections::BTreeSet;
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Primitives, Structure};
+use raystep_accel::{Aabb, Axis, Grow, NodeId, Place, PrimId, Primitives, Structure};
 
-use super::layer::Layer;
 use super::numbers::numbers_of;
-use crate::moments::{Build, Fate, GrowMoment, GrowNode};
+use crate::moments::{Build, GrowMoment, GrowNode};
 use crate::panes::tree::node_role;
 use crate::theme::Role;
-use crate::words::{VolumeName, coordinate, counted, number};
-use crate::world::{Depth, Form, Space, SpaceMark, convex, drawn, frontier};
+use crate::words::{VolumeName, number};
+use crate::world::{Depth, Form, Space, SpaceMark, drawn, frontier};
 
 /// Most boxes of nodes in one picture.
 const BOXES: usize = 300;
@@ -23,17 +25,8 @@ const NEXT: usize = 3;
 /// Of a finished tree in space, so many levels.
 const UPPER: u32 = 3;
 
-/// Most cells of a grid in one picture.
-const CELLS: usize = 1024;
-
-/// Of the cells that the box of a primitive meets, most that are drawn in space.
-const MET: usize = 48;
-
 /// Most sets on a curve that is drawn.
 const CURVE: usize = 400;
-
-/// Most weighed splits in one picture.
-const TICKS: usize = 120;
 
 /// Space at a moment of a build; of a tree in a solid scene, the end of the way down.
 pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
@@ -167,67 +160,6 @@ impl Drawing<'_> {
         }
     }
 
-    /// The planes that an open question offers.
-    fn guesses(&mut self) {
-        let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
-        for (axis, plane, text) in &self.moment.guesses {
-            let Some(axis) = axis.axis() else { continue };
-            let sheet = sheet(&node.bounds, axis, *plane);
-            self.add(Role::Guess, Some(Place::Node(*id)), Form::Sheet(sheet));
-            let form = Form::Label { at: sheet.center(), within: None, text: text.clone() };
-            self.add(Role::Guess, Some(Place::Node(*id)), form);
-        }
-    }
-
-    /// All cells while they are few; those that hold something; those of the current primitive.
-    fn cells(&mut self) {
-        let (Some(grid), count @ 1..) = (self.build.structure.grid(), self.moment.cell_count) else { return };
-        let outline = |role, cell: CellId| SpaceMark {
-            form: Form::Box(grid.cell_bounds(cell)),
-            role,
-            place: Some(Place::Cell(cell)),
-        };
-        let filled = |cell: CellId| self.moment.cells.contains_key(&cell);
-        if self.build.flat && count as usize <= CELLS {
-            let role = |cell| if filled(cell) { Role::Filled } else { Role::Edge };
-            self.marks.extend((0..count).map(CellId).map(|cell| outline(role(cell), cell)));
-        }
-        if !self.build.flat {
-            let layer = Layer::middle(grid.lattice());
-            self.notes.push(layer.to_string());
-            self.marks.extend(layer.marks(self.moment.cells.keys().copied()));
-        }
-        if let Some(Grow::Refine { cell, .. }) = self.moment.event {
-            self.marks.push(outline(Role::Here, cell));
-        }
-        // Of a large flat grid only the cells that are filled are drawn.
-        if self.build.flat && count as usize > CELLS {
-            let filled = self.moment.cells.keys().rev().take(CELLS);
-            self.marks.extend(filled.map(|cell| outline(Role::Seen, *cell)));
-        }
-        // Of very many in space, those around the next one to be decided.
-        let met = &self.moment.rasterised;
-        let most = if self.build.flat { usize::MAX } else { MET };
-        let next = met.iter().position(|(_, fate)| *fate == Fate::Open).unwrap_or(met.len());
-        let from = next.saturating_sub(most / 2).min(met.len().saturating_sub(most));
-        if met.len() > most {
-            self.notes.push(format!("its box meets {} cells, not all drawn", met.len()));
-        }
-        for &(cell, fate) in met.iter().skip(from).take(most) {
-            let role = match fate {
-                Fate::Open => Role::Waiting,
-                Fate::Stored => Role::Here,
-                Fate::Pruned => Role::Dropped,
-            };
-            self.marks.push(outline(role, cell));
-            if self.build.flat {
-                let form = Form::Number { within: grid.cell_bounds(cell), text: cell.to_string() };
-                let role = if role == Role::Dropped { Role::Quiet } else { role };
-                self.marks.push(SpaceMark { form, role, place: Some(Place::Cell(cell)) });
-            }
-        }
-    }
-
     /// The boxes of the nodes, those being split or waiting for it above all others.
     fn nodes(&mut self) {
         // Of very many, the uppermost.
@@ -264,8 +196,7 @@ impl Drawing<'_> {
                     self.add(Role::Filled, Some(Place::Node(id)), form);
                 }
             }
-            // Nodes that are not yet in the tree have numbers beyond its own, and only a box.
-            for form in self.build.nodes.look(self.build.structure, id, node.bounds, self.build.flat) {
+            for form in self.build.look(self.moment, id, node.bounds) {
                 self.add(role, Some(Place::Node(id)), form);
             }
         }
@@ -374,103 +305,6 @@ impl Drawing<'_> {
             depth => depth,
         }
     }
-
-    /// In space, the halves of split nodes whose turn has not come: what the plane leaves of them. In a hierarchy nobody knows
-    /// yet.
-    fn halves(&mut self) {
-        let Structure::Kd(_) = self.build.structure else { return };
-        if self.build.flat {
-            return;
-        }
-        let moment = self.moment;
-        let path = moment.path();
-        for node in path.iter().rev().take(LEVELS).filter_map(|id| moment.nodes.get(id)) {
-            let Some((taken, axis)) = node.split.and_then(|taken| Some((taken, taken.axis.axis()?))) else { continue };
-            let (mut below, mut above) = (node.bounds, node.bounds);
-            below.max[axis] = taken.plane;
-            above.min[axis] = taken.plane;
-            for (id, half) in [(taken.below, below), (taken.above, above)] {
-                if moment.waiting.contains(&id) && !moment.nodes.contains_key(&id) {
-                    self.add(Role::Waiting, Some(Place::Node(id)), Form::Box(half));
-                }
-            }
-        }
-    }
-
-    /// The splits weighed for the current node as ticks at its edges, the one at hand as a whole plane.
-    fn splits(&mut self) {
-        let Some((id, node)) = self.moment.node.and_then(|id| self.moment.nodes.get_key_value(&id)) else { return };
-        let place = Some(Place::Node(*id));
-        let every = self.moment.weighed.len().div_ceil(TICKS).max(1);
-        // Once the node is split, what else was weighed covers no primitives any more.
-        for weighed in self.moment.weighed.iter().step_by(every).filter(|_| node.split.is_none()) {
-            let Some(axis) = weighed.axis.axis() else { continue };
-            for (from, to) in ticks(&node.bounds, axis, weighed.plane) {
-                self.add(Role::Candidate, place, Form::Segment(from, to));
-            }
-        }
-        let flat = self.build.flat;
-        let cell = if let Structure::Bsp(tree) = self.build.structure { Some(tree.cell(*id)) } else { None };
-        let sheet = |across: Direction, plane: f32, free: Option<FreePlane>| match &cell {
-            Some(cell) => convex::sheet(cell, free?, flat),
-            None => Some(Form::Sheet(sheet(&node.bounds, across.axis()?, plane))),
-        };
-        if let Some(sheet) = node.split.and_then(|taken| sheet(taken.axis, taken.plane, taken.free)) {
-            self.add(Role::Plane, place, sheet);
-        }
-        match self.moment.event {
-            // A proposed plane, its normal, and who proposed it.
-            Some(Grow::Normal { plane, from, .. }) => {
-                if let Place::Prim(prim) = from {
-                    self.add(Role::Here, Some(from), Form::Prim(prim));
-                }
-                let free = self.moment.free.zip(cell.as_ref());
-                let forms =
-                    free.map(|(free, cell)| [convex::sheet(cell, free, flat), convex::normal(cell, free, flat)]);
-                for form in forms.into_iter().flatten().flatten() {
-                    self.add(Role::Candidate, place, form);
-                }
-                self.title(Role::Candidate, *id, node.bounds, format!("proposed: n · p = {}", number(plane)));
-            }
-            Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
-                if let Some(sheet) = sheet(axis, plane, self.moment.free) {
-                    self.add(Role::Candidate, place, sheet);
-                }
-                self.title(
-                    Role::Candidate,
-                    *id,
-                    node.bounds,
-                    format!("{below} below, {above} above: cost {}", number(cost)),
-                );
-            }
-            // The lines that cut a cell into equal ones.
-            Some(Grow::Divide { at_x, at_y, at_z, .. }) => {
-                for (axis, at) in [(Axis::X, at_x), (Axis::Y, at_y), (Axis::Z, at_z)] {
-                    if !(flat && axis == Axis::Z) {
-                        self.add(Role::Plane, place, Form::Sheet(self::sheet(&node.bounds, axis, at)));
-                    }
-                }
-                self.title(Role::Here, *id, node.bounds, format!("node {id}: cut into {} cells", node.children.len()));
-            }
-            Some(Grow::Split { axis, plane, .. }) => {
-                let cut = if VolumeName::of(self.build.structure).cut == "way" { "shared out" } else { "cut" };
-                let text = format!("node {id}: {cut} at {} = {}", coordinate(axis), number(plane));
-                self.title(Role::Here, *id, node.bounds, text);
-            }
-            _ => {
-                let count = counted(u64::from(node.prims), "primitive", "primitives");
-                self.title(Role::Here, *id, node.bounds, format!("node {id}: {count}"));
-            }
-        }
-    }
-}
-
-/// The part of a plane across `axis` that lies in a box.
-fn sheet(bounds: &Aabb, axis: Axis, plane: f32) -> Aabb {
-    let mut sheet = *bounds;
-    sheet.min[axis] = plane;
-    sheet.max[axis] = plane;
-    sheet
 }
 
 /// The edges of a box; of its rectangle in a flat scene.
@@ -482,18 +316,4 @@ fn edges(bounds: &Aabb, flat: bool) -> impl Iterator<Item = (Vec3, Vec3)> {
     let (corners, axes) = if flat { (4, 2) } else { (8, 3) };
     let from = (0..corners).flat_map(move |index| (0..axes).map(move |axis| (index, index | 1 << axis)));
     from.filter(|(from, to)| from != to).map(|(from, to)| (corner(from), corner(to))).collect::<Vec<_>>().into_iter()
-}
-
-/// Short lines at the two sides of a box that a plane across `axis` would cut.
-fn ticks(bounds: &Aabb, axis: Axis, plane: f32) -> [(Vec3, Vec3); 2] {
-    let along = if axis == Axis::Y { Axis::X } else { Axis::Y };
-    let length = 0.05 * bounds.extent()[along];
-    let at = |value: f32| {
-        let mut at = bounds.center();
-        at[axis] = plane;
-        at[along] = value;
-        at
-    };
-    let (low, high) = (bounds.min[along], bounds.max[along]);
-    [(at(low), at(low + length)), (at(high - length), at(high))]
 }

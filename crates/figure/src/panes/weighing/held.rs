@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Axis, HandCut, Primitives};
 
-use super::plots::{Order, place_of};
+use super::order::{Order, place_of};
 use super::{Candidate, Layout};
 use crate::moments::{Build, GrowMoment};
 use crate::panes::Ask;

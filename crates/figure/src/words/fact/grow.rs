@@ -81,7 +81,7 @@ impl Fact for Grow {
             Grow::Merge { .. } => "two nodes are merged",
             Grow::Move { .. } => "a node moves",
             Grow::Refit { .. } => "a volume is fitted anew",
-            Grow::Renumber { .. } => "a node gets its final number",
+            Grow::Renumber { .. } => "a node is laid where it stays",
             Grow::End { .. } => "the structure is built",
         })
     }

@@ -13,7 +13,8 @@ pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
         Grow::Widen { prim, .. } => format!("Primitive {prim} lies in the box already."),
         Grow::Refine { cell, nx, ny, nz, prims, .. } => {
             format!(
-                "Cell {cell} is crowded, with {prims} primitives: they go into a grid of its own, of {} cells.",
+                "Cell {cell} is crowded, with {}: they go into a grid of its own, of {} cells.",
+                count(prims, "primitive"),
                 cells(nx, ny, nz)
             )
         }
@@ -84,7 +85,7 @@ pub(crate) fn of_grow(event: &Grow, volume: VolumeName) -> String {
         }
         Grow::Move { node, parent, .. } => format!("Node {node} moves under node {parent}."),
         Grow::Refit { node, .. } => format!("The volume of node {node} is fitted to what lies below it now."),
-        Grow::Renumber { from, to } => format!("Node {from} gets its final number, {to}."),
+        Grow::Renumber { to, .. } => format!("Node {to} is laid where it stays."),
         Grow::End { nodes: 0, cells, references } => {
             format!("The grid is built: {} with {}.", count(cells, "cell"), count(references, "reference"))
         }

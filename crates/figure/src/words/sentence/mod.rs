@@ -3,6 +3,8 @@
 mod grow;
 mod visit;
 
+use crate::words::counted;
+
 pub(crate) use grow::of_grow;
 pub(crate) use visit::of_visit;
 
@@ -13,5 +15,5 @@ fn cells(nx: u32, ny: u32, nz: u32) -> String {
 
 /// `1 node`, `2 nodes`.
 fn count(n: u32, what: &str) -> String {
-    if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
+    counted(u64::from(n), what, &format!("{what}s"))
 }

@@ -81,8 +81,7 @@ pub(crate) fn of_visit(event: &Visit, volume: VolumeName) -> String {
                 _ if !leaf && matches!(place, Place::Cell(_)) => " It holds a grid of its own.".to_owned(),
                 0 if leaf => " It is empty.".to_owned(),
                 0 => String::new(),
-                1 => " It holds 1 primitive.".to_owned(),
-                n => format!(" It holds {n} primitives."),
+                n => format!(" It holds {}.", count(n, "primitive")),
             };
             format!("The walk enters {place}{kind}, with {}.{holds}", range(t_near, t_far))
         }
