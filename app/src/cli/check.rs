@@ -6,6 +6,7 @@ use clap::Args;
 use raystep_lesson::{Library, Problem, Script, check, check_beside, check_file};
 use raystep_print::{proof, proof_code, proof_plain};
 
+use super::lessons::no_slides;
 use crate::fault::{Fault, about};
 use crate::files;
 
@@ -49,6 +50,9 @@ fn set(text: &str, script: Script) -> Vec<(usize, String)> {
 
 fn folder(path: &Path, only: bool) -> Result<Vec<Problem>, Fault> {
     let own = Library::from_dir(path).map_err(about(path))?;
+    if own.slides.is_empty() && own.problems.is_empty() {
+        return Err(no_slides(path));
+    }
     let problems = if only { check(&own, &set) } else { check_beside(&Library::embedded(), &own, &set) };
     Ok(problems.into_iter().map(|problem| named(problem, path)).collect())
 }

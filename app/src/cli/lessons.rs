@@ -19,6 +19,12 @@ pub(crate) struct Lessons {
     pub(super) only: bool,
 }
 
+/// A folder in which there are no slides.
+pub(super) fn no_slides(folder: &Path) -> Fault {
+    let why = "no slides can be read here: a folder of lessons holds folders with slides, as in 05-kd-tree/33-first.md";
+    Fault::new(format!("{}: {why}", folder.display()))
+}
+
 impl Lessons {
     /// The lecture, with the lessons in the folder or without it. What is wrong in them is said; the rest is read.
     pub(super) fn read(&self) -> Result<Library, Fault> {
@@ -30,9 +36,7 @@ impl Lessons {
             files::say(&folder.join(problem.to_string()).display().to_string());
         }
         if empty {
-            let why = "no slides can be read here: a folder of lessons holds folders with slides, as in \
-                       05-kd-tree/33-first.md";
-            return Err(Fault::new(format!("{}: {why}", folder.display())));
+            return Err(no_slides(folder));
         }
         Ok(library)
     }

@@ -10,6 +10,7 @@ fn lessons_are_checked() {
     let folder = folder("check");
     let fine = raystep(&folder, &["check"]);
     assert_eq!((fine.status.code(), text(&fine.stdout), text(&fine.stderr)), (Some(0), String::new(), String::new()));
+    refused(&folder, &["check", "."], "no slides can be read here");
     let section = folder.join("05-kd-tree");
     std::fs::create_dir_all(&section).unwrap();
     std::fs::write(section.join("33-wrong.md"), "+++\nformat = 1\nslide = [33]\ntitel = \"Wrong\"\n+++\n").unwrap();

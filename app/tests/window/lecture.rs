@@ -194,6 +194,82 @@ fn a_stroke_of_the_pen_goes_with_its_step() {
 }
 
 #[test]
+fn a_quick_pen_draws_all_places_of_a_frame() {
+    let mut harness = class("5/33");
+    press(&mut harness, Key::P);
+    harness.hover_at(pos2(300.0, 300.0));
+    harness.run_steps(2);
+    let button = |pressed, pos| Event::PointerButton {
+        pos,
+        button: egui::PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let events = &mut harness.input_mut().events;
+    events.push(button(true, pos2(300.0, 300.0)));
+    events.extend([310.0, 340.0, 350.0].map(|x| Event::PointerMoved(pos2(x, x))));
+    events.push(button(false, pos2(360.0, 340.0)));
+    harness.step();
+    assert_eq!((harness.state().strokes(), harness.state().stroke_points()), (1, 5), "all of it lies in one frame");
+}
+
+#[test]
+fn presses_that_pile_up_pass_nothing_by() {
+    let mut harness = class("5/33");
+    let stops = |harness: &Window| {
+        let playback = harness.state().state.playback().expect("a walk");
+        (playback.play.beats.clone(), playback.posed.iter().map(|posed| posed.before).collect::<Vec<_>>())
+    };
+    let pile = |harness: &mut Window| {
+        for pressed in [true, false].repeat(3) {
+            let key = Event::Key {
+                key: Key::PageDown,
+                physical_key: None,
+                pressed,
+                repeat: false,
+                modifiers: Modifiers::NONE,
+            };
+            harness.input_mut().events.push(key);
+        }
+        harness.step();
+    };
+    let (beats, asked) = stops(&harness);
+    let now = harness.state().state.view.step;
+    let next = beats.iter().flatten().chain(&asked).copied().filter(|step| *step > now).min();
+    pile(&mut harness);
+    assert_eq!(Some(harness.state().state.view.step), next, "one press of three goes on");
+    assert!(harness.state().state.question().is_none());
+    // On the last beat they lead to the next slide, and not past its first page.
+    harness.state_mut().state.predict = false;
+    let last = beats.iter().flatten().max().copied().unwrap();
+    harness.state_mut().state.go(last);
+    harness.step();
+    pile(&mut harness);
+    for _ in 0..400 {
+        if id(&harness) == "5/34" {
+            break;
+        }
+        harness.step();
+    }
+    let first = harness.state().state.view.step;
+    pile(&mut harness);
+    assert_eq!((id(&harness).as_str(), harness.state().state.view.step), ("5/34", first));
+}
+
+#[test]
+fn a_mistake_that_is_played_is_told_on_the_wall() {
+    let mut harness = class("5/33");
+    let mistake = raystep_accel::Mistake::KdLeftFirst;
+    harness.state_mut().state.show_example(mistake);
+    settle(&mut harness);
+    harness.run_steps(3);
+    assert_eq!(harness.state().state.view.example, Some(mistake));
+    for text in [mistake.title(), "A ray from the right enters the right child first"] {
+        assert!(harness.query_all_by_label_contains(text).next().is_some(), "{text}");
+    }
+}
+
+#[test]
 fn rays_and_stages_turn_by_key_and_nothing_set_for_one_class_stays() {
     let mut harness = class("5/33");
     let ray = |harness: &Window| format!("{:?}", harness.state().state.view.ray);

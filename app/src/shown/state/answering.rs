@@ -16,7 +16,7 @@ impl State {
     }
 
     /// The question that waits until the beat of this step has been read.
-    pub(super) fn question_waits(&self) -> bool {
+    pub(crate) fn question_waits(&self) -> bool {
         self.posed_here().is_some() && self.question().is_none()
     }
 

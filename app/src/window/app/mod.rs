@@ -163,6 +163,11 @@ impl App {
         self.marks.strokes()
     }
 
+    /// How many places these strokes go through, all of them.
+    pub fn stroke_points(&self) -> usize {
+        self.marks.places()
+    }
+
     /// The walk beside, once it is there.
     pub fn beside(&self) -> Option<&Arc<Playback>> {
         self.underway.beside()

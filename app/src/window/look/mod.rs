@@ -13,5 +13,5 @@ pub(super) mod prose;
 pub(super) mod remembered;
 pub(super) mod tex;
 pub(super) mod typed;
-pub(crate) mod visuals;
+pub(super) mod visuals;
 pub(super) mod words;

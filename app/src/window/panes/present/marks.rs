@@ -101,6 +101,11 @@ impl Marks {
         }
     }
 
+    /// How many places the strokes have, all of them.
+    pub(crate) fn places(&self) -> usize {
+        self.strokes.iter().map(Vec::len).sum()
+    }
+
     /// How many strokes there are.
     pub(crate) fn strokes(&self) -> usize {
         self.strokes.len()

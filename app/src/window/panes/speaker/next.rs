@@ -20,7 +20,12 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
     let theme = desk.wall.theme;
     heading(ui, desk, rect.min, "Next beat");
     let at = pos2(rect.right(), rect.top() + 10.0);
-    let says = "→ answers first, then goes on";
+    let state = desk.wall.state;
+    let says = match state.question() {
+        Some(_) => "→ shows the answer",
+        None if state.question_waits() => "→ asks the question",
+        None => "→ goes on",
+    };
     caption(ui.painter(), at, Align2::RIGHT_CENTER, says, Face::Regular, 12.5, Role::Quiet, theme);
     let rect = Rect::from_min_max(rect.min + vec2(0.0, 26.0), rect.max - vec2(0.0, 8.0));
     let Some(next) = desk.next else {
