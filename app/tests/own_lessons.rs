@@ -98,6 +98,8 @@ fn what_is_wrong_in_own_lessons_is_said_with_its_place() {
     write("10-mine/94-formula.md", &flat(94, "flat-room").replace("ends.", "ends $\\frac{1}{2$."));
     write("10-mine/95-table.md", &flat(95, "flat-room").replace("ends.", "ends.\n\n| a | b |\n|---|---|\n| 1 | 2 |"));
     write("10-mine/96-picture.md", &flat(96, "flat-room").replace("ends.", "ends: ![a](a.png)."));
+    // What is wrong with its scene is said once, at the scene.
+    write("10-mine/97-bad-scene.md", &flat(97, "flat-bad"));
     write("scenes/flat-bad.toml", "title = \"Bad\"\nshapes = [\n  { disc = [0, 0], radios = 1 },\n]\n");
     write("scenes/bad.obj", "v 0 0 0\nv 1 0 0\nv 0 x 0\nf 1 2 3\n");
     write("scenes/roof.toml", ROOM);

@@ -204,7 +204,14 @@ impl Checker<'_> {
         let scene = match stage.scenes.named(&stage.scene) {
             Ok(scene) => scene,
             Err(error) => {
-                self.say(slide, stage.scene_spot, error.to_string());
+                // What is wrong in its own file is said there.
+                let own = |problem: &Problem| {
+                    let name = problem.file.strip_prefix("scenes/").and_then(|name| name.rsplit_once('.'));
+                    name.is_some_and(|(name, _)| name == stage.scene)
+                };
+                if !self.library.problems.iter().any(own) {
+                    self.say(slide, stage.scene_spot, error.to_string());
+                }
                 return None;
             }
         };
