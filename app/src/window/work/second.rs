@@ -57,11 +57,17 @@ impl Second {
         self.bench.cancel() | self.search.cancel()
     }
 
-    /// Makes the walk that is shown beside the other, if one is wanted. Says what went wrong.
+    /// Makes the walk that is shown beside the other, if one is wanted. Says what went wrong, or what is shown instead of
+    /// what was asked for.
     pub(crate) fn catch_up(&mut self, state: &mut State) -> Option<String> {
+        let mut instead = None;
         while let Some((index, Ok(shows))) = self.search.collect() {
-            found(state, index, &shows);
+            instead = found(state, index, &shows);
         }
+        self.make(state).or(instead)
+    }
+
+    fn make(&mut self, state: &mut State) -> Option<String> {
         let wrong = self.arrive(state);
         // What stands beside another slide is made of that one's walk.
         if state.leaves() {
@@ -145,16 +151,25 @@ impl Second {
     }
 }
 
-/// Goes to where a mistake shows.
-fn found(state: &mut State, index: usize, shows: &Shows) {
+/// Goes to where a mistake shows. Says so where that is not on the user's own ray.
+fn found(state: &mut State, index: usize, shows: &Shows) -> Option<String> {
+    let own = matches!(state.view.ray, RayChoice::Own(_));
+    let named = |ray: usize| state.stage()?.rays.get(ray).map(|ray| ray.name.clone());
+    let instead = match shows {
+        Shows::Ray(ray) if own => named(*ray).map(|name| {
+            format!("Your own ray does not show it; \u{201c}{name}\u{201d} does. Backspace goes back to your own.")
+        }),
+        _ => None,
+    };
     let mistake = state.playback().and_then(|playback| playback.mistakes.get(index).copied());
     match (shows, mistake) {
         (Shows::Here, _) => {}
         (Shows::Ray(ray), _) => state.show_ray(RayChoice::Named(*ray), false),
         (Shows::Elsewhere, Some(mistake)) => state.show_example(mistake),
-        (Shows::Elsewhere, None) => return,
+        (Shows::Elsewhere, None) => return None,
     }
     state.beside = Beside::Mistake(index);
+    instead
 }
 
 /// The walk beside.
