@@ -1,13 +1,14 @@
 //! Boards in the window: the page stands before anything on it is measured, then it is filled entry by entry, coarsely
 //! first, and nothing moves.
 
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use egui::Key;
 use egui_kittest::kittest::Queryable;
 use glam::Vec2;
 use raystep::shown::Playback;
-use raystep_figure::{Ask, Face, Figure, Ink, Look, Pane};
+use raystep_figure::{Ask, Figure, Ink, Look, Pane};
 use raystep_lesson::{BoardTape, Care, Entry, Plays, Tape};
 
 use crate::window::{Window, library, press, until, window};
@@ -47,14 +48,18 @@ fn open(harness: &mut Window, slide: usize) {
 /// What is made of a board from the first frame on, in the order in which it comes.
 fn fillings(harness: &mut Window) -> Vec<Arc<Playback>> {
     let mut all = vec![playback(harness)];
-    until(harness, |harness| {
+    for _ in 0..20_000 {
+        harness.step();
         let now = playback(harness);
         if !Arc::ptr_eq(&now, all.last().expect("the first one")) {
             all.push(now);
         }
-        harness.state().is_idle()
-    });
-    all
+        if harness.state().is_idle() {
+            return all;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
+    panic!("the measuring has no end");
 }
 
 #[test]
@@ -87,25 +92,27 @@ fn the_first_picture_of_every_board_stands_before_anything_is_traced_or_measured
             assert!(filled.grown[entry].is_empty(), "{id}: {entry}");
         }
     }
-    assert!(waits > 60, "{waits} entries of all boards are measured");
+    assert!(waits > 40, "{waits} entries of all boards are measured");
 }
 
-/// What stands in bold or as the names of rows, and where: what the numbers come to stand beside.
-fn letters(playback: &Playback, step: usize) -> Vec<(String, [i32; 2], i32)> {
+/// The texts that a figure has once, with where they stand and how large they are.
+fn texts(playback: &Playback, step: usize) -> HashMap<String, [i32; 3]> {
     let figure = drawn(playback, step);
-    let texts = figure.marks.iter().filter_map(|mark| match &mark.ink {
-        Ink::Text { at, text, size, face: Face::Bold, .. } => {
-            Some((text.clone(), at.to_array().map(|along| along.round() as i32), (size * 10.0) as i32))
+    let mut texts: HashMap<String, Vec<[i32; 3]>> = HashMap::new();
+    for mark in &figure.marks {
+        if let Ink::Text { at, text, size, .. } = &mark.ink {
+            let at = [at.x, at.y, *size * 10.0].map(|along| along.round() as i32);
+            texts.entry(text.clone()).or_default().push(at);
         }
-        _ => None,
-    });
-    texts.collect()
+    }
+    let once = texts.into_iter().filter(|(_, places)| places.len() == 1);
+    once.map(|(text, places)| (text, places[0])).collect()
 }
 
 fn drawn(playback: &Playback, step: usize) -> Figure {
     let reel = playback.reel();
     let at = reel.at(step);
-    reel.still(&at).draw(Pane::Picture, &Ask::new(Vec2::new(1000.0, 640.0), Look::WINDOW)).expect("a picture")
+    reel.still(&at).draw(Pane::Picture, &Ask::new(Vec2::new(1000.0, 640.0), Look::WINDOW))
 }
 
 /// What is written.
@@ -128,7 +135,7 @@ fn a_board_is_filled_entry_by_entry_coarsely_first_and_nothing_moves() {
         for pair in all.windows(2) {
             let (before, after) = (cares(board(&pair[0])), cares(board(&pair[1])));
             let changed: Vec<usize> = (0..before.len()).filter(|at| before[*at] != after[*at]).collect();
-            assert!(changed.len() <= 2, "{id}: one after the other, of which no frame leaves out many: {changed:?}");
+            assert!(changed.len() <= 1, "{id}: one after the other: {changed:?}");
             for at in changed {
                 assert!(
                     before[..at].iter().all(|care| *care > before[at]),
@@ -144,9 +151,14 @@ fn a_board_is_filled_entry_by_entry_coarsely_first_and_nothing_moves() {
         let (first, last) = (&all[0], &all[all.len() - 1]);
         assert!(board(last).is_finished() && !last.is_draft(), "{id}");
         let step = last.steps().last();
-        assert_eq!(letters(first, step), letters(last, step), "{id}: nothing moves");
-        for (playback, coarse) in [(first, false), (last, false)] {
-            assert_eq!(words(&drawn(playback, step)).contains('\u{2248}'), coarse, "{id}");
+        let (before, after) = (texts(first, step), texts(last, step));
+        let stays: Vec<&String> = before.keys().filter(|text| after.contains_key(*text)).collect();
+        assert!(stays.len() > 5, "{id}: {stays:?}");
+        for text in stays {
+            assert_eq!(before[text], after[text], "{id}: {text} moves");
+        }
+        for playback in [first, last] {
+            assert!(!words(&drawn(playback, step)).contains('\u{2248}'), "{id}");
         }
         let signs = ["\u{2026}", "not traced yet", "not counted yet"];
         let waits = |playback: &Playback| signs.iter().any(|sign| words(&drawn(playback, step)).contains(sign));

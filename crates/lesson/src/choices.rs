@@ -36,10 +36,6 @@ impl Ask {
             return self.least(event, play);
         }
         let Some(right) = self.right(play, &event) else { return Vec::new() };
-        // What is still to be measured cannot be asked for.
-        if matches!((event, right), (Event::Board(_), Value::Number(number)) if number.is_nan()) {
-            return Vec::new();
-        }
         if is_cut(self, &event) {
             return self.cuts(play, step, &event);
         }

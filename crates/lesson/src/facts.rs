@@ -80,13 +80,10 @@ impl<'a> Facts<'a> {
             Place::Cell(entry) => board.care_of_number(entry.0 as usize, name) == Care::Bare,
             _ => false,
         };
-        match event.field(name)? {
-            Value::Number(number) if number.is_nan() => match self.tape {
-                Tape::Board(board) if waits(board) => Some(Value::Word(WAITS, &[])),
-                _ => None,
-            },
-            value => Some(value),
-        }
+        event.field(name).or_else(|| match self.tape {
+            Tape::Board(board) if waits(board) => Some(Value::Word(WAITS, &[])),
+            _ => None,
+        })
     }
 
     /// A fact of one of several walks, as far as it has come.

@@ -173,7 +173,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
         given: matches!(column, Column::Printed | Column::Total | Column::Before),
         words: matches!(column, Column::Before | Column::After),
         rays: matches!(column, Column::Tests | Column::Visits | Column::Boxes | Column::Alive),
-        digits: if column.is_measured() { DIGITS } else { 0 },
+        digits: room(*column),
     });
     let rows = table.rows.iter().enumerate().map(|(place, row)| {
         let entry = entry(filled, panel, place);
@@ -219,8 +219,15 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
     }
 }
 
-/// So many digits have room in a column of measured numbers before any is known.
-const DIGITS: usize = 6;
+/// For so many digits there is room in a column before any number is known, commas and points among them.
+fn room(column: Column) -> usize {
+    match column {
+        Column::Bytes => "9,999,999".len(),
+        Column::Nodes => "999,999".len(),
+        _ if column.is_measured() => "99,999".len(),
+        _ => 0,
+    }
+}
 
 /// What stands instead of times where none are told.
 const ELSEWHERE: &str = "in the window";
