@@ -105,7 +105,7 @@ fn letters(playback: &Playback, step: usize) -> Vec<(String, [i32; 2], i32)> {
 fn drawn(playback: &Playback, step: usize) -> Figure {
     let reel = playback.reel();
     let at = reel.at(step);
-    reel.still(&at).draw(Pane::Picture, &Ask::new(Vec2::new(1000.0, 640.0), Look::WINDOW)).expect("a picture")
+    reel.still(&at).draw(Pane::Picture, &Ask::new(Vec2::new(1000.0, 640.0), Look::WINDOW))
 }
 
 /// What is written.
