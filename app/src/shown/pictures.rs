@@ -151,9 +151,11 @@ impl Pictures {
         figure.marks.iter().any(|mark| matches!(&mark.ink, Ink::Text { text, .. } if text == "\u{2192}"))
     }
 
-    /// How wide the picture in the middle is at least, in letters; 0 where it is as wide as there is room.
-    pub(crate) fn across(&self) -> f32 {
-        self.playback.reel().across()
+    /// How well the picture in the middle is seen in so much room: 1 is well. Nothing where it does not matter.
+    pub(crate) fn worth(&self, size: Vec2, look: &Look) -> Option<f32> {
+        let reel = self.playback.reel();
+        let still = reel.still(&self.instant);
+        still.worth(&Ask::new(size, *look)).filter(|_| still.has(Pane::Picture))
     }
 
     /// How high a pane should be, where that follows from what it shows.

@@ -102,7 +102,7 @@ impl Opening {
                 if let Some(state) = &creation.wgpu_render_state {
                     app.draw_with(context, state);
                 }
-                let shown: Box<dyn eframe::App> = Box::new(Shown { app, each_frame, returns });
+                let shown: Box<dyn eframe::App> = Box::new(Shown { app, each_frame, returns, looks: LOOKS });
                 Ok(shown)
             };
             eframe::run_native_ext("Raystep", options, known, Box::new(create))?;
@@ -148,6 +148,33 @@ struct Shown<'a> {
     each_frame: &'a mut Option<EachFrame>,
     /// Whether there was a window before, of which no frame has been drawn since.
     returns: bool,
+    /// For so many frames it is looked whether the window, with what stands around it, is larger than the screen.
+    looks: u32,
+}
+
+/// A window has its frame after so many frames at most.
+const LOOKS: u32 = 60;
+
+impl Shown<'_> {
+    /// Makes a window smaller that reaches beyond the screen with its title bar: its foot would not be seen.
+    fn stay_on_screen(&mut self, context: &egui::Context) {
+        if self.looks == 0 {
+            return;
+        }
+        self.looks -= 1;
+        let window = context.input(|input| input.viewport().clone());
+        let (Some(inner), Some(outer), Some(screen)) = (window.inner_rect, window.outer_rect, window.monitor_size)
+        else {
+            return;
+        };
+        let over = (outer.size() - screen).max(egui::Vec2::ZERO);
+        let whole = window.fullscreen == Some(true) || window.maximized == Some(true);
+        if over != egui::Vec2::ZERO && !whole {
+            self.looks = 0;
+            context.send_viewport_cmd(egui::ViewportCommand::InnerSize(inner.size() - over));
+            context.send_viewport_cmd(egui::ViewportCommand::OuterPosition(egui::Pos2::ZERO));
+        }
+    }
 }
 
 impl eframe::App for Shown<'_> {
@@ -169,6 +196,7 @@ impl eframe::App for Shown<'_> {
     }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.stay_on_screen(ui.ctx());
         if let Some(each) = self.each_frame {
             each(self.app, ui, frame);
         }

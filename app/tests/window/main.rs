@@ -13,5 +13,6 @@ mod looks;
 mod pictures;
 mod present;
 mod saves;
+mod walls;
 mod window;
 mod words;

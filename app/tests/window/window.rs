@@ -39,7 +39,7 @@ pub(crate) fn remembering(slide: &str, size: [f32; 2], remembered: Remembered) -
 }
 
 /// Runs frames until something holds.
-pub(crate) fn until(harness: &mut Window, holds: impl Fn(&Window) -> bool) {
+pub(crate) fn until(harness: &mut Window, mut holds: impl FnMut(&Window) -> bool) {
     for _ in 0..PATIENCE {
         harness.run_steps(3);
         if holds(harness) {

@@ -175,3 +175,14 @@ fn a_picture_that_waits_has_its_frame() {
     assert_eq!((seen(&waits), seen(&there)), (0, 2));
     assert!(said(&waits, "not traced yet").is_some() && said(&there, "not traced yet").is_none());
 }
+
+#[test]
+fn rows_come_close_before_letters_become_small() {
+    let panels = [table("first", 9, 0)];
+    let set = |high: f32| letters(&board(&panels, 9, &Ask::new(Vec2::new(900.0, high), Look::WINDOW)).0, "first ");
+    let (low, high) = (set(280.0), set(420.0));
+    let apart = |rows: &[(f32, f32)]| (rows[1].1 - rows[0].1) / rows[0].0;
+    assert!(low[0].0 >= Look::WINDOW.text * 0.99, "{low:?}");
+    assert!(low[8].1 < 280.0 && high[8].1 < 420.0 && high[0].0 > low[0].0, "{low:?}, {high:?}");
+    assert!(apart(&low) < 2.0 && apart(&high) <= 2.51, "{low:?}, {high:?}");
+}

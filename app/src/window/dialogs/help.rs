@@ -96,7 +96,7 @@ const MOUSE: &[(&str, &str)] = &[
     ("Shift click", "to the time before"),
     ("Double click", "puts a node of the tree on top"),
     ("Ray's ends", "move the ray"),
-    ("A shape, a plane", "is taken in the hand; arrows too, once Tab is on it"),
+    ("A shape, a plane", "in the hand: by a drag, or Tab and arrows"),
     ("Shift drag", "shoots a ray of your own"),
     ("Drag", "turns the view, or shifts a flat one"),
     ("Right drag", "shifts the view, as does the middle"),
@@ -187,8 +187,19 @@ fn group<'a>(ui: &mut Ui, heading: &str, rows: impl Iterator<Item = (&'a str, &'
 
 #[cfg(test)]
 mod tests {
+    use raystep_figure::text_width;
+
     use super::*;
     use crate::shown::command::ENTRIES;
+
+    #[test]
+    fn what_the_mouse_does_is_not_cut_off() {
+        for (left, right) in MOUSE {
+            let first = text_width(left, Face::Mono, 12.5).max(112.0);
+            let wide = first + 16.0 + text_width(right, Face::Regular, 13.5);
+            assert!(wide <= COLUMN, "{right}: {wide}");
+        }
+    }
 
     #[test]
     fn every_key_stands_on_its_page_once() {

@@ -114,6 +114,9 @@ fn number(ui: &mut Ui, value: &mut f32, speed: f32, name: &str) -> Typed {
     let (_, room) = ui.allocate_space(vec2(62.0, 24.0));
     let layout = Layout::centered_and_justified(Direction::LeftToRight);
     let mut child = ui.new_child(UiBuilder::new().max_rect(room).layout(layout));
+    // It stands in its room with all of its border.
+    child.spacing_mut().button_padding = vec2(4.0, 2.0);
+    child.spacing_mut().interact_size.y = room.height();
     child.set_clip_rect(room.expand(2.0).intersect(ui.clip_rect()));
     let typed = typed::field(&mut child, name, &typed::Allowed::ANY, field, |ui, field| ui.add(field));
     typed.response.widget_info(|| WidgetInfo::labeled(egui::Role::SpinButton, true, name));

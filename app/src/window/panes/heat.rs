@@ -27,8 +27,9 @@ use crate::window::look::painter::{caption, paint_figure};
 use crate::window::look::visuals::ink;
 use crate::window::work::heating::Level;
 
-/// The height of the strip with what is counted.
+/// The height of the strip with what is counted; where it is narrower than this it has two rows.
 const STRIP: f32 = 38.0;
+const ONE_ROW: f32 = 640.0;
 
 /// Shows the map in a rectangle, with what is counted above it unless a class is shown it.
 pub(super) fn show(
@@ -41,7 +42,8 @@ pub(super) fn show(
     asked: &mut Vec<Asked>,
 ) {
     let study = !page.state.present;
-    let strip = Rect::from_min_size(rect.min, vec2(rect.width(), if study { STRIP } else { 0.0 }));
+    let rows = if rect.width() < ONE_ROW { 2.0 } else { 1.0 };
+    let strip = Rect::from_min_size(rect.min, vec2(rect.width(), if study { STRIP * rows } else { 0.0 }));
     let room = Rect::from_min_max(strip.left_bottom(), rect.max);
     let look = Look { text: Look::WINDOW.text * scale, titles: false, least: 0.0 };
     let Some(wish) = wish(page, kept, room, of, &look) else { return };
@@ -110,21 +112,24 @@ fn wish(page: Page<'_>, kept: &mut Kept, room: Rect, of: Column, look: &Look) ->
     Some(Wish { scene: playback.play.scene.clone(), structures, of, camera, size })
 }
 
-/// What is counted, what stands beside, and the way back.
+/// What is counted, what stands beside, and the way back: in one row, or in two.
 fn choices(ui: &mut Ui, page: Page<'_>, strip: Rect, of: Column, asked: &mut Vec<Asked>) {
-    let inner = strip.shrink2(vec2(12.0, 3.0));
-    ui.scope_builder(UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center)), |ui| {
+    let narrow = strip.width() < ONE_ROW;
+    let (first, second) = strip.split_top_bottom_at_y(strip.top() + STRIP);
+    let set = |row: Rect| {
+        let inner = row.shrink2(vec2(12.0, 3.0));
+        UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center))
+    };
+    if narrow {
+        ui.scope_builder(set(second), |ui| beside(ui, page, asked));
+    }
+    ui.scope_builder(set(first), |ui| {
         let back = ui.button("Back to the picture").on_hover_text(Command::Heat.tip());
         if back.clicked() {
             asked.push(Asked::Command(Command::Heat));
         }
-        if let Beside::Structure(kind) = page.state.beside {
-            asked.extend(rival::structures(ui, page.state, kind).map(Asked::Compare));
-            ui.label("beside");
-        }
-        let triangles = |playback: &Arc<Playback>| matches!(playback.play.scene.prims, Prims::Mesh(_));
-        if page.state.playback().is_some_and(triangles) {
-            asked.extend(quick(ui, page.state.quick).map(Asked::Quick));
+        if !narrow {
+            beside(ui, page, asked);
         }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             ui.label(RichText::new("Heat map").font(font(Face::Bold, 13.5)));
@@ -142,6 +147,18 @@ fn choices(ui: &mut Ui, page: Page<'_>, strip: Rect, of: Column, asked: &mut Vec
             }
         });
     });
+}
+
+/// What stands beside: a structure, one at full speed.
+fn beside(ui: &mut Ui, page: Page<'_>, asked: &mut Vec<Asked>) {
+    if let Beside::Structure(kind) = page.state.beside {
+        asked.extend(rival::structures(ui, page.state, kind).map(Asked::Compare));
+        ui.label("beside");
+    }
+    let triangles = |playback: &Arc<Playback>| matches!(playback.play.scene.prims, Prims::Mesh(_));
+    if page.state.playback().is_some_and(triangles) {
+        asked.extend(quick(ui, page.state.quick).map(Asked::Quick));
+    }
 }
 
 /// Which structure at full speed stands beside, or none.

@@ -12,6 +12,20 @@ use crate::window::look::controls;
 use crate::window::look::fonts::font;
 use crate::window::look::visuals::ink;
 
+/// Whether a strip has no room for how it keeps in step: that then stands over the first picture.
+pub(super) fn narrow(rect: Rect) -> bool {
+    rect.width() < 272.0
+}
+
+/// How it keeps in step, at the right end of the strip over the first picture; says where that begins.
+pub(super) fn pace_apart(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<Asked>) -> f32 {
+    let inner = rect.shrink2(vec2(12.0, 3.0));
+    let builder = egui::UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center));
+    let mut child = ui.new_child(builder.scope_id(egui::Id::unique("pace strip")));
+    asked.extend(pace(&mut child, page.state.pace, 84.0).map(Asked::Pace));
+    child.min_rect().left()
+}
+
 /// Shows the strip; what is chosen is asked for.
 pub(super) fn choice(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<Asked>) {
     let inner = rect.shrink2(vec2(12.0, 3.0));
@@ -21,8 +35,8 @@ pub(super) fn choice(ui: &mut Ui, page: Page<'_>, rect: Rect, asked: &mut Vec<As
     let state = page.state;
     if matches!(state.beside, Beside::Abreast(_)) {
         child.label(RichText::new("all at the same t").color(ink(page.theme, Role::Quiet)));
-    } else {
-        asked.extend(pace(&mut child, state.pace).map(Asked::Pace));
+    } else if !narrow(rect) {
+        asked.extend(pace(&mut child, state.pace, 112.0).map(Asked::Pace));
     }
     let flat = state.playback().is_some_and(|playback| playback.play.scene.flat);
     child.with_layout(Layout::left_to_right(Align::Center), |ui| match state.beside {
@@ -73,7 +87,8 @@ fn several(ui: &mut Ui, state: &State, now: Rivals) -> Option<Rivals> {
     let own = state.playback().map_or("", |playback| playback.rule.kind());
     let names: Vec<&str> = now.kinds().map(kind_name).collect();
     let text = RichText::new(names.join(", ")).font(font(Face::Bold, 13.5));
-    let combo = ComboBox::from_id_salt("rivals").width(112.0).selected_text(text);
+    let combo =
+        ComboBox::from_id_salt("rivals").width(112.0_f32.min(ui.available_width())).selected_text(text).truncate();
     let combo = combo.close_behavior(PopupCloseBehavior::CloseOnClickOutside).show_ui(ui, |ui| {
         for kind in Rule::KINDS.into_iter().filter(|kind| *kind != own) {
             let mut on = now.has(kind);
@@ -90,11 +105,11 @@ fn several(ui: &mut Ui, state: &State, now: Rivals) -> Option<Rivals> {
 }
 
 /// In step by event, or by t.
-fn pace(ui: &mut Ui, now: Pace) -> Option<Pace> {
+fn pace(ui: &mut Ui, now: Pace, width: f32) -> Option<Pace> {
     let mut chosen = None;
     let names = [(Pace::Event, "step by step"), (Pace::T, "at the same t")];
     let shown = names.iter().find(|(pace, _)| *pace == now).map_or("", |(_, name)| name);
-    let combo = ComboBox::from_id_salt("pace").width(112.0).selected_text(shown).show_ui(ui, |ui| {
+    let combo = ComboBox::from_id_salt("pace").width(width).selected_text(shown).show_ui(ui, |ui| {
         for (pace, name) in names {
             if ui.selectable_label(pace == now, name).clicked() {
                 chosen = Some(pace);

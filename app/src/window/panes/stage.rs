@@ -84,7 +84,11 @@ fn together(
     let (picture, said) = picture.split_top_bottom_at_y(picture.bottom() - low);
     let mut under = None;
     if let Some(playback) = page.state.playback() {
-        label(ui, page, name, kind_name(playback.rule.kind()), scale);
+        let mut own = name;
+        if !page.state.present && rival::narrow(right) {
+            own.max.x = rival::pace_apart(ui, page, name, asked);
+        }
+        label(ui, page, own, kind_name(playback.rule.kind()), scale);
         under = alone(ui, page, kept, picture, false, scale, asked);
         let so_far = kept.pictures.as_ref().and_then(|pictures| playback.cost_at(&pictures.instant));
         bill(ui, page, said, playback, so_far, scale);
@@ -134,6 +138,19 @@ const TRIED: usize = 20_000;
 /// The smallest letters of a board before a class, where others have their usual size.
 const LEAST: f32 = 9.5;
 
+/// On a large screen at home letters are such a part of a picture's height.
+const LARGE: f32 = 66.0;
+
+/// How a picture is set that fills the middle of the page, `scale` times as large as usual.
+pub(super) fn look_of_picture(present: bool, height: f32, scale: f32) -> Look {
+    let look = Look::WINDOW;
+    // Before a class nothing is smaller than can be read from the last row.
+    match present {
+        true => Look { text: look.text * scale, least: LEAST * scale, ..look },
+        false => Look { text: (look.text * scale).max(height / LARGE), ..look },
+    }
+}
+
 /// The height of the names over two pictures.
 const STRIP: f32 = 38.0;
 
@@ -182,9 +199,7 @@ fn alone(
     let look = Look::WINDOW;
     // A kind that draws the middle of the page itself needs no stage.
     let Some(space) = pictures.space.clone().filter(|_| !pictures.has(Pane::Picture)) else {
-        // Before a class nothing is smaller than can be read from the last row.
-        let least = if page.state.present { LEAST * scale } else { 0.0 };
-        let look = Look { text: look.text * scale, least, ..look };
+        let look = look_of_picture(page.state.present, rect.height(), scale);
         return figure::figure(ui, page, kept, Pane::Picture, rect, &look, asked);
     };
     let space = &*space;

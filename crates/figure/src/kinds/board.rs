@@ -5,7 +5,7 @@ use raystep_accel::Reveal;
 
 use super::{Instant, Kind};
 use crate::page::Figure;
-use crate::panes::{Ask, KnobLine, Pane, Panel, Pixel, across, board, knobs, pixel_at, probe};
+use crate::panes::{Ask, KnobLine, Pane, Panel, Pixel, board, knobs, pixel_at, probe, worth};
 use crate::words::Fact;
 
 /// Tables and charts, and what comes to be seen on them.
@@ -53,8 +53,8 @@ impl Kind for Board<'_> {
         Some(probe(self.panels, *at.state(), ask, pixel))
     }
 
-    fn across(&self) -> f32 {
-        across(self.panels)
+    fn worth(&self, _: &Instant, ask: &Ask<'_>) -> Option<f32> {
+        Some(worth(self.panels, ask))
     }
 
     fn knobs(&self, at: &Instant, ask: &Ask<'_>) -> Vec<KnobLine> {

@@ -171,9 +171,10 @@ pub trait Kind {
         None
     }
 
-    /// How wide the picture in the middle is at least, in letters; 0 where it is as wide as there is room.
-    fn across(&self) -> f32 {
-        0.0
+    /// How well the picture in the middle is seen in so much room: 1 is well. Nothing where it does not matter.
+    fn worth(&self, at: &Instant, ask: &Ask<'_>) -> Option<f32> {
+        let _ = (at, ask);
+        None
     }
 
     /// Where the numbers lie that can be moved by hand.

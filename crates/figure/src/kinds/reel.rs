@@ -60,11 +60,6 @@ impl<'a> Reel<'a> {
         super::still::has(&*self.0, pane)
     }
 
-    /// How wide the picture in the middle is at least, in letters; 0 where it is as wide as there is room.
-    pub fn across(&self) -> f32 {
-        self.0.across()
-    }
-
     /// The pane in which it is best seen beside space.
     pub fn best(&self) -> Option<Pane> {
         self.0.best()

@@ -106,6 +106,11 @@ impl<'a> Still<'a> {
         self.kind.height(pane, look)
     }
 
+    /// How well the picture in the middle is seen in so much room: 1 is well. Nothing where it does not matter.
+    pub fn worth(&self, ask: &Ask<'_>) -> Option<f32> {
+        self.kind.worth(self.at, ask)
+    }
+
     /// How much room a legend of this width has at every step, so that what stands beside it never moves.
     pub fn legend_room(width: f32, look: &Look) -> f32 {
         legend::legend_room(width, look)

@@ -5,7 +5,7 @@ use raystep_accel::{Aabb, Place, Prims};
 use super::{Instant, Kind};
 use crate::moments::{Moment, Walk};
 use crate::page::Figure;
-use crate::panes::{Ask, Pane, Walker, walks};
+use crate::panes::{Ask, Pane, Walker, walks, worth_of_walks as worth};
 use crate::words::{Fact, VolumeName};
 
 /// Several walks of one ray. Their events are put in one order: that of t along the ray.
@@ -22,6 +22,11 @@ impl Walks<'_> {
     /// Whose event a step is, the first one being 1.
     fn event(&self, step: usize) -> Option<(usize, usize)> {
         self.order.get(step.checked_sub(1)?).copied()
+    }
+
+    fn walkers<'a>(&'a self, moments: &'a [Moment]) -> Vec<Walker<'a>> {
+        let pairs = self.walks.iter().zip(moments);
+        pairs.map(|((name, note, walk), moment)| Walker { name, note, walk, moment }).collect()
     }
 }
 
@@ -54,12 +59,14 @@ impl Kind for Walks<'_> {
             return None;
         }
         let moments: &Vec<Moment> = at.state();
-        let pairs = self.walks.iter().zip(moments);
-        let walkers: Vec<Walker<'_>> =
-            pairs.map(|((name, note, walk), moment)| Walker { name, note, walk, moment }).collect();
         let done: usize = moments.iter().map(|moment| moment.step).sum();
         let t = done.checked_sub(1).and_then(|index| self.reached.get(index)).copied().unwrap_or(f32::NAN);
-        Some(walks(&walkers, t, ask))
+        Some(walks(&self.walkers(moments), t, ask))
+    }
+
+    fn worth(&self, at: &Instant, ask: &Ask<'_>) -> Option<f32> {
+        let moments: &Vec<Moment> = at.state();
+        Some(worth(&self.walkers(moments), ask))
     }
 
     fn fact(&self, step: usize) -> Option<&dyn Fact> {

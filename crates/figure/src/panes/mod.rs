@@ -31,7 +31,7 @@ pub use board::{
     Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Known, Map, Maps, Meter, Panel, Picture, Pictures, Pixel,
     Row, Scale, Table,
 };
-pub(crate) use board::{across, board, knobs, pixel_at, probe};
+pub(crate) use board::{board, knobs, pixel_at, probe, worth};
 pub use bytes::bytes;
 pub(crate) use bytes::bytes_height;
 pub use cells::{cells, cells_of_build};
@@ -56,7 +56,7 @@ pub use timeline::{Track, timeline, timeline_of_build};
 pub(crate) use timeline::{symbol_at, symbol_of_build_at, symbol_on_track, track};
 pub(crate) use tree::tree_with;
 pub use tree::{TreeView, tree, tree_height, tree_of_build};
-pub(crate) use walks::{Walker, walks};
+pub(crate) use walks::{Walker, walks, worth as worth_of_walks};
 pub use weighing::CutLine;
 pub(crate) use weighing::{cut_line, cut_to, weighing};
 pub(crate) use work::weighed;

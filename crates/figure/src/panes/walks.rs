@@ -24,20 +24,20 @@ pub(crate) struct Walker<'a> {
 /// All of them beside each other.
 pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
-    let Ask { size, look, .. } = *ask;
+    let size = ask.size;
     if walkers.len() > ABREAST {
         return map(walkers, ask);
     }
     let wide = size.x / walkers.len().max(1) as f32;
-    // In a small window letters are smaller before anything is covered.
-    let look = Look { text: look.text.min(wide / 26.0).min(size.y / 44.0).max(7.0), ..look };
+    let look = columns(walkers, ask);
     let u = look.text;
     let ruler = Vec2::new(size.x, u * (6.6 + 1.9 * walkers.len() as f32));
     let high = (size.y - ruler.y).max(u * 10.0);
     let top = below_heads(walkers, wide, &look);
     let waits = walkers.iter().any(|walker| walker.walk.structure.node_count() > 0);
+    let counters = counts_height(walkers, wide - 2.0 * look.margin(), &look) - u * 0.2;
     for (index, walker) in walkers.iter().enumerate() {
-        let mut column = column(walker, top, waits, Vec2::new(wide, high), &look);
+        let mut column = column(walker, top, waits, counters, Vec2::new(wide, high), &look);
         crop(&mut column, 0.0);
         let corner = Vec2::new(wide * index as f32, 0.0);
         figure.marks.extend(column.marks.into_iter().map(|mark| mark.moved(corner)));
@@ -56,19 +56,48 @@ pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
 /// As many stand beside each other with their trees; of more, pictures and counts alone.
 const ABREAST: usize = 3;
 
+/// How many columns and rows of pictures there are, and the size of letters: as large as may be, then as large pictures.
+fn rows(walkers: &[Walker<'_>], ask: &Ask<'_>) -> (usize, usize, Look) {
+    let set = |across: usize| {
+        let down = walkers.len().div_ceil(across);
+        let size = ask.size / Vec2::new(across as f32, down as f32);
+        (across, down, ask.look.text.min(size.x / ACROSS).min(size.y / DOWN))
+    };
+    // Four make a square.
+    let usual = if walkers.len() == 4 { 2 } else { ABREAST };
+    let first = set(usual);
+    let others = (1..=ABREAST).rev().map(set);
+    let (across, down, text) = others.fold(first, |best, next| if next.2 > best.2 { next } else { best });
+    (across, down, Look { text, ..ask.look })
+}
+
+/// The least room of a picture with its name and counts, in letters.
+const ACROSS: f32 = 18.0;
+const DOWN: f32 = 16.0;
+
+/// The letters of walks side by side, in those that are wished for.
+pub(crate) fn worth(walkers: &[Walker<'_>], ask: &Ask<'_>) -> f32 {
+    let look = if walkers.len() > ABREAST { rows(walkers, ask).2 } else { columns(walkers, ask) };
+    look.text / ask.look.text.max(1.0)
+}
+
+/// How few walks are set beside each other: in a small window letters are smaller before anything is covered.
+fn columns(walkers: &[Walker<'_>], ask: &Ask<'_>) -> Look {
+    let wide = ask.size.x / walkers.len().max(1) as f32;
+    Look { text: ask.look.text.min(wide / 22.0).min(ask.size.y / 44.0).max(7.0), ..ask.look }
+}
+
 /// The pictures and counts of many walks, in rows.
 fn map(walkers: &[Walker<'_>], ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
-    // Four make a square.
-    let across = if walkers.len() == 4 { 2 } else { ABREAST };
-    let rows = walkers.len().div_ceil(across);
+    let (across, rows, look) = rows(walkers, ask);
     let size = Vec2::new(ask.size.x / across as f32, ask.size.y / rows as f32);
-    let look = Look { text: ask.look.text.min(size.x / 26.0).min(size.y / 18.0), ..ask.look };
     let top = below_heads(walkers, size.x, &look);
+    let below = counts_height(walkers, size.x - 2.0 * look.margin(), &look);
     for (index, walker) in walkers.iter().enumerate() {
         let mut column = Figure::new(size);
         head(&mut column, walker, size, &look);
-        let picture = Vec2::new(size.x - 2.0 * look.margin(), size.y - top - look.text * 4.6);
+        let picture = Vec2::new(size.x - 2.0 * look.margin(), size.y - top - below);
         picture_and_counts(&mut column, walker, top, picture, &look);
         crop(&mut column, 0.0);
         let corner = Vec2::new((index % across) as f32, (index / across) as f32) * size;
@@ -87,7 +116,9 @@ fn map(walkers: &[Walker<'_>], ask: &Ask<'_>) -> Figure {
 fn head(figure: &mut Figure, walker: &Walker<'_>, size: Vec2, look: &Look) {
     let (u, left) = (look.text, look.margin());
     let at = Vec2::new(left, u * 1.5);
-    write(figure, Role::Text, None, at, walker.name, u * 1.25, Face::Bold, Anchor::Start);
+    let large = u * 1.25;
+    let large = large * ((size.x - 2.0 * left) / text_width(walker.name, Face::Bold, large)).min(1.0);
+    write(figure, Role::Text, None, at, walker.name, large, Face::Bold, Anchor::Start);
     for (row, note) in note(walker, size.x, look).iter().enumerate() {
         let under = at + Vec2::new(0.0, u * (1.6 + NOTE * row as f32));
         let note = elided(note, Face::Regular, look.small(), size.x - 2.0 * left);
@@ -140,21 +171,43 @@ fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, pictur
     for (index, (count, what, role)) in counts.into_iter().enumerate() {
         let at = Vec2::new(left + share * index as f32, y);
         write(figure, role, None, at, &whole(count), u * 1.9, Face::Bold, Anchor::Start);
-        let words = at + Vec2::new(0.0, u * 1.8);
-        write(figure, Role::Quiet, None, words, what, look.small(), Face::Regular, Anchor::Start);
+        for (row, what) in lines_of(what, share, look).into_iter().enumerate() {
+            let words = at + Vec2::new(0.0, u * (1.8 + COUNTED * row as f32));
+            write(figure, Role::Quiet, None, words, what, look.small(), Face::Regular, Anchor::Start);
+        }
     }
 }
 
-/// One walk: from `top` on its picture over its counters over its tree or cells over its stack, for which there is room
-/// if anything `waits` in any of the walks.
-fn column(walker: &Walker<'_>, top: f32, waits: bool, size: Vec2, look: &Look) -> Figure {
+/// From line to line of what is counted, in letters.
+const COUNTED: f32 = 1.15;
+
+/// What is counted, in two lines where one is wider than its share.
+fn lines_of<'a>(what: &'a str, share: f32, look: &Look) -> Vec<&'a str> {
+    if text_width(what, Face::Regular, look.small()) <= share - look.text * 0.5 {
+        return vec![what];
+    }
+    // At the blank that is nearest to its middle.
+    let blanks = what.match_indices(' ').map(|(at, _)| at);
+    let middle = blanks.min_by_key(|at| (at * 2).abs_diff(what.len()));
+    middle.map_or(vec![what], |at| vec![&what[..at], &what[at + 1..]])
+}
+
+/// How high the counts of all walks are, below pictures of this width.
+fn counts_height(walkers: &[Walker<'_>], wide: f32, look: &Look) -> f32 {
+    let counts = walkers.iter().flat_map(|walker| counts(walker.walk, walker.moment).map(|(_, what, _)| what));
+    let lines = counts.map(|what| lines_of(what, wide / 3.0, look).len()).max().unwrap_or(1);
+    look.text * (4.6 + COUNTED * (lines - 1) as f32)
+}
+
+/// One walk: from `top` on its picture over its `counters`, so high, over its tree or cells over its stack, for which
+/// there is room if anything `waits` in any of the walks.
+fn column(walker: &Walker<'_>, top: f32, waits: bool, counters: f32, size: Vec2, look: &Look) -> Figure {
     let Walker { walk, moment, .. } = *walker;
     let mut figure = Figure::new(size);
     let u = look.text;
     let left = look.margin();
     head(&mut figure, walker, size, look);
     let below = if waits { u * 4.6 } else { 0.0 };
-    let counters = u * 4.4;
     let picture = Vec2::new(size.x - 2.0 * left, ((size.y - top - counters - below) * 0.55).min(size.x * 0.75));
     picture_and_counts(&mut figure, walker, top, picture, look);
 

@@ -12,11 +12,12 @@ use raystep_figure::{Face, Look, Role, changed_height};
 
 use super::figure::figure;
 use super::page::{Asked, Kept, Page};
-use super::spoken::{Column, Fitted, Speech};
+use super::space::glam_size;
+use super::spoken::{Column, Fitted, Room, Speech};
 use super::stage;
 use crate::shown::awaited::awaited;
 use crate::shown::lecture::Cover;
-use crate::shown::pictures::{Pane, Pictures};
+use crate::shown::pictures::Pane;
 use crate::window::look::painter::caption;
 use crate::window::look::visuals::fill;
 pub(crate) use marks::Marks;
@@ -27,11 +28,8 @@ fn letters(rect: Rect) -> f32 {
     (rect.height() / 27.0).min(rect.width() / 36.0)
 }
 
-/// The smallest letters of a picture, in parts of the page's; the part of the width that a picture has beside words, and
-/// of the height above them.
-const READABLE: f32 = 0.5;
-const BESIDE: f32 = 0.62;
-const ABOVE: f32 = 0.56;
+/// Room above and below a picture, in letters.
+const INSET: f32 = 0.2;
 
 /// The least part of the page's height that space keeps beside two rows of panes.
 const SPACE: f32 = 0.38;
@@ -58,17 +56,23 @@ pub(crate) fn page(
 
     let strip = Strip::of(page.state, kept.pictures.as_ref(), inner.size(), body);
     let bottom = foot - strip.height();
-    // A wide table stands above what is said of it.
-    let across = kept.pictures.as_ref().map_or(0.0, Pictures::across);
-    let under_it = across * body * READABLE > inner.width() * BESIDE;
-    let share = top + (bottom - top) * ABOVE;
+    let share = |column: Column| top + (bottom - top) * column.above;
     let wide = |column: Column| inner.width() * column.part;
     let floor = |column: Column| if column.tall { foot } else { bottom };
-    let room = |column: Column| {
-        let from = if column.below { share } else { top };
-        vec2(wide(column), floor(column) - from - body * 0.8)
+    let words = |column: Column| vec2(wide(column), floor(column) - share(column) - body * 0.8);
+    // A picture stands beside what is said of it, or above: as it is seen best.
+    let picture = |column: Column| {
+        let (right, low) = match column.above > 0.0 {
+            true => (inner.right(), share(column)),
+            false => (inner.right() - wide(column) - body, bottom),
+        };
+        Rect::from_min_max(pos2(inner.left(), top), pos2(right, low)).shrink2(vec2(0.0, body * INSET))
     };
-    let fitted = Fitted::of(kept.column.take(), ui, page.state, &mut kept.formulas, page.theme, room, body, under_it);
+    let look = stage::look_of_picture(true, picture(Column::USUAL).height(), body / 19.0);
+    let worth =
+        |column: Column| kept.pictures.as_ref().and_then(|shown| shown.worth(glam_size(picture(column)), &look));
+    let room = Room { body, words: &words, worth: &worth };
+    let fitted = Fitted::of(kept.column.take(), ui, page.state, &mut kept.formulas, page.theme, &room);
     let column = fitted.as_ref().map_or(Column::USUAL, |fitted| fitted.column);
     kept.column = fitted;
     let side = wide(column);
@@ -78,14 +82,15 @@ pub(crate) fn page(
         strip
     };
     let bottom = foot - strip.height();
-    let left = if column.below { inner.right() } else { inner.right() - side - body };
-    let space = Rect::from_min_max(pos2(inner.left(), top), pos2(left, if column.below { share } else { bottom }));
-    let corner = if column.below { pos2(inner.left(), share) } else { pos2(left + body, top) };
+    let under_it = column.above > 0.0;
+    let left = if under_it { inner.right() } else { inner.right() - side - body };
+    let space = Rect::from_min_max(pos2(inner.left(), top), pos2(left, if under_it { share(column) } else { bottom }));
+    let corner = if under_it { pos2(inner.left(), share(column)) } else { pos2(left + body, top) };
     let words = Rect::from_min_max(corner + vec2(0.0, body * 0.4), pos2(inner.right(), floor(column)));
     let below =
         Rect::from_min_max(pos2(inner.left(), bottom), pos2(if column.tall { left } else { inner.right() }, foot));
 
-    let mut under = stage::stage(ui, page, kept, space.shrink2(vec2(0.0, body * 0.2)), false, body / 19.0, asked);
+    let mut under = stage::stage(ui, page, kept, space.shrink2(vec2(0.0, body * INSET)), false, body / 19.0, asked);
     under = strip.show(ui, page, kept, below, body, asked).or(under);
     under = side_page(ui, page, kept, words, body, column, asked).or(under);
     says_so_far(ui, page, kept, Rect::from_min_max(pos2(inner.left(), foot), inner.max), body);

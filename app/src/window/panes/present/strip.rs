@@ -4,9 +4,10 @@
 use egui::{Rect, Ui, pos2, vec2};
 use raystep_accel::Place;
 use raystep_figure::{Look, Role};
-use raystep_lesson::Show;
+use raystep_lesson::{Medium, Show};
 
 use crate::shown::pictures::{Pane, Pictures};
+use crate::shown::reel::said;
 use crate::shown::state::State;
 use crate::shown::words::question_text;
 use crate::window::look::visuals::line;
@@ -34,6 +35,8 @@ struct Wanted {
     pane: Pane,
     wide: f32,
     high: f32,
+    /// Whether the beat tells of it.
+    told: bool,
 }
 
 /// Panes beside each other.
@@ -86,7 +89,7 @@ fn spoken_of(text: &str) -> Vec<Pane> {
         ("bytes", Pane::Bytes),
     ];
     let text = text.to_lowercase();
-    let before = ["look at the ", "in the ", "on the ", "see the "];
+    let before = ["look at the ", "in the ", "on the ", "to the ", "from the ", "see the "];
     let looks = |word: &str| {
         before.iter().any(|before| text.contains(&format!("{before}{word}")))
             || text.contains(&format!("the {word} shows"))
@@ -115,16 +118,18 @@ impl Strip {
         let first: Vec<Pane> = first.into_iter().filter(|pane| pictures.has(*pane)).collect();
         panes.retain(|pane| !first.contains(pane));
         panes.splice(0..0, first);
+        let told = told(state);
         let wanted = |pane: Pane| {
             let [wide, _] = legible(pane)?;
-            Some(Wanted { pane, wide: wide * body, high: high(pane, pictures, body)? })
+            Some(Wanted { pane, wide: wide * body, high: high(pane, pictures, body)?, told: told.contains(&pane) })
         };
         let panes: Vec<Wanted> = panes.into_iter().filter_map(wanted).collect();
         // The page does not move from step to step: its foot is as high as its highest pane.
         let bytes = slide.show.first() == Some(&Show::Bytes);
         let most = size.y * if bytes { MOST_BYTES } else { MOST };
         let height = panes.iter().map(|wanted| wanted.high).fold(0.0, f32::max).min(most);
-        let (row, _) = beside(&panes, size.x);
+        let (row, left_out) = beside(&panes, size.x);
+        let row = if left_out.iter().any(|wanted| wanted.told) { beside(&told_first(&panes), size.x).0 } else { row };
         let rows = if row.is_empty() { Vec::new() } else { vec![Row { panes: row, height }] };
         Strip { panes, rows }
     }
@@ -132,18 +137,24 @@ impl Strip {
     /// The same in a narrower room, beside a column of words as high as the page: those that have no place in the first
     /// row stand in a second one, where both leave space so much room. `rest` is the height of all three.
     pub(super) fn stacked(self, width: f32, rest: f32, space: f32) -> Strip {
-        let (first, left_out) = beside(&self.panes, width);
-        let (second, _) = beside(&left_out, width);
         let Some(Row { height, .. }) = self.rows.first() else { return self };
         let row = |panes: Vec<Wanted>| {
             let high = panes.iter().map(|wanted| wanted.high).fold(0.0, f32::max).min(*height);
             Row { panes, height: high }
         };
-        let both = [row(first), row(second)];
-        let fits = both.iter().map(|row| row.height).sum::<f32>() <= rest - space;
-        let [first, second] = both;
-        let rows =
-            if fits && !second.panes.is_empty() { vec![first, second] } else { vec![Row { height: *height, ..first }] };
+        let in_rows = |panes: &[Wanted]| {
+            let (first, left_out) = beside(panes, width);
+            let (second, left_out_again) = beside(&left_out, width);
+            let (first, second) = (row(first), row(second));
+            let fits = first.height + second.height <= rest - space;
+            match fits && !second.panes.is_empty() {
+                true => (vec![first, second], left_out_again),
+                false => (vec![Row { height: *height, ..first }], left_out),
+            }
+        };
+        let (rows, left_out) = in_rows(&self.panes);
+        let told = left_out.iter().any(|wanted| wanted.told);
+        let rows = if told { in_rows(&told_first(&self.panes)).0 } else { rows };
         Strip { panes: self.panes, rows }
     }
 
@@ -167,6 +178,8 @@ impl Strip {
         let mut top = rect.top();
         for (nth, row) in self.rows.iter().enumerate() {
             let sum: f32 = row.panes.iter().map(|wanted| wanted.wide).sum();
+            // Where they are a little narrower, so are their letters.
+            let look = Look { text: look.text * (rect.width() / sum).clamp(1.0 / SQUEEZED, 1.0), ..look };
             let room = Rect::from_min_size(pos2(rect.left(), top), vec2(rect.width(), row.height));
             if nth > 0 {
                 ui.painter().hline(room.x_range(), room.top(), line(page.theme, Role::Panel));
@@ -189,12 +202,30 @@ impl Strip {
     }
 }
 
+/// The panes that the beat of this step tells of.
+fn told(state: &State) -> Vec<Pane> {
+    let beat = state.beat().filter(|(_, step)| *step == state.view.step).zip(state.playback());
+    beat.map_or_else(Vec::new, |((beat, step), playback)| {
+        spoken_of(&format!("{}\n{}", beat.title, said(beat, &playback.play, step, Medium::Window)))
+    })
+}
+
+/// The panes, with those in front that the beat tells of.
+fn told_first(panes: &[Wanted]) -> Vec<Wanted> {
+    let mut panes = panes.to_vec();
+    panes.sort_by_key(|wanted| !wanted.told);
+    panes
+}
+
+/// Panes may be so much narrower than their widths in letters.
+const SQUEEZED: f32 = 1.16;
+
 /// Those that stand beside each other in this width, the first one always, and those that do not.
 fn beside(panes: &[Wanted], width: f32) -> (Vec<Wanted>, Vec<Wanted>) {
     let (mut stand, mut rest) = (Vec::new(), Vec::new());
     let mut left = width;
     for wanted in panes {
-        if stand.is_empty() || wanted.wide <= left {
+        if stand.is_empty() || wanted.wide <= left + width * (SQUEEZED - 1.0) {
             left -= wanted.wide;
             stand.push(*wanted);
         } else {

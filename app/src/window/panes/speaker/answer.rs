@@ -1,14 +1,12 @@
 //! The right answer to the question that is open, or that comes next on this slide, before anybody has given it.
 
-use egui::{Align2, Frame, Margin, Rect, ScrollArea, Stroke, StrokeKind, Ui, UiBuilder, vec2};
+use egui::{Frame, Margin, Rect, ScrollArea, Stroke, StrokeKind, Ui, UiBuilder};
 use raystep_figure::{Face, Role};
 
 use super::desk::Desk;
 use crate::shown::playback::Posed;
 use crate::shown::state::State;
 use crate::shown::words::{label, question_text, reason};
-use crate::window::look::markdown::plain;
-use crate::window::look::painter::caption;
 use crate::window::look::prose::Prose;
 use crate::window::look::visuals::{fill, ink};
 use crate::window::panes::page::Kept;
@@ -23,6 +21,9 @@ fn coming(state: &State) -> Option<(&Posed, bool)> {
     open.map(|posed| (posed, true)).or_else(|| Some((next()?, false)))
 }
 
+/// Letters in parts of the usual ones: the first with which all has room.
+const SCALES: [f32; 4] = [1.0, 0.92, 0.84, 0.78];
+
 pub(super) fn card(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
     let theme = desk.wall.theme;
     let state = desk.wall.state;
@@ -33,22 +34,35 @@ pub(super) fn card(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
     let mut child = ui.new_child(UiBuilder::new().max_rect(rect));
     child.set_clip_rect(rect);
     Frame::new().inner_margin(Margin::symmetric(16, 10)).show(&mut child, |ui| {
+        let prose = Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular, leading: 1.35 };
+        let head = if open { "Right answer, only you see it" } else { "The next question's answer" };
+        let letter = |index: usize| char::from(b'A' + index.min(25) as u8);
+        let answer = format!("{}   {}", letter(right), label(&posed.choices[right]));
+        let question = question_text(state, posed);
+        let wrong = posed.choices.iter().enumerate().filter(|(index, _)| *index != right);
+        let wrong: Vec<String> = wrong
+            .map(|(index, choice)| format!("{}, {}: {}", letter(index), label(choice), reason(state, posed, choice)))
+            .collect();
+        // The answer comes first, whole; what has no room below it is scrolled to.
+        let parts = |scale: f32| {
+            let set = |role: Role, face: Face, size: f32| Prose { role, face, size: size * scale, ..prose };
+            let mut parts = vec![(set(role, Face::Bold, 13.0), head), (set(role, Face::Bold, 19.0), answer.as_str())];
+            parts.extend((!open).then_some((set(Role::Quiet, Face::Regular, 14.5), question.as_str())));
+            parts.extend(wrong.iter().map(|wrong| (set(Role::Wrong, Face::Regular, 14.5), wrong.as_str())));
+            parts
+        };
+        let (wide, room) = (ui.available_width(), ui.available_height());
+        let gap = ui.spacing().item_spacing.y;
+        let high = |kept: &mut Kept, scale: f32| {
+            let heights =
+                parts(scale).into_iter().map(|(set, text)| set.height(ui, &mut kept.formulas, text, wide) + gap);
+            heights.sum::<f32>() - gap
+        };
+        let scale = SCALES.into_iter().find(|scale| high(kept, *scale) <= room).unwrap_or(SCALES[SCALES.len() - 1]);
         ScrollArea::vertical().id_salt("answer").auto_shrink(false).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            let prose = Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular, leading: 1.35 };
-            let head = if open { "Right answer, only you see it" } else { "The next question's answer" };
-            Prose { role, face: Face::Bold, size: 13.0, ..prose }.show(ui, &mut kept.formulas, head);
-            if !open {
-                Prose { role: Role::Quiet, ..prose }.show(ui, &mut kept.formulas, &question_text(state, posed));
-            }
-            let (place, _) = ui.allocate_exact_size(vec2(ui.available_width(), 30.0), egui::Sense::hover());
-            let letter = char::from(b'A' + right.min(25) as u8);
-            let says = format!("{letter}   {}", plain(&label(&posed.choices[right])));
-            caption(ui.painter(), place.left_center(), Align2::LEFT_CENTER, &says, Face::Bold, 19.0, role, theme);
-            for (index, choice) in posed.choices.iter().enumerate().filter(|(index, _)| *index != right) {
-                let letter = char::from(b'A' + index.min(25) as u8);
-                let text = format!("{letter}, {}: {}", label(choice), reason(state, posed, choice));
-                Prose { role: Role::Wrong, ..prose }.show(ui, &mut kept.formulas, &text);
+            for (set, text) in parts(scale) {
+                set.show(ui, &mut kept.formulas, text);
             }
         });
     });

@@ -1,6 +1,6 @@
 //! What the speaker is to say.
 
-use egui::{Align2, Button, Rect, RichText, ScrollArea, Ui, UiBuilder, pos2, vec2};
+use egui::{Align2, Button, Rect, RichText, ScrollArea, Ui, UiBuilder, Vec2, pos2, vec2};
 use raystep_figure::{Face, Role};
 
 use super::desk::{Desk, heading};
@@ -37,9 +37,35 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, formulas: &mut Formulas, letter
     let mut child = ui.new_child(UiBuilder::new().max_rect(words));
     child.set_clip_rect(words);
     let notes = if slide.notes.is_empty() { "This slide has no notes." } else { &slide.notes };
-    let prose = Prose { theme, size: *letters, role: Role::Text, face: Face::Regular, leading: LEADING };
+    let set = |size: f32| Prose { theme, size, role: Role::Text, face: Face::Regular, leading: LEADING };
+    // A little smaller than is wished for, where all of it then has room.
+    let wide = words.width() - 8.0;
+    let tried = (0..4).map(|less| *letters - less as f32).filter(|size| *size >= SIZES[0]);
+    let fits = tried.into_iter().find(|size| set(*size).height(ui, formulas, notes, wide) <= words.height());
+    let prose = set(fits.unwrap_or(*letters));
+    // Else whole lines are seen, and a sign that there are more.
+    if fits.is_none() {
+        let foot = prose.size * LEADING;
+        let high = whole_lines(ui, formulas, &prose, notes, vec2(wide, words.height() - foot));
+        let seen = Rect::from_min_size(words.min, vec2(words.width(), high));
+        child = ui.new_child(UiBuilder::new().max_rect(seen));
+        child.set_clip_rect(seen);
+        let at = pos2(words.center().x, words.bottom() - foot * 0.5);
+        caption(ui.painter(), at, Align2::CENTER_CENTER, "▼  more below", Face::Medium, 12.5, Role::Quiet, theme);
+    }
     ScrollArea::vertical().id_salt(("notes", desk.wall.state.view.slide)).auto_shrink(false).show(&mut child, |ui| {
         ui.set_width(ui.available_width() - 8.0);
         prose.show(ui, formulas, notes);
     });
+}
+
+/// How high those lines are that fit as a whole.
+fn whole_lines(ui: &Ui, formulas: &mut Formulas, prose: &Prose<'_>, notes: &str, room: Vec2) -> f32 {
+    let line = prose.size * prose.leading;
+    // Where each paragraph begins: notes have one a line.
+    let ends = notes.match_indices('\n').map(|(at, _)| at + 1);
+    let begins =
+        ends.map(|end| prose.height(ui, formulas, &notes[..end], room.x) + prose.size * (prose.leading - 0.75));
+    let tops: Vec<f32> = std::iter::once(0.0).chain(begins).take_while(|top| top + line <= room.y).collect();
+    tops.last().map_or(room.y, |top| top + ((room.y - top) / line).floor() * line)
 }

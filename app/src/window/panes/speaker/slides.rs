@@ -1,6 +1,7 @@
 //! The slides that come, to be clicked, and all steps of this one.
 
 use egui::{Align2, Id, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
+use raystep_figure::fonts::elided;
 use raystep_figure::{Face, Role, text_width};
 
 use super::desk::{AskedHere, Desk, heading};
@@ -12,12 +13,27 @@ use crate::window::look::visuals::{fill, ink};
 /// How many slides are shown.
 pub(crate) const SHOWN: usize = 4;
 
+/// The letters of titles.
+const LETTERS: f32 = 12.5;
+
+/// A title in one line or two; what does not fit into them ends with dots.
+fn lines(title: &str, wide: f32) -> Vec<String> {
+    if text_width(title, Face::Regular, LETTERS) <= wide {
+        return vec![title.to_owned()];
+    }
+    let blanks = title.match_indices(' ').map(|(at, _)| at);
+    let fits = blanks.filter(|at| text_width(&title[..*at], Face::Regular, LETTERS) <= wide).last();
+    let (first, rest) = title.split_at(fits.unwrap_or(0));
+    let rest = elided(rest.trim(), Face::Regular, LETTERS, wide);
+    [first.to_owned(), rest].into_iter().filter(|line| !line.is_empty()).collect()
+}
+
 pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<AskedHere>) {
     let theme = desk.wall.theme;
     heading(ui, desk, rect.min, "Next slides");
     let room = Rect::from_min_max(rect.min + vec2(0.0, 22.0), rect.max - vec2(0.0, 30.0));
     let gap = 14.0;
-    let high = (room.height() - 38.0).max(30.0);
+    let high = (room.height() - 54.0).max(30.0);
     let wide = ((room.width() - gap * (SHOWN - 1) as f32) / SHOWN as f32).min(high * 1.6);
     let slides = &desk.wall.state.library.slides;
     for index in 0..SHOWN {
@@ -46,17 +62,11 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<Ask
         let says = format!("{:.0} min", minutes(slide));
         let at = pos2(picture.right(), picture.bottom() + 11.0);
         caption(ui.painter(), at, Align2::RIGHT_CENTER, &says, Face::Regular, 12.5, Role::Quiet, theme);
-        let size = 13.0 * (wide / text_width(&slide.title, Face::Regular, 13.0)).clamp(0.7, 1.0);
-        caption(
-            &ui.painter_at(whole),
-            below(28.0),
-            Align2::LEFT_CENTER,
-            &slide.title,
-            Face::Regular,
-            size,
-            Role::Text,
-            theme,
-        );
+        // A long title has two lines.
+        for (row, line) in lines(&slide.title, wide).into_iter().enumerate() {
+            let at = below(27.0 + 15.0 * row as f32);
+            caption(ui.painter(), at, Align2::LEFT_CENTER, &line, Face::Regular, LETTERS, Role::Text, theme);
+        }
     }
     let Some(playback) = desk.wall.state.playback() else { return };
     let (mut step, last) = (desk.wall.state.view.step, playback.steps().last());

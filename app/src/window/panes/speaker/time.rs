@@ -1,13 +1,17 @@
 //! The bar of the time: where the talk is, how many minutes have passed, and how many the notes had planned by now.
 
 use egui::{Align2, Button, DragValue, Rect, RichText, Ui, UiBuilder, pos2, vec2};
-use raystep_figure::{Face, Role};
+use raystep_figure::fonts::elided;
+use raystep_figure::{Face, Role, text_width};
 
 use super::desk::{AskedHere, Desk};
 use crate::shown::talk::{LENGTHS, clock};
 use crate::window::look::fonts::font;
 use crate::window::look::painter::caption;
 use crate::window::look::visuals::ink;
+
+/// A window below this width is small.
+const SMALL: f32 = 1200.0;
 
 /// So many minutes nobody calls late.
 const EVEN: f32 = 0.75;
@@ -19,24 +23,35 @@ pub(super) fn bar(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<Aske
     let say = |x: f32, y: f32, anchor: Align2, text: &str, face: Face, size: f32, role: Role| {
         caption(&painter, pos2(x, y), anchor, text, face, size, role, theme);
     };
-    say(rect.left() + 18.0, y, Align2::LEFT_CENTER, "Raystep", Face::Bold, 17.0, Role::Text);
-    say(rect.left() + 92.0, y, Align2::LEFT_CENTER, "speaker", Face::Regular, 15.0, Role::Quiet);
+    // A small window has the slide's title instead of its own name, and a shorter bar.
+    let small = rect.width() < SMALL;
+    let wide = if small { 200.0 } else { 330.0 };
+    let bar = Rect::from_min_max(pos2(rect.right() - 190.0 - wide, y - 2.0), pos2(rect.right() - 190.0, y + 5.0));
+    let left = rect.left() + if small { 18.0 } else { 176.0 };
+    if !small {
+        say(rect.left() + 18.0, y, Align2::LEFT_CENTER, "Raystep", Face::Bold, 17.0, Role::Text);
+        say(rect.left() + 92.0, y, Align2::LEFT_CENTER, "speaker", Face::Regular, 15.0, Role::Quiet);
+    }
+    let (passed, planned) = (desk.talk.passed(desk.now), desk.talk.planned(desk.wall.state));
+    let passes = clock(passed);
     if let Some(slide) = desk.wall.state.slide() {
         let says = format!("{}  {}", slide.id(), slide.title);
-        say(rect.left() + 176.0, y - 9.0, Align2::LEFT_CENTER, &says, Face::Medium, 15.0, Role::Text);
+        // A long title is set smaller, and ends before the time.
+        let room = bar.left() - 28.0 - text_width(&passes, Face::Bold, 26.0) - left;
+        let size = 15.0 * (room / text_width(&says, Face::Medium, 15.0)).clamp(0.8, 1.0);
+        let says = elided(&says, Face::Medium, size, room);
+        say(left, y - 9.0, Align2::LEFT_CENTER, &says, Face::Medium, size, Role::Text);
         let mut where_ = format!("{} · step {}", slide.numbers_text(), desk.wall.state.view.step);
         if !desk.wall.state.lecture.typed.is_empty() {
             where_ = format!("to slide {} …", desk.wall.state.lecture.typed);
         }
-        say(rect.left() + 176.0, y + 10.0, Align2::LEFT_CENTER, &where_, Face::Regular, 13.0, Role::Quiet);
+        say(left, y + 10.0, Align2::LEFT_CENTER, &where_, Face::Regular, 13.0, Role::Quiet);
     }
     say(rect.right() - 18.0, y, Align2::RIGHT_CENTER, desk.clock, Face::Bold, 28.0, Role::Text);
     // How far the time is, and where the plan is.
-    let (passed, planned) = (desk.talk.passed(desk.now), desk.talk.planned(desk.wall.state));
     let length = desk.talk.length(&desk.wall.state.library);
-    let bar = Rect::from_min_max(pos2(rect.right() - 520.0, y - 2.0), pos2(rect.right() - 190.0, y + 5.0));
     let at = |minutes: f32| bar.left() + bar.width() * (minutes / length.max(1.0)).clamp(0.0, 1.0);
-    say(bar.left() - 14.0, y, Align2::RIGHT_CENTER, &clock(passed), Face::Bold, 26.0, Role::Text);
+    say(bar.left() - 14.0, y, Align2::RIGHT_CENTER, &passes, Face::Bold, 26.0, Role::Text);
     painter.rect_filled(bar, 0.0, ink(theme, Role::Edge).gamma_multiply(0.35));
     painter.rect_filled(Rect::from_min_max(bar.min, pos2(at(passed), bar.bottom())), 0.0, ink(theme, Role::Here));
     let plan = at(planned);

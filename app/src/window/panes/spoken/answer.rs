@@ -26,6 +26,9 @@ const LEAST: f32 = 1.75;
 const KEY: f32 = 2.1;
 const SIGN: f32 = 1.5;
 
+/// Answers that stand beside each other are at least so wide, in letters of the page.
+const NARROW: f32 = 8.0;
+
 /// How high an answer is in a column of this width, whose letters have this size.
 pub(super) fn height(ui: &Ui, name: &str, theme: &Theme, body: f32, width: f32) -> f32 {
     (text(ui, name, theme, body, width).size().y + body * 0.5).max(body * LEAST)
@@ -36,9 +39,22 @@ fn text(ui: &Ui, name: &str, theme: &Theme, body: f32, width: f32) -> Arc<Galley
     ui.painter().layout(name.to_owned(), font(Face::Regular, body), ink(theme, Role::Text), room)
 }
 
-/// Shows an answer; says whether it was given.
-pub(super) fn show(ui: &mut Ui, index: usize, name: &str, mark: Mark, theme: &Theme, body: f32) -> bool {
-    let width = ui.available_width();
+/// How many answers stand beside each other in a column of this width: all of them, or two, where each has but one line.
+pub(super) fn across(ui: &Ui, names: &[String], theme: &Theme, body: f32, width: f32) -> usize {
+    let fits = |across: &usize| {
+        let wide = share(width, *across, body * 0.55);
+        wide > body * NARROW && names.iter().all(|name| text(ui, name, theme, body, wide).rows.len() <= 1)
+    };
+    [names.len().max(1), 2].into_iter().find(fits).unwrap_or(1)
+}
+
+/// The width of each of so many.
+pub(super) fn share(width: f32, across: usize, gap: f32) -> f32 {
+    (width - gap * across.saturating_sub(1) as f32) / across.max(1) as f32
+}
+
+/// Shows an answer of this width; says whether it was given.
+pub(super) fn show(ui: &mut Ui, index: usize, name: &str, mark: Mark, theme: &Theme, body: f32, width: f32) -> bool {
     let size = vec2(width, height(ui, name, theme, body, width));
     let open = matches!(mark, Mark::Open | Mark::Wrong);
     let (rect, response) = ui.allocate_exact_size(size, if open { Sense::click() } else { Sense::hover() });

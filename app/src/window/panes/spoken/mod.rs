@@ -5,6 +5,6 @@ mod fitted;
 mod pages;
 mod speech;
 
-pub(super) use fitted::{Column, Fitted};
+pub(super) use fitted::{Column, Fitted, Room};
 pub(crate) use pages::Pages;
 pub(super) use speech::Speech;

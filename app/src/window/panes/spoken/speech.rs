@@ -27,6 +27,7 @@ enum Part {
 }
 
 /// What is said at a step, from above.
+#[derive(Clone)]
 pub(crate) struct Speech(Vec<Part>);
 
 impl Speech {
@@ -184,7 +185,12 @@ impl Part {
                 Prose { size: body * size, role: *role, face: *face, ..*prose }.height(ui, formulas, text, width)
             }
             Part::Answers { names, .. } => {
-                stacked(names.iter().map(|name| answer::height(ui, name, theme, body, width)).collect())
+                let across = answer::across(ui, names, theme, body, width);
+                let wide = answer::share(width, across, gap(body));
+                let high = |names: &[String]| {
+                    names.iter().map(|name| answer::height(ui, name, theme, body, wide)).fold(0.0, f32::max)
+                };
+                stacked(names.chunks(across).map(high).collect())
             }
             Part::Offers(words) => {
                 let padding = ui.spacing().button_padding;
@@ -206,16 +212,24 @@ impl Part {
                 Prose { size: body * size, role: *role, face: *face, ..*prose }.show(ui, formulas, text);
             }
             Part::Answers { names, wrong, right } => {
-                for (index, name) in names.iter().enumerate() {
-                    let mark = match () {
-                        () if *right == Some(index) => answer::Mark::Right,
-                        () if *wrong == Some(index) => answer::Mark::Wrong,
-                        () if right.is_some() => answer::Mark::Closed,
-                        () => answer::Mark::Open,
-                    };
-                    if answer::show(ui, index, name, mark, theme, body) {
-                        asked = Some(Command::Answer(index as u8));
-                    }
+                let width = ui.available_width();
+                let across = answer::across(ui, names, theme, body, width);
+                let wide = answer::share(width, across, gap(body));
+                let mark = |index: usize| match () {
+                    () if *right == Some(index) => answer::Mark::Right,
+                    () if *wrong == Some(index) => answer::Mark::Wrong,
+                    () if right.is_some() => answer::Mark::Closed,
+                    () => answer::Mark::Open,
+                };
+                for (row, beside) in names.chunks(across).enumerate() {
+                    ui.horizontal_top(|ui| {
+                        ui.spacing_mut().item_spacing.x = gap(body);
+                        for (index, name) in (row * across..).zip(beside) {
+                            if answer::show(ui, index, name, mark(index), theme, body, wide) {
+                                asked = Some(Command::Answer(index as u8));
+                            }
+                        }
+                    });
                 }
             }
             Part::Offers(words) => {

@@ -26,12 +26,12 @@ fn colour(part: f64) -> [u8; 4] {
     [r, g, b, 255]
 }
 
-/// The picture of counts. Nothing is white: rays that cost nothing.
+/// The picture of counts. Rays that cost nothing have no colour: the page is seen there.
 pub(super) fn image(map: &Map, most: u32) -> Image {
     // Counts come again and again: each has its colour looked up once.
     let few = (0..=most.min(4096)).map(|count| colour(part(f64::from(count), most))).collect::<Vec<_>>();
     let of = |count: &u32| match few.get(*count as usize) {
-        _ if *count == 0 => [255, 255, 255, 255],
+        _ if *count == 0 => [0; 4],
         Some(colour) => *colour,
         None => colour(part(f64::from(*count), most)),
     };
@@ -48,9 +48,6 @@ pub(super) fn shares(map: &Map, most: u32) -> Vec<f32> {
     }
     shares
 }
-
-/// The pixel of rays that cost nothing.
-static NOTHING: OnceLock<Arc<[u8]>> = OnceLock::new();
 
 /// All colours of the scale, the largest count's on top; made once.
 fn bar_image() -> Image {
@@ -100,9 +97,7 @@ pub(super) fn legend(figure: &mut Figure, legend: &Legend<'_>, corner: Vec2, hig
     // Rays that cost nothing have a swatch of their own.
     if nothing {
         let corner = zero(top, bar, u);
-        // As white as in the map, whatever the page is.
-        let white = Image { width: 1, height: 1, rgba: NOTHING.get_or_init(|| [255; 4].into()).clone() };
-        figure.add(Role::Scene, None, Ink::Image { min: corner, max: corner + bar.x, image: white });
+        // As empty as in the map.
         figure.add(Role::Edge, None, outline(corner, corner + Vec2::splat(bar.x)));
         let at = corner + Vec2::new(bar.x + u * 0.5, bar.x * 0.5);
         write(figure, Role::Quiet, None, at, "0", small, Face::Regular, Anchor::Start);

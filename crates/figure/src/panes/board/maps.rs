@@ -117,6 +117,11 @@ impl Maps {
         (0..self.maps.len()).map(corner).map(|min| [min, min + size]).collect()
     }
 
+    /// How high each of them is.
+    pub(super) fn high(&self, room: Vec2, look: &Look) -> f32 {
+        self.corners(room, look).first().map_or(0.0, |[min, max]| max.y - min.y)
+    }
+
     /// The pixel at a point, of those maps that are `shown`.
     pub(super) fn pixel_at(
         &self,

@@ -116,11 +116,6 @@ fn letters(panel: &Panel) -> [f32; 2] {
     }
 }
 
-/// How wide a board is at least, in letters.
-pub(crate) fn across(panels: &[Panel]) -> f32 {
-    panels.iter().map(|panel| letters(panel)[0]).fold(0.0, f32::max)
-}
-
 /// How some panels are set: letters that are small enough for all of them, and a chart's part of the width where the
 /// others stand beside it. What stands in the presenter's hall is large, but a table may not be cut.
 fn fitted(panels: &[&Panel], ask: &Ask<'_>, wide: bool) -> (Look, f32) {
@@ -151,12 +146,8 @@ fn fitted(panels: &[&Panel], ask: &Ask<'_>, wide: bool) -> (Look, f32) {
 
 /// Which panels stand there: all of them, where their letters can be read; else the one that is spoken of, with those
 /// beside it that have room.
-fn shown(panels: &[Panel], filled: Filled, ask: &Ask<'_>, wide: bool) -> Vec<bool> {
-    let reads = |chosen: &[bool]| {
-        let these: Vec<&Panel> =
-            panels.iter().zip(chosen).filter(|(_, chosen)| **chosen).map(|(panel, _)| panel).collect();
-        fitted(&these, ask, wide).0.text >= ask.look.least.min(ask.look.text)
-    };
+fn shown(panels: &[Panel], filled: Filled, ask: &Ask<'_>) -> Vec<bool> {
+    let reads = |chosen: &[bool]| placed(panels, chosen, ask).reads(ask);
     let mut chosen = vec![true; panels.len()];
     if reads(&chosen) {
         return chosen;
@@ -187,10 +178,55 @@ struct Layout<'a> {
     rooms: Vec<(&'a Panel, [Vec2; 2])>,
 }
 
+impl Layout<'_> {
+    /// Whether all letters are as large as they are to be at least.
+    fn reads(&self, ask: &Ask<'_>) -> bool {
+        let least = ask.look.least.min(ask.look.text);
+        let has_table = self.rooms.iter().any(|(panel, _)| matches!(panel, Panel::Table(_)));
+        self.look.text >= least && (!has_table || self.tables.text >= least)
+    }
+
+    /// How large what stands there is seen, in sizes that are good to read: as large as the smallest of it.
+    fn worth(&self, ask: &Ask<'_>) -> f32 {
+        let u = ask.look.text.max(1.0);
+        let seen = |(panel, [_, room]): &(&Panel, [Vec2; 2])| match panel {
+            Panel::Table(_) => (self.tables.text / u).min(GOOD_TABLE),
+            Panel::Meter(_) => self.look.text / u,
+            Panel::Chart(_) => (room.x / 34.0).min(room.y / 18.0).min(self.look.text * GOOD_CHART) / u,
+            Panel::Maps(maps) => maps.high(*room, &self.look) / (u * GOOD_PICTURE),
+            Panel::Pictures(pictures) => pictures.high(*room, &self.look) / (u * GOOD_PICTURE),
+        };
+        self.rooms.iter().map(seen).fold(f32::INFINITY, f32::min)
+    }
+}
+
+/// A table's letters in those wished for, a chart's room in those that it needs, a picture's height in letters: above
+/// these nothing is won, or everything is well.
+const GOOD_TABLE: f32 = 1.15;
+const GOOD_CHART: f32 = 1.3;
+const GOOD_PICTURE: f32 = 13.0;
+
+/// How well a board is seen in so much room, whichever of its panels is spoken of: 1 is well, twice that twice as large.
+/// It is better seen as a whole than in parts.
+pub(crate) fn worth(panels: &[Panel], ask: &Ask<'_>) -> f32 {
+    let of = |panel: &Panel| {
+        let step = panel.entries().into_iter().min()? + 1;
+        let layout = layout(panels, Filled { step, asks: false }, ask);
+        Some(layout.worth(ask) * (0.85 + 0.15 * layout.rooms.len() as f32 / panels.len() as f32))
+    };
+    let worth = panels.iter().filter_map(of).fold(f32::INFINITY, f32::min);
+    if worth.is_finite() { worth } else { 1.0 }
+}
+
 fn layout<'a>(panels: &'a [Panel], filled: Filled, ask: &Ask<'_>) -> Layout<'a> {
+    placed(panels, &shown(panels, filled, ask), ask)
+}
+
+/// The panels that are chosen, each in its room.
+fn placed<'a>(panels: &'a [Panel], chosen: &[bool], ask: &Ask<'_>) -> Layout<'a> {
     let wide = ask.size.x > ask.size.y * 1.15;
-    let chosen = shown(panels, filled, ask, wide);
-    let panels: Vec<&Panel> = panels.iter().zip(chosen).filter(|(_, chosen)| *chosen).map(|(panel, _)| panel).collect();
+    let panels: Vec<&Panel> =
+        panels.iter().zip(chosen).filter(|(_, chosen)| **chosen).map(|(panel, _)| panel).collect();
     let (look, chart) = fitted(&panels, ask, wide);
     let (mut corner, mut rooms) = (Vec2::ZERO, Vec::new());
     let mut column = &panels[..];
@@ -232,12 +268,12 @@ fn lines_of_tables(column: &[&Panel], room: Vec2, look: &Look) -> Lines {
     let others = look.text * column.iter().map(|panel| least(panel)).sum::<f32>();
     // A table alone that is wider than its letters allow has more lines instead.
     let narrow = column.len() == 1 && tables().any(|table| table.across(room.x, false, look) < look.text);
-    let row = match column.iter().any(|panel| matches!(panel, Panel::Maps(_))) {
-        _ if narrow => table::TWO,
-        true => table::CLOSE,
-        false => table::ROW,
+    let [close, open] = match column.iter().any(|panel| matches!(panel, Panel::Maps(_))) {
+        _ if narrow => [table::TWO_CLOSE, table::TWO],
+        true => [table::CLOSE, table::CLOSE],
+        false => [table::CLOSE, table::ROW],
     };
-    let high = |text: f32| tables().map(|table| table.height(Lines { text, row, narrow }, look)).sum::<f32>();
+    let high = |text: f32| tables().map(|table| table.height(Lines { text, row: close, narrow }, look)).sum::<f32>();
     let (heads, lines) = (high(0.0), high(1.0) - high(0.0));
     // Beside pictures it is they that grow.
     let pictures = column.iter().any(|panel| matches!(panel, Panel::Chart(_) | Panel::Maps(_) | Panel::Pictures(_)));
@@ -249,7 +285,10 @@ fn lines_of_tables(column: &[&Panel], room: Vec2, look: &Look) -> Lines {
     let largest = look.text * largest;
     let across = tables().map(|table| table.across(room.x, narrow, look)).fold(largest, f32::min);
     let text = across.min((room.y - others - heads) / lines.max(1.0)).max(look.text * table::SMALLEST);
-    Lines { text, row, narrow }
+    // Letters first: only then are the rows further apart.
+    let rows = tables().map(|table| table.rows.len()).sum::<usize>().max(1) as f32;
+    let spare = (room.y - others - high(text)) / (text * rows);
+    Lines { text, row: close + spare.clamp(0.0, open - close), narrow }
 }
 
 /// The heights of what stands one over the other in so much room.

@@ -48,6 +48,40 @@ const NOT_YET: &str = "not traced yet";
 const BELOW: f32 = 4.4;
 /// Most that its words grow.
 const LARGEST: f32 = 1.35;
+/// Room between two pictures, in letters.
+const GAP: f32 = 1.5;
+
+impl Pictures {
+    /// The size of the words, how many columns there are, and the width and height of a picture: as many columns as make
+    /// the pictures largest, each with two lines of words below.
+    fn set(&self, room: Vec2, top: f32, look: &Look) -> Option<(f32, usize, [f32; 2])> {
+        let u = look.text;
+        let first = self.pictures.first()?;
+        let aspect = first.size[0] as f32 / first.size[1].max(1) as f32;
+        let many = self.pictures.len();
+        let set = |letters: f32| {
+            let fitting = |columns: usize| {
+                let rows = many.div_ceil(columns) as f32;
+                let across = (room.x - 2.0 * look.margin() - u * GAP * (columns as f32 - 1.0)) / columns as f32;
+                (across / aspect).min((room.y - top) / rows - letters * BELOW)
+            };
+            let each = (1..=many).map(|columns| (columns, fitting(columns)));
+            each.max_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap_or((1, 0.0))
+        };
+        // The words are larger where that makes no picture smaller.
+        let grown = u * LARGEST;
+        let u = if set(grown).1 >= set(u).1 { grown } else { u };
+        let (columns, high) = set(u);
+        let high = high.max(u * 4.0);
+        Some((u, columns, [high * aspect, high]))
+    }
+
+    /// How high each of them is.
+    pub(super) fn high(&self, room: Vec2, look: &Look) -> f32 {
+        let top = look.heading(&mut Figure::new(Vec2::ZERO), "", "") + look.text * 0.8;
+        self.set(room, top, look).map_or(0.0, |(.., [_, high])| high)
+    }
+}
 
 /// Forms over a picture of this size, as far as they lie in it.
 fn over(forms: &[Form], camera: &Camera, size: Vec2) -> Figure {
@@ -64,26 +98,9 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
     let seen = pictures.pictures.iter().filter(|picture| filled.shows(picture.entry)).map(|picture| picture.known);
     let top = heading(look, &mut figure, &pictures.title, &pictures.about, legend(seen)) + u * 0.8;
     let left = look.margin();
-    let gap = u * 1.5;
-    let Some(first) = pictures.pictures.first() else { return figure };
-    let aspect = first.size[0] as f32 / first.size[1].max(1) as f32;
-    // As many columns as make the pictures largest; each has two lines of words below.
-    let many = pictures.pictures.len();
-    let set = |letters: f32| {
-        let fitting = |columns: usize| {
-            let rows = many.div_ceil(columns) as f32;
-            let across = (room.x - 2.0 * left - gap * (columns as f32 - 1.0)) / columns as f32;
-            (across / aspect).min((room.y - top) / rows - letters * BELOW)
-        };
-        let each = (1..=many).map(|columns| (columns, fitting(columns)));
-        each.max_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap_or((1, 0.0))
-    };
-    // The words are larger where that makes no picture smaller.
-    let grown = u * LARGEST;
-    let u = if set(grown).1 >= set(u).1 { grown } else { u };
-    let (columns, high) = set(u);
-    let (high, below) = (high.max(u * 4.0), u * BELOW);
-    let wide = high * aspect;
+    let gap = u * GAP;
+    let Some((u, columns, [wide, high])) = pictures.set(room, top, look) else { return figure };
+    let below = u * BELOW;
     // Words may be wider than their picture: they have the room as far as the next one.
     let words = |picture: &Picture| {
         let name = text_width(&picture.name, Face::Bold, u * 1.1);

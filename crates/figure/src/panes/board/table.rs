@@ -81,10 +81,11 @@ pub(super) const BESIDE: f32 = 1.15;
 pub(super) const SMALLEST: f32 = 0.72;
 /// The room of the heading, in letters of the board.
 const HEAD: f32 = 3.0;
-/// A row's height in letters, where notes stand below names, and where heat maps need the room.
+/// A row's height in letters, where there is room and where there is little; and the same where notes stand below names.
 pub(super) const ROW: f32 = 2.5;
-pub(super) const TWO: f32 = 3.0;
 pub(super) const CLOSE: f32 = 1.8;
+pub(super) const TWO: f32 = 3.0;
+pub(super) const TWO_CLOSE: f32 = 2.7;
 
 impl Table {
     /// How high it stands in letters of this size.
@@ -101,7 +102,10 @@ impl Table {
     /// How wide and how high it is at least, in letters.
     pub(super) fn letters(&self) -> [f32; 2] {
         let natural: f32 = self.widths(1.0, false).iter().map(|width| width + GAP).sum();
-        [natural * 0.9 + 2.0, 0.8 * (ROW * (self.rows.len() as f32 + 1.0) + self.head_lines(false) as f32 * 1.5) + 3.5]
+        [
+            natural * 0.9 + 2.0,
+            0.9 * (CLOSE * (self.rows.len() as f32 + 1.0) + self.head_lines(false) as f32 * 1.5) + 3.5,
+        ]
     }
 
     /// How many lines the longest head has.
