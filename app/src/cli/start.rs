@@ -23,7 +23,7 @@ pub struct StartArguments {
     #[arg(long, value_name = "NAME")]
     ray: Option<String>,
     /// The step.
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = spelt::whole(0..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = spelt::whole(0_usize..))]
     step: Option<usize>,
     /// A place as Ctrl+L copies it, as in "5/33?step=13".
     #[arg(long, value_name = "LINK", conflicts_with_all = ["slide", "ray", "step", "mesh"])]

@@ -32,15 +32,15 @@ pub struct ForestArguments {
     size: Size,
     /// Rays from the eye for each pixel.
     #[arg(long, value_name = "N", default_value_t = 4, allow_negative_numbers = true,
-          value_parser = spelt::whole(1..=64))]
+          value_parser = spelt::whole(1_u32..=64))]
     samples: u32,
     /// How many trees there are.
     #[arg(long, value_name = "N", default_value_t = MOST_TREES,
-          allow_negative_numbers = true, value_parser = spelt::whole(1..=MOST_TREES))]
+          allow_negative_numbers = true, value_parser = spelt::whole(1_u32..=MOST_TREES))]
     trees: u32,
     /// Triangles of each tree, at least.
     #[arg(long, value_name = "N", default_value_t = TRIANGLES_OF_A_TREE,
-          allow_negative_numbers = true, value_parser = spelt::whole(1000..=4_000_000))]
+          allow_negative_numbers = true, value_parser = spelt::whole(1000_u32..=4_000_000))]
     triangles: u32,
     /// Where to write the picture.
     #[arg(long, value_name = "FILE.png", default_value = "forest.png")]

@@ -60,7 +60,7 @@ pub struct MeasureArguments {
     growth: bool,
     /// With --growth: cut the teapot's patches into N×N at most.
     #[arg(long, value_name = "N", default_value_t = 100, requires = "growth",
-          allow_negative_numbers = true, value_parser = spelt::whole(1..=100))]
+          allow_negative_numbers = true, value_parser = spelt::whole(1_u32..=100))]
     finest: u32,
     /// How to write it.
     #[arg(long, value_enum, default_value = "text")]

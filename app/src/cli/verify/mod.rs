@@ -32,14 +32,14 @@ use tally::Tally;
 pub struct VerifyArguments {
     /// How many rays to shoot.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, allow_negative_numbers = true,
-          value_parser = spelt::whole(1..))]
+          value_parser = spelt::whole(1_u64..))]
     rays: u64,
     /// The kind of structure: grid, kd, bvh, fast-bvh8 ..., all whose names begin alike: fast-*, or all.
     #[arg(long, value_name = "KIND", default_value = "all")]
     structure: String,
     /// Another seed: other scenes and other rays.
     #[arg(long, value_name = "S", default_value_t = 0, allow_negative_numbers = true,
-          value_parser = spelt::whole(0..))]
+          value_parser = spelt::whole(0_u64..))]
     seed: u64,
     /// Ask each ray of one structure of each kind only, of another one for the next ray: more rays in the same time.
     #[arg(long)]

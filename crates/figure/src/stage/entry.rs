@@ -12,6 +12,9 @@ use crate::world::{Form, Space};
 
 const SAYS: &str = "starts outside the picture";
 
+/// A picture is so many times as wide as the word, or does without it.
+const WIDER: f32 = 3.5;
+
 /// So often the part of the ray that is outside is halved to find where it comes in.
 const HALVINGS: usize = 32;
 
@@ -27,6 +30,10 @@ pub(super) fn set(space: &Space, lens: &Lens, figure: &mut Figure, obstacles: &m
     figure.add(Role::Live, None, Ink::Arrowhead { tip, along, length: HEAD });
     obstacles.spots.push((Spot::around(tip - along * HEAD * 0.5, Vec2::splat(HEAD * 0.5)), HOPELESS));
     let (size, face) = (letters(figure), Face::Medium);
+    // In a small picture, one of several with the same ray, the arrow says enough.
+    if text_width(SAYS, face, size) * WIDER > figure.size.x {
+        return;
+    }
     let half = Vec2::new(text_width(SAYS, face, size) * 0.5 + size * ASIDE, size * HALF);
     let spots = beside_point(Some(tip), half).into_iter().filter_map(|spot| spot.moved_into(figure.size));
     let cost = |spot: &Spot| obstacles.cost(*spot) + outside(*spot, figure.size);
