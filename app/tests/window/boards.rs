@@ -153,7 +153,7 @@ fn a_board_is_filled_entry_by_entry_coarsely_first_and_nothing_moves() {
         let step = last.steps().last();
         let (before, after) = (texts(first, step), texts(last, step));
         let stays: Vec<&String> = before.keys().filter(|text| after.contains_key(*text)).collect();
-        assert!(stays.len() > 5, "{id}: {stays:?}");
+        assert!(stays.len() > 2, "{id}: {stays:?}");
         for text in stays {
             assert_eq!(before[text], after[text], "{id}: {text} moves");
         }

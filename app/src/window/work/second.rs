@@ -157,7 +157,7 @@ fn found(state: &mut State, index: usize, shows: &Shows) -> Option<String> {
     let named = |ray: usize| state.stage()?.rays.get(ray).map(|ray| ray.name.clone());
     let instead = match shows {
         Shows::Ray(ray) if own => named(*ray).map(|name| {
-            format!("Your own ray does not show it; \u{201c}{name}\u{201d} does. Backspace goes back to your own.")
+            format!("Your own ray does not show it; \u{201c}{name}\u{201d} does. Ctrl+Z goes back to your own.")
         }),
         _ => None,
     };

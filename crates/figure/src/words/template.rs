@@ -41,6 +41,11 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
                 filled.push_str(&value(&Value::Count(n)));
                 filled.extend([" ", &one_or_many(n == 1, noun)]);
             }
+            // What is not measured yet will be many.
+            Some(waits @ Value::Word(..)) if !noun.is_empty() => {
+                filled.push_str(&value(&waits));
+                filled.extend([" ", &one_or_many(false, noun)]);
+            }
             Some(found) => filled.push_str(&value(&found)),
             None => filled.push_str(&opened[..end + 2]),
         }
