@@ -11,6 +11,8 @@ use crate::window::{Window, library, settle, sized};
 /// The smallest letters of a picture, in parts of the page's height; and the part of its room that it has in one direction
 /// where they are smaller.
 const LEGIBLE: f32 = 1.0 / 61.0;
+/// The numbers of primitives in pictures side by side may be a little smaller.
+const NUMBERS: f32 = 1.0 / 75.0;
 const FULL: f32 = 0.85;
 
 /// Around a figure is room for the borders of panes.
@@ -88,7 +90,8 @@ fn what_a_board_shows_is_read_from_the_last_row_or_fills_its_room() {
                     println!("{what}: {says}");
                     told.clone_from(&says);
                 }
-                let is_large = least >= size[1] * LEGIBLE;
+                let legible = if slide.plays == Plays::Board { LEGIBLE } else { NUMBERS };
+                let is_large = least >= size[1] * legible;
                 // Rules between walks go all across.
                 let is_full = slide.plays == Plays::Board && filled.max_element() >= FULL;
                 if out > 1.5 || !(is_large || is_full) {

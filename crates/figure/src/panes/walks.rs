@@ -156,13 +156,18 @@ fn below_heads(walkers: &[Walker<'_>], wide: f32, look: &Look) -> f32 {
     look.text * (4.4 + NOTE * (most - 1) as f32)
 }
 
+/// How much of the growth of letters those in the pictures have: they need room beside each other.
+const LARGER: f32 = 0.75;
+
 /// The picture of a walk, and below it what the walk has paid so far.
 fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, picture: Vec2, look: &Look) {
     let Walker { walk, moment, .. } = *walker;
     let (u, left) = (look.text, look.margin());
     let shown = space(walk, moment);
     let camera = Camera::frame(&walk.world(), picture.x / picture.y, true);
-    let mut part = stage(&shown, walk.prims, &camera, picture, Scenery::Drawn);
+    // Where letters are large, those in the picture are so, too.
+    let larger = (u / Look::WINDOW.text * LARGER).max(1.0);
+    let mut part = stage(&shown, walk.prims, &camera, picture / larger, Scenery::Drawn).scaled(larger);
     crop(&mut part, u * 0.5);
     figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(Vec2::new(left, top))));
     let y = top + picture.y + u * 1.6;
