@@ -69,8 +69,10 @@ fn wrong(text: &str) -> Option<&str> {
         let named = named.iter().any(|noun| before.to_lowercase().ends_with(noun));
         let rest = &text[at + 2..];
         let noun = rest.split(|letter: char| !letter.is_alphabetic()).next().unwrap_or_default();
-        let noun =
-            if rest.starts_with("**") { rest[2..].split(|letter: char| !letter.is_alphabetic()).next()? } else { noun };
+        let noun = match rest.strip_prefix("**") {
+            Some(bold) => bold.split(|letter: char| !letter.is_alphabetic()).next()?,
+            None => noun,
+        };
         (!digit && !named && MANY.contains(&noun)).then(|| &text[at..])
     })
 }

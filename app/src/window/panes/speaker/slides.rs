@@ -22,7 +22,7 @@ fn lines(title: &str, wide: f32) -> Vec<String> {
         return vec![title.to_owned()];
     }
     let blanks = title.match_indices(' ').map(|(at, _)| at);
-    let fits = blanks.filter(|at| text_width(&title[..*at], Face::Regular, LETTERS) <= wide).last();
+    let fits = blanks.filter(|at| text_width(&title[..*at], Face::Regular, LETTERS) <= wide).next_back();
     let (first, rest) = title.split_at(fits.unwrap_or(0));
     let rest = elided(rest.trim(), Face::Regular, LETTERS, wide);
     [first.to_owned(), rest].into_iter().filter(|line| !line.is_empty()).collect()
