@@ -11,8 +11,8 @@ use crate::window::{Window, library, settle, sized};
 /// The smallest letters of a picture, in parts of the page's height; and the part of its room that it has in one direction
 /// where they are smaller.
 const LEGIBLE: f32 = 1.0 / 61.0;
-/// The numbers of primitives in pictures side by side may be a little smaller.
-const NUMBERS: f32 = 1.0 / 75.0;
+/// The numbers in pictures side by side stand in their primitives and are as large as these let them be.
+const NUMBERS: f32 = 1.0 / 110.0;
 const FULL: f32 = 0.85;
 
 /// Around a figure is room for the borders of panes.
