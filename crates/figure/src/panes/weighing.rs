@@ -2,6 +2,7 @@
 //! those along y, on the same axes; and what the chances of the two sides come from.
 
 mod held;
+mod listed;
 mod order;
 mod plots;
 mod sides;
