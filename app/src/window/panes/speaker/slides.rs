@@ -21,8 +21,8 @@ fn lines(title: &str, wide: f32) -> Vec<String> {
     if text_width(title, Face::Regular, LETTERS) <= wide {
         return vec![title.to_owned()];
     }
-    let blanks = title.match_indices(' ').map(|(at, _)| at);
-    let fits = blanks.filter(|at| text_width(&title[..*at], Face::Regular, LETTERS) <= wide).next_back();
+    let mut blanks = title.match_indices(' ').map(|(at, _)| at);
+    let fits = blanks.rfind(|at| text_width(&title[..*at], Face::Regular, LETTERS) <= wide);
     let (first, rest) = title.split_at(fits.unwrap_or(0));
     let rest = elided(rest.trim(), Face::Regular, LETTERS, wide);
     [first.to_owned(), rest].into_iter().filter(|line| !line.is_empty()).collect()
