@@ -2,6 +2,7 @@
 
 mod abreast;
 mod abreast_kept;
+mod bill;
 mod by_hand;
 mod changes;
 mod columns;

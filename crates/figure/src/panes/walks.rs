@@ -157,7 +157,7 @@ fn below_heads(walkers: &[Walker<'_>], wide: f32, look: &Look) -> f32 {
 }
 
 /// How much of the growth of letters those in the pictures have: they need room beside each other.
-const LARGER: f32 = 0.75;
+const LARGER: f32 = 0.86;
 
 /// The picture of a walk, and below it what the walk has paid so far.
 fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, picture: Vec2, look: &Look) {

@@ -26,10 +26,9 @@ pub(super) fn over(ui: &mut Ui, page: Page<'_>, kept: &mut Kept, rect: Rect, bod
     };
     let wide = rect.width() - 2.0 * f32::from(beside);
     let mut high = |size: f32| set(size).height(ui, &mut kept.formulas, notes, wide) + 2.0 * f32::from(above);
-    let heights = SIZES.map(|size| (size, high(size)));
-    let fits = heights.into_iter().find(|(_, high)| *high <= rect.height() * MOST);
-    let (size, high) = fits.unwrap_or(heights[SIZES.len() - 1]);
-    let high = high.clamp(rect.height() * LEAST, rect.height() * MOST);
+    let fits = SIZES.into_iter().find(|size| high(*size) <= rect.height() * MOST);
+    let size = fits.unwrap_or(SIZES[SIZES.len() - 1]);
+    let high = high(size).clamp(rect.height() * LEAST, rect.height() * MOST);
     let below = Rect::from_min_max(pos2(rect.left(), rect.bottom() - high), rect.max);
     ui.painter().rect_filled(below, 0.0, fill(page.theme, Role::Panel));
     ui.painter().hline(below.x_range(), below.top(), line(page.theme, Role::Here));
