@@ -3,7 +3,6 @@
 use egui_kittest::kittest::Queryable;
 use glam::Vec2;
 use raystep::window::{App, Remembered, Wishes};
-use raystep_accel::Place;
 use raystep_figure::{Anchor, Ask, Figure, Ink, Look, Pane, text_width};
 use raystep_lesson::Plays;
 
@@ -12,22 +11,22 @@ use crate::window::{Window, library, settle, sized};
 /// The smallest letters of a picture, in parts of the page's height; and the part of its room that it has in one direction
 /// where they are smaller.
 const LEGIBLE: f32 = 1.0 / 61.0;
-/// The numbers in pictures side by side stand in their primitives and are as large as these let them be.
-const NUMBERS: f32 = 1.0 / 110.0;
+/// The same where walks stand side by side, up to three of them with their trees: numbers stand in primitives and nodes,
+/// which share the page.
+const ABREAST: f32 = 1.0 / 105.0;
 const FULL: f32 = 0.85;
 
 /// Around a figure is room for the borders of panes.
 const BORDER: f32 = 5.0;
 
-/// The smallest letters of a figure, those of the numbers of its primitives, and the corners of what stands there.
-fn measured(figure: &Figure) -> ([f32; 2], Vec2, Vec2) {
-    let (mut least, mut min, mut max) = ([f32::INFINITY; 2], Vec2::INFINITY, Vec2::NEG_INFINITY);
+/// The smallest letters of a figure, and the corners of what stands there.
+fn measured(figure: &Figure) -> (f32, Vec2, Vec2) {
+    let (mut least, mut min, mut max) = (f32::INFINITY, Vec2::INFINITY, Vec2::NEG_INFINITY);
     let mut reach = |point: Vec2| (min, max) = (min.min(point), max.max(point));
     for mark in &figure.marks {
         match &mark.ink {
             Ink::Text { at, text, size, face, anchor, .. } => {
-                let least = &mut least[usize::from(matches!(mark.place, Some(Place::Prim(_))))];
-                *least = least.min(*size);
+                least = least.min(*size);
                 let wide = text_width(text, *face, *size);
                 let left = match anchor {
                     Anchor::Start => at.x,
@@ -76,14 +75,13 @@ fn what_a_board_shows_is_read_from_the_last_row_or_fills_its_room() {
                 let room = node.rect().expand(BORDER);
                 let instant = reel.at(*step);
                 let asked = Ask::new(Vec2::new(room.width(), room.height()), look);
-                let ([least, numbers], min, max) = measured(&reel.still(&instant).draw(Pane::Picture, &asked));
+                let (least, min, max) = measured(&reel.still(&instant).draw(Pane::Picture, &asked));
                 let filled = (max - min.max(Vec2::ZERO)) / asked.size;
                 let out = (max - asked.size).max_element().max(-min.min_element());
                 let what = format!("{} at {size:?}, step {step}", slide.id());
                 let says = format!(
-                    "1/{:.0} of the height, numbers 1/{:.0}, {:.0} x {:.0} % of {:.0} x {:.0}, {out:.0} out",
+                    "1/{:.0} of the height, {:.0} x {:.0} % of {:.0} x {:.0}, {out:.0} out",
                     size[1] / least,
-                    size[1] / numbers,
                     filled.x * 100.0,
                     filled.y * 100.0,
                     asked.size.x,
@@ -93,7 +91,8 @@ fn what_a_board_shows_is_read_from_the_last_row_or_fills_its_room() {
                     println!("{what}: {says}");
                     told.clone_from(&says);
                 }
-                let is_large = least >= size[1] * LEGIBLE && numbers >= size[1] * NUMBERS;
+                let legible = if slide.plays == Plays::Board { LEGIBLE } else { ABREAST };
+                let is_large = least >= size[1] * legible;
                 // Rules between walks go all across.
                 let is_full = slide.plays == Plays::Board && filled.max_element() >= FULL;
                 if out > 1.5 || !(is_large || is_full) {

@@ -23,11 +23,17 @@ pub(crate) struct Walker<'a> {
 
 /// All of them beside each other.
 pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
+    let mut figure = if walkers.len() > ABREAST { map(walkers, ask) } else { abreast(walkers, t, ask) };
+    // All have the same primitives. Their nodes share no more than numbers: what lights up in one is another place in
+    // the next.
+    figure.marks.iter_mut().for_each(|mark| mark.place = mark.place.filter(|place| matches!(place, Place::Prim(_))));
+    figure
+}
+
+/// Up to three, with their trees or cells over one axis of t.
+fn abreast(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     let mut figure = Figure::new(ask.size);
     let size = ask.size;
-    if walkers.len() > ABREAST {
-        return map(walkers, ask);
-    }
     let wide = size.x / walkers.len().max(1) as f32;
     let look = columns(walkers, ask);
     let u = look.text;
@@ -48,8 +54,6 @@ pub(crate) fn walks(walkers: &[Walker<'_>], t: f32, ask: &Ask<'_>) -> Figure {
     figure.add(Role::Panel, None, line(Vec2::new(0.0, high), Vec2::new(size.x, high)));
     let shared = shared(walkers, t, ruler, &look);
     figure.marks.extend(shared.marks.into_iter().map(|mark| mark.moved(Vec2::new(0.0, high))));
-    // Nodes of different trees share their numbers: what lights up in one is another place in the next.
-    figure.marks.iter_mut().for_each(|mark| mark.place = None);
     figure
 }
 
