@@ -352,3 +352,31 @@ fn a_link_that_is_pasted_into_the_palette_is_followed() {
     assert_eq!(paste("5/33?stepp=3"), ("5/40".to_owned(), 3, true));
     assert_eq!(paste("https://a.b/c.html#5/33?step=7&stage=flat"), ("5/33".to_owned(), 7, false));
 }
+
+#[test]
+fn a_question_is_found_again_as_it_was() {
+    let check = |commands: &[Command], says: &str| {
+        let mut first = linked("5/33?ray=both%20children&present=yes");
+        while first.state().state.question().is_none() {
+            first.state_mut().state.apply(Command::Onward);
+            settle(&mut first);
+        }
+        for command in commands {
+            first.state_mut().state.apply(*command);
+        }
+        first.run_steps(2);
+        let (stood, copy) = (stands(&first.state().state), copied(&mut first));
+        assert!(copy.contains(says), "{copy}");
+        let second = linked(&copy);
+        let (there, here) = (&second.state().state, &first.state().state);
+        assert_eq!((stands(there), there.asked(), there.answered), (stood, here.asked(), here.answered), "{copy}");
+        assert_eq!(there.question().is_some(), here.question().is_some(), "{copy}");
+    };
+    check(&[], "question=open");
+    check(&[Command::Onward], "answers=");
+    let first = linked("5/33?ray=both%20children&present=yes");
+    let posed = &first.state().state.playback().unwrap().posed[0];
+    let wrong = posed.choices.iter().position(|choice| !choice.right).unwrap();
+    check(&[Command::Answer(wrong as u8)], "question=open&answers=");
+    check(&[Command::Answer(wrong as u8), Command::Onward], "answers=");
+}

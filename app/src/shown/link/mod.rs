@@ -14,7 +14,7 @@ use super::beside::{Beside, Pace, Rivals};
 use super::command::QUARTERS;
 use super::own::{OwnScene, Tried};
 use super::playback::mistakes;
-use super::state::State;
+use super::state::{Asked, State};
 use super::unknown::{no_ray, no_slide};
 use super::view::{RayChoice, View};
 
@@ -67,6 +67,8 @@ pub struct Link {
     pub present: bool,
     /// Whether what can be set by hand stands below the lesson.
     pub by_hand: bool,
+    /// What has been asked and answered at the step.
+    pub asked: Asked,
 }
 
 impl Default for Link {
@@ -95,6 +97,7 @@ impl Default for Link {
             speed: QUARTERS,
             present: false,
             by_hand: false,
+            asked: Asked::default(),
         }
     }
 }
@@ -126,6 +129,7 @@ impl Link {
             speed: state.speed,
             present: state.present,
             by_hand: state.by_hand,
+            asked: state.asked(),
             ..Link::of_view(&state.view, &state.library)
         }
     }
@@ -254,7 +258,7 @@ impl Link {
         (state.grain, state.speed, state.present, state.by_hand) = (self.grain, self.speed, self.present, self.by_hand);
         match self.step {
             None if !lost => state.arrive_at(view),
-            _ => state.reopen(view),
+            _ => state.reopen(view, if lost { Asked::default() } else { self.asked.clone() }),
         }
         state.accompany(beside, self.pace, heat);
         if self.fast.is_some() && heat.is_none() {

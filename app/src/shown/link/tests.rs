@@ -88,9 +88,12 @@ fn any_link() -> impl Strategy<Value = Link> {
         proptest::sample::select(vec![Grain::Arithmetic, Grain::Decision, Grain::Visit]),
         1..=9 * QUARTERS,
         any::<[bool; 2]>(),
+        (any::<bool>(), proptest::collection::vec(0..26_usize, 0..=2))
+            .prop_map(|(open, answers)| Asked { open, answers }),
     );
     (place, look).prop_map(|((slide, stage, ray, own, step, set, shapes, tried, example, camera), look)| {
-        let (aspect, depth, part, beside, (mistake, pace, heat, fast), mesh, grain, speed, [present, by_hand]) = look;
+        let (aspect, depth, part, beside, (mistake, pace, heat, fast), mesh, grain, speed, [present, by_hand], asked) =
+            look;
         Link {
             slide: if slide.trim().is_empty() { "5/33".to_owned() } else { slide },
             stage,
@@ -115,6 +118,7 @@ fn any_link() -> impl Strategy<Value = Link> {
             speed,
             present,
             by_hand,
+            asked,
         }
     })
 }
@@ -293,6 +297,8 @@ fn every_wrong_link_gets_a_sentence() {
     check("5/33?grain=fine", "grain=fine: there are arithmetic, decision and visit");
     check("5/33?speed=0.3", "speed=0.3: a number of quarters");
     check("5/33?present=1", "present=1: yes or no is needed");
+    check("5/33?question=yes", "question=yes: a question is open, or nothing is said of it");
+    check("5/33?answers=2", "answers=2: the letters of the last answers are needed, one or two, as in b or cb");
     check("5/99?step=1", "there is no slide \"5/99\"; there are 5/28");
     check("5/33?ray=none", "slide 5/33 has no ray \"none\"; there are \"both children, far hit\"");
     check("5/33?set=max_dept:3", "kd has no parameter \"max_dept\"");

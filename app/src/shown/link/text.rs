@@ -37,9 +37,9 @@ const MOST_SET: usize = 256;
 const MOST_NUMBERS: usize = 2048;
 
 const GRAINS: [Grain; 3] = [Grain::Arithmetic, Grain::Decision, Grain::Visit];
-const KEYS: [&str; 22] = [
+const KEYS: [&str; 24] = [
     "stage", "ray", "own", "step", "set", "shape", "try", "example", "camera", "aspect", "levels", "part", "beside",
-    "mistake", "pace", "heat", "fast", "mesh", "grain", "speed", "present", "hand",
+    "mistake", "pace", "heat", "fast", "mesh", "grain", "speed", "present", "hand", "question", "answers",
 ];
 
 impl fmt::Display for Link {
@@ -78,6 +78,9 @@ impl fmt::Display for Link {
         add("speed", (self.speed != QUARTERS).then(|| (f32::from(self.speed) / f32::from(QUARTERS)).to_string()));
         add("present", self.present.then(|| "yes".to_owned()));
         add("hand", self.by_hand.then(|| "yes".to_owned()));
+        add("question", self.asked.open.then(|| "open".to_owned()));
+        let answers = self.asked.answers.iter().filter_map(|answer| letter(*answer)).collect::<String>();
+        add("answers", Some(answers).filter(|answers| !answers.is_empty()));
         write!(f, "{}", utf8_percent_encode(&self.slide, PLAIN))?;
         for (index, (key, value)) in parts.iter().enumerate() {
             f.write_char(if index == 0 { '?' } else { '&' })?;
@@ -214,6 +217,13 @@ impl Link {
             }
             "present" => self.present = flag(&value)?,
             "hand" => self.by_hand = flag(&value)?,
+            "question" if value == "open" => self.asked.open = true,
+            "question" => return Err("a question is open, or nothing is said of it".to_owned()),
+            "answers" => {
+                const NEEDED: &str = "the letters of the last answers are needed, one or two, as in b or cb";
+                let answers: Option<Vec<usize>> = value.chars().map(answer).collect();
+                self.asked.answers = answers.filter(|answers| (1..=2).contains(&answers.len())).ok_or(NEEDED)?;
+            }
             _ => return Err(format!("a link has no such part; there are {}", KEYS.join(", "))),
         }
         Ok(())
@@ -240,6 +250,16 @@ fn known(key: &str, value: &str) -> Result<(), String> {
             Err(format!("{value} is nothing that {key} can be: no structure has such a parameter, and it is no number"))
         }
     }
+}
+
+/// The letter of an answer, the first being a.
+fn letter(answer: usize) -> Option<char> {
+    u8::try_from(answer).ok().filter(|answer| *answer < 26).map(|answer| char::from(b'a' + answer))
+}
+
+/// The answer of a letter.
+fn answer(letter: char) -> Option<usize> {
+    letter.is_ascii_lowercase().then(|| letter as usize - 'a' as usize)
 }
 
 /// As forms write it: `+` is a blank, `%20` is one, too.

@@ -4,7 +4,7 @@ use raystep_accel::Place;
 use raystep_figure::Symbol;
 use raystep_lesson::{Beat, Facts, Listing, Offer, Tape};
 
-use super::{Answered, State};
+use super::{Answered, Asked, State};
 use crate::shown::playback::{Playback, Posed};
 
 impl State {
@@ -132,6 +132,31 @@ impl State {
         }
         let before = self.answered.filter(|answered| answered.beat == beat).and_then(|answered| answered.wrong());
         self.answered = Some(Answered { beat, choice, right, before });
+    }
+
+    /// What has been asked and answered at this step.
+    pub fn asked(&self) -> Asked {
+        let answered = self.answered.iter();
+        let answers = answered.flat_map(|answered| answered.before.into_iter().chain([answered.choice])).collect();
+        Asked { open: self.asking, answers }
+    }
+
+    /// Asks again what was asked when the place was kept, with the answers of then.
+    pub(super) fn ask_again(&mut self) {
+        let Asked { open, answers } = std::mem::take(&mut self.asked);
+        self.asking = open && self.posed_here().is_some();
+        let posed = self.made().and_then(|made| {
+            let here = |posed: &&Posed| posed.step == self.view.step;
+            self.question().or(made.posed.iter().find(here)).map(|posed| (posed, posed.before == self.view.step))
+        });
+        let Some((posed, open)) = posed else { return };
+        let right = |choice: usize| posed.choices.get(choice).map(|choice| choice.right);
+        let answered = answers.iter().try_fold(None, |before: Option<Answered>, &choice| {
+            let right = right(choice)?;
+            Some(Some(Answered { beat: posed.beat, choice, right, before: before.and_then(|before| before.wrong()) }))
+        });
+        // The right answer takes its step.
+        self.answered = answered.flatten().filter(|answered| answered.right != open);
     }
 
     /// Takes the step of the open question without an answer.

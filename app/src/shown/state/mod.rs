@@ -78,6 +78,8 @@ pub struct State {
     trial: Option<Arc<Playback>>,
     /// Where a change that is under way began: its walks stand at the same decision, as far as they come to it.
     anchor: Option<(Arc<Playback>, usize)>,
+    /// What was asked and answered at the step that is wanted.
+    asked: Asked,
     /// What shall be shown instead, as soon as its walk is there.
     wanted: Option<View>,
     landing: Landing,
@@ -117,6 +119,15 @@ impl Answered {
     pub fn wrong(&self) -> Option<usize> {
         if self.right { self.before } else { Some(self.choice) }
     }
+}
+
+/// What has been asked and answered at a step.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// Whether the question that waits behind the beat has been called for.
+    pub open: bool,
+    /// The places of the last answers: a wrong one, and the one after it.
+    pub answers: Vec<usize>,
 }
 
 /// Everything that decides what a frame looks like.
@@ -179,6 +190,7 @@ impl State {
             playback: None,
             trial: None,
             anchor: None,
+            asked: Asked::default(),
             landing: Landing::Opening,
             history: History::default(),
             left: HashMap::new(),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use raystep_lesson::{Library, Plays};
 
-use super::{Before, Landing, State, first_stage};
+use super::{Asked, Before, Landing, State, first_stage};
 use crate::shown::history::History;
 use crate::shown::playback::Playback;
 use crate::shown::view::{RayChoice, View};
@@ -31,10 +31,14 @@ impl State {
         self.wanted.as_ref().unwrap_or(&self.view)
     }
 
-    /// Opens a view that was kept from another time, at its step as far as its walk goes.
-    pub fn reopen(&mut self, view: View) {
+    /// Opens a view that was kept from another time, at its step as far as its walk goes, with what was asked there.
+    pub fn reopen(&mut self, view: View, asked: Asked) {
         self.wished = view.stage;
         self.want(view, Landing::Named);
+        self.asked = asked;
+        if self.wanted.is_none() {
+            self.ask_again();
+        }
     }
 
     /// Asks for another view; at once there if only the step or the camera differ.
@@ -42,6 +46,7 @@ impl State {
         self.playing = false;
         self.answered = None;
         self.asking = false;
+        self.asked = Asked::default();
         self.waited = 0.0;
         match self.playback.clone().filter(|_| view.same_walk(&self.view)) {
             Some(playback) => {
@@ -79,6 +84,7 @@ impl State {
         self.asking = false;
         if exactly {
             self.wanted = None;
+            self.ask_again();
         }
         true
     }
