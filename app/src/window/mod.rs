@@ -11,6 +11,7 @@ mod last;
 mod look;
 mod open;
 mod panes;
+mod slot;
 mod speaker;
 mod wishes;
 mod work;

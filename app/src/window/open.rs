@@ -1,5 +1,6 @@
 //! Opening the window, and opening it again when the graphics device is lost.
 
+use std::fs::File;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -9,6 +10,7 @@ use raystep_lesson::Library;
 
 use super::app::App;
 use super::device::{self, Patience};
+use super::slot::Slot;
 use super::wishes::Wishes;
 use crate::window::look::remembered::Remembered;
 use crate::{files, folders};
@@ -47,6 +49,8 @@ pub struct Opening {
     pub remembered: Remembered,
     /// The file in which it keeps where it stands.
     pub last: Option<PathBuf>,
+    /// Held as long as the window is open: no other keeps its place in the same file.
+    pub lock: Option<File>,
     /// How many devices may be lost.
     pub patience: Patience,
     /// Called before each frame.
@@ -61,8 +65,9 @@ pub type EachFrame = Box<dyn FnMut(&mut App, &Ui, &eframe::Frame)>;
 impl Opening {
     /// The user's own window, with what it remembers.
     pub fn of_user(library: Library, wishes: Wishes) -> Opening {
-        let last = folders::state().map(|folder| folder.join("last.toml"));
-        Opening { library, wishes, remembered: Remembered::of_user(), last, ..Opening::default() }
+        let slot = folders::state().map(|folder| Slot::free(&folder));
+        let (last, lock) = slot.map_or((None, None), |slot| (Some(slot.file), slot.lock));
+        Opening { library, wishes, remembered: Remembered::of_user(), last, lock, ..Opening::default() }
     }
 
     /// Opens the window and returns when it is closed. A window whose device is lost opens again on the same state: an
@@ -71,7 +76,8 @@ impl Opening {
     /// # Errors
     /// There is no display, or nothing that could draw; or it was lost too often.
     pub fn open(self) -> Result<(), NoWindow> {
-        let Opening { library, wishes, remembered, last, mut patience, mut each_frame, mut event_loop } = self;
+        let Opening { library, wishes, remembered, last, lock: _held, mut patience, mut each_frame, mut event_loop } =
+            self;
         let mut first = Some((library, wishes, remembered, last));
         let (mut app, mut context) = (None::<App>, None::<egui::Context>);
         let mut viewport = usual();
