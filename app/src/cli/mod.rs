@@ -9,6 +9,7 @@ mod heatmap;
 mod lessons;
 mod measure;
 pub mod page;
+mod progress;
 mod race;
 mod rays;
 mod spelt;

@@ -1,6 +1,5 @@
 //! `raystep trace`: of one ray the walk, of a table of rays the hits and counters.
 
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -13,6 +12,7 @@ use raystep_print::{Record, Told};
 use raystep_scene::Scene;
 use serde::Serialize;
 
+use super::progress::bar;
 use super::rays;
 use super::subject::Subject;
 use super::told::{Align, Format, Grid, Page, to_csv, to_json};
@@ -153,11 +153,7 @@ impl Row {
 
 /// The table of hits.
 fn hits(scene: &Scene, structure: &Structure, rays: &[Result<Ray, String>], format: Format) -> Result<String, Fault> {
-    let bar = if rays.len() > 10_000 && std::io::stderr().is_terminal() {
-        ProgressBar::new(rays.len() as u64)
-    } else {
-        ProgressBar::hidden()
-    };
+    let bar = if rays.len() > 10_000 { bar(rays.len() as u64, "rays") } else { ProgressBar::hidden() };
     let answer = |ray: &Result<Ray, String>| -> Result<(Option<Hit>, Cost), String> {
         bar.inc(1);
         let ray = ray.as_ref().map_err(String::clone)?;

@@ -3,18 +3,17 @@
 mod chosen;
 mod own;
 
-use std::io::IsTerminal;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use raystep_accel::Grain;
 use raystep_figure::Theme;
 use raystep_lesson::Library;
 use raystep_print::Lettering;
 
 use super::lessons::Lessons;
+use super::progress::bar;
 use crate::export::{
     Format, Order, Piece, STEP_MILLIS, Session, Size, View, Which, delay, jobs, pictures, span, write,
 };
@@ -119,7 +118,7 @@ fn draw(sessions: &[Session<'_>], order: &Order, arguments: &ExportArguments) ->
         None => Which::Beats,
     };
     let jobs = jobs(sessions, &which, order)?;
-    let bar = bar(pictures(&jobs, order));
+    let bar = bar(pictures(&jobs, order) as u64, "pictures");
     let drawn = write(&jobs, order, &arguments.out, &|| {
         bar.inc(1);
         true
@@ -172,13 +171,4 @@ pub(super) fn readable(library: &Library, lessons: Option<&Path>) -> Result<(), 
         }
         _ => Ok(()),
     }
-}
-
-/// A bar on a terminal, nothing elsewhere.
-pub(super) fn bar(count: usize) -> ProgressBar {
-    if !std::io::stderr().is_terminal() || count < 2 {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} pictures, {eta} left");
-    ProgressBar::new(count as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

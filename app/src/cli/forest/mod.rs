@@ -16,7 +16,7 @@ use raystep_figure::{Figure, Image, Ink, Role, Theme};
 use raystep_print::{png, svg};
 use raystep_scene::{MOST_TREES, TRIANGLES_OF_A_TREE, Woods};
 
-use super::measure::bar;
+use super::progress::bar;
 use super::spelt;
 use crate::export::Size;
 use crate::fault::Fault;

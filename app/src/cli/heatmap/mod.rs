@@ -16,8 +16,8 @@ use raystep_print::{png, svg};
 use raystep_scene::Scene;
 use seen::{Seen, Sees};
 
-use super::measure::bar;
 use super::measure::look::{Look, Shot};
+use super::progress::bar;
 use super::subject::Subject;
 use crate::export::Size;
 use crate::fault::Fault;

@@ -5,8 +5,9 @@ use raystep_accel::Primitives;
 use raystep_figure::{counted, number, whole};
 use serde::Serialize;
 
+use super::MeasureArguments;
 use super::look::Shot;
-use super::{MeasureArguments, bar};
+use crate::cli::progress::bar;
 use crate::cli::subject;
 use crate::cli::told::{Align, Format, Grid, Page, to_csv, to_json};
 use crate::fault::Fault;

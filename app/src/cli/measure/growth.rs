@@ -11,7 +11,8 @@ use raystep_scene::trial::scenes::needles;
 use serde::Serialize;
 
 use super::survey::{self, survey, timed};
-use super::{bar, build, fit, look};
+use super::{build, fit, look};
+use crate::cli::progress::bar;
 use crate::cli::told::{Align, Grid, Page};
 use crate::export::Size;
 use crate::fault::Fault;

@@ -9,15 +9,14 @@ mod survey;
 pub(super) mod table;
 
 use std::collections::{HashMap, HashSet};
-use std::io::IsTerminal;
 use std::path::PathBuf;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use raystep_accel::{Prims, Structure};
 use raystep_scene::Scene;
 use raystep_scene::trial::rules::rule;
 
+use super::progress::bar;
 use super::spelt;
 use super::told::{Format, to_csv, to_json};
 use crate::export::Size;
@@ -132,13 +131,4 @@ fn build(prims: &Prims, line: &str, flat: bool) -> Result<Structure, Fault> {
     let rule = rule(line);
     let rule = if flat { rule.flat() } else { rule };
     Structure::build(prims, &rule, &mut ()).map_err(|error| Fault::new(error.to_string()))
-}
-
-/// A bar on a terminal, nothing elsewhere.
-pub(super) fn bar(count: u64, of: &str) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template(&format!("{{bar:40}} {{human_pos}}/{{human_len}} {of}, {{eta}} left"));
-    ProgressBar::new(count).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }

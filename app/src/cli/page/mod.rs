@@ -13,7 +13,7 @@ use raystep_figure::Theme;
 use raystep_lesson::{Library, Slide, StageKind};
 use raystep_print::{Layer, stack, svg};
 
-use super::export::bar;
+use super::progress::bar;
 use crate::export::{Asked, Ground, Session, Telling, View, rays_of_beats};
 use crate::fault::Fault;
 use crate::files;
@@ -62,7 +62,7 @@ pub fn write(library: &Library, folder: &Path) -> Result<(), Fault> {
     if let Some(twice) = stacks.iter().find(|stack| !known.insert(&stack.file)) {
         return Err(Fault::new(format!("two slides would be {}: give them other names", twice.file)));
     }
-    let bar = bar(stacks.iter().map(|stack| stack.beats.len()).sum());
+    let bar = bar(stacks.iter().map(|stack| stack.beats.len() as u64).sum(), "pictures");
     files::whole_folder(folder, &is_ours, |folder| {
         stacks.par_iter().try_for_each(|stack| {
             let layers = stack.layers(&|| bar.inc(1))?;

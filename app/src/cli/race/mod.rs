@@ -13,8 +13,8 @@ use raystep_accel::{Mesh, Prims, Ray, RayError};
 use raystep_fast::{Race, Row, Rung, tile_order};
 use raystep_figure::{counted, whole};
 
-use super::measure::bar;
 use super::measure::look::{Look, Shot};
+use super::progress::bar;
 use super::subject;
 use super::told::Format;
 use crate::fault::Fault;

@@ -8,17 +8,16 @@ mod referee;
 mod tally;
 mod watertight;
 
-use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use raystep_accel::{Grow, Observer, Rule};
 use raystep_fast::FastKind;
 use raystep_figure::whole;
 
+use super::progress::bar;
 use super::spelt;
 use crate::fault::Fault;
 use crate::files;
@@ -101,7 +100,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Fault> {
         counted(threads as u64, "thread"),
     ))?;
     let begun = Instant::now();
-    let bar = bar(rays);
+    let bar = bar(rays, "rays");
     let tally = campaign.run(&bar);
     bar.finish_and_clear();
     files::print(&report(&tally, &kinds, &campaign, begun.elapsed().as_secs_f64()))?;
@@ -177,15 +176,6 @@ fn report(tally: &Tally, kinds: &[&str], campaign: &Campaign<'_>, seconds: f64) 
 
 fn stopped() -> bool {
     STOPPED.load(Ordering::Relaxed)
-}
-
-/// A bar on a terminal, nothing elsewhere.
-fn bar(rays: u64) -> ProgressBar {
-    if !std::io::stderr().is_terminal() {
-        return ProgressBar::hidden();
-    }
-    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} rays, {per_sec}, {eta} left");
-    ProgressBar::new(rays).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 /// `1 ray`, `12,000 rays`.

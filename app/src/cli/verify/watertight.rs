@@ -10,7 +10,8 @@ use raystep_scene::Scene;
 use raystep_scene::trial::sphere;
 
 use super::contender::{Built, Contender};
-use super::{bar, counted, stopped, unfinished};
+use super::{counted, stopped, unfinished};
+use crate::cli::progress::bar;
 use crate::fault::Fault;
 use crate::files;
 
@@ -51,7 +52,7 @@ pub(super) fn run(rays: u64, seed: u64, kinds: &[&'static str]) -> Result<(), Fa
         if stopped() {
             break;
         }
-        let bar = bar(rays);
+        let bar = bar(rays, "rays");
         let blocks: Vec<Lost> = (0..rays.div_ceil(BLOCK))
             .into_par_iter()
             .map(|block| {
