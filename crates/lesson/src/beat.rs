@@ -47,6 +47,8 @@ pub struct Paragraph {
 pub enum Medium {
     /// In a window, where something can be done about it.
     Window,
+    /// On the wall before a class: as in a window, but nobody there has a mouse to be told what to do with.
+    Wall,
     /// On paper, which shows what it has to show.
     Paper,
 }
@@ -69,12 +71,23 @@ impl Beat {
     }
 
     fn said(&self, facts: &Facts<'_>, medium: Medium) -> impl Iterator<Item = &Paragraph> {
-        let here = move |paragraph: &&Paragraph| paragraph.only_in.is_none_or(|only| only == medium);
-        self.paragraphs.iter().filter(here).filter(|paragraph| paragraph.is_said(facts))
+        self.paragraphs
+            .iter()
+            .filter(move |paragraph| paragraph.is_for(medium))
+            .filter(|paragraph| paragraph.is_said(facts))
     }
 }
 
 impl Paragraph {
+    /// Whether it is for those who read there. What it offers is a button on the wall, too.
+    fn is_for(&self, medium: Medium) -> bool {
+        match (self.only_in, medium) {
+            (None, _) => true,
+            (Some(Medium::Window), Medium::Wall) => !self.offers.is_empty(),
+            (Some(only), here) => only == here,
+        }
+    }
+
     /// Whether it is said: its condition holds, and all that it names has happened.
     fn is_said(&self, facts: &Facts<'_>) -> bool {
         self.is_asked_for(facts) && self.is_known(facts)

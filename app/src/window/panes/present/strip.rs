@@ -206,7 +206,7 @@ impl Strip {
 fn told(state: &State) -> Vec<Pane> {
     let beat = state.beat().filter(|(_, step)| *step == state.view.step).zip(state.playback());
     beat.map_or_else(Vec::new, |((beat, step), playback)| {
-        spoken_of(&format!("{}\n{}", beat.title, said(beat, &playback.play, step, Medium::Window)))
+        spoken_of(&format!("{}\n{}", beat.title, said(beat, &playback.play, step, Medium::Wall)))
     })
 }
 

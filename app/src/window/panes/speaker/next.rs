@@ -62,7 +62,7 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
         let prose = Prose { theme, size: 14.0, role: Role::Text, face: Face::Regular, leading: 1.35 };
         if let (Some((beat, step)), Some(playback)) = (next.beat(), next.playback()) {
             Prose { face: Face::Bold, size: 16.5, ..prose }.show(ui, &mut kept.formulas, &beat.title);
-            prose.show(ui, &mut kept.formulas, &said(beat, &playback.play, step, Medium::Window));
+            prose.show(ui, &mut kept.formulas, &said(beat, &playback.play, step, Medium::Wall));
         }
         let then = after(desk, next);
         if !then.is_empty() {

@@ -60,7 +60,7 @@ impl Speech {
         match state.beat().filter(|(_, step)| *step == state.view.step).zip(playback) {
             Some(((beat, step), playback)) => {
                 parts.push(strong(escaped(&beat.title)));
-                let text = said(beat, &playback.play, step, Medium::Window);
+                let text = said(beat, &playback.play, step, Medium::Wall);
                 if !text.trim().is_empty() {
                     parts.push(plain_text(text));
                 }

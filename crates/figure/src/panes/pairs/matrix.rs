@@ -33,7 +33,7 @@ pub(crate) fn matrix_height(cases: &[Arrangement], look: &Look) -> f32 {
 pub(crate) fn matrix(cases: &[Arrangement], events: &[Trial], step: usize, ask: &Ask<'_>) -> Figure {
     let (size, look) = (ask.size, &ask.look);
     let mut figure = Figure::new(size);
-    let top = look.heading(&mut figure, "Pairs", "a test for each; click one");
+    let top = look.heading(&mut figure, "Pairs", "a test for each");
     let [rows, columns] = kinds(cases);
     let u = look.text.min((size.y - top - look.margin()) / (ROW * (rows.len() as f32 + 1.2)));
     let names = rows.iter().map(|kind| text_width(kind.word(), Face::Medium, u)).fold(0.0, f32::max);
