@@ -33,7 +33,11 @@ fn answers_stand_at_the_end() {
     let text = String::from_utf8_lossy(&pdf);
     assert_eq!(text.matches("/MediaBox").count(), pages.len());
     assert_eq!(text.matches("[0 0 595.").count(), pages.len(), "A4 is 210 mm wide");
-    assert!(!text.contains("Date"));
+    assert!(!text.contains("CreationDate") && !text.contains("ModDate"));
+    // Whoever cannot see it hears headings, pictures and words in their order.
+    assert_eq!(text.matches("/S/H1").count(), pages.len());
+    let of_kind = |kind: &str| text.lines().filter(|line| line.contains(kind) && line.contains("/Alt")).count();
+    assert!(of_kind("/S/Figure") >= 5 && of_kind("/S/P") >= 8, "{} {}", of_kind("/S/Figure"), of_kind("/S/P"));
     let answers = pages.iter().position(|page| page.contains("Answers")).unwrap();
     let asked: Vec<usize> =
         (1..99).take_while(|n| pages.iter().any(|page| page.contains(&format!("Question {n}:")))).collect();

@@ -39,6 +39,20 @@ impl Session<'_> {
         self.figure_of(&Order::new(view, Format::Png, Size::USUAL, theme), step, beat, pixels)
     }
 
+    /// A step on a page of so many points, whose shaded scenes have `scale` pixels to a point.
+    pub(crate) fn figure_on(
+        &self,
+        view: View,
+        step: usize,
+        page: Vec2,
+        scale: f32,
+        theme: &Theme,
+    ) -> Result<Figure, Fault> {
+        let theme = Theme::named(theme.name).unwrap_or(&Theme::LIGHT);
+        let order = Order::new(view, Format::Png, Size::USUAL, theme);
+        Ok(self.laid_out(&order, step, None, page * scale, scale)?.0)
+    }
+
     /// The same, with everything that an order says of it.
     pub(super) fn figure_of(
         &self,
@@ -51,6 +65,17 @@ impl Session<'_> {
         let page = if order.view == View::Plate { PLATE } else { BARE };
         let larger = if *order.theme == Theme::PROJECTOR { PROJECTED } else { 1.0 };
         let scale = (pixels.x * pixels.y / (page.x * page.y)).sqrt() * larger;
+        self.laid_out(order, step, beat, pixels, scale)
+    }
+
+    fn laid_out(
+        &self,
+        order: &Order,
+        step: usize,
+        beat: Option<usize>,
+        pixels: Vec2,
+        scale: f32,
+    ) -> Result<(Figure, f32), Fault> {
         let reel = self.reel();
         let instant = reel.at(step);
         let still = reel.still(&instant).to_depth(self.ground.depth);

@@ -10,6 +10,7 @@ use krilla::num::NormalizedF32;
 use krilla::page::PageSettings;
 use krilla::paint::{Fill, LineJoin, Pattern, Stroke as Line, StrokeDash};
 use krilla::surface::Surface;
+use krilla::tagging::{TagGroup, TagTree};
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use krilla::{Data, Document, SerializeSettings};
 use ratex_types::path_command::PathCommand;
@@ -18,6 +19,7 @@ use raystep_figure::{Color, Face, Figure, Ink, Mark, Role, Style};
 use crate::PrintError;
 use crate::formula::{self, Hand};
 use crate::label::{ROUND, label_box, span};
+use crate::leaf::{Leaf, Teller};
 use crate::svg::Manner;
 use crate::typefaces::Typeface;
 
@@ -30,37 +32,50 @@ const PRINT: f32 = 0.75;
 /// # Errors
 /// When the page is empty or too large.
 pub fn pdf(figure: &Figure, title: &str, manner: &Manner<'_>) -> Result<Vec<u8>, PrintError> {
-    pdf_pages(&[figure], title, manner)
+    pdf_pages(&[Leaf { figure, passages: &[] }], title, manner)
 }
 
-/// Figures as the pages of one PDF file, in their order: see [`pdf`].
+/// The pages of one PDF file, in their order, with what is read of them aloud: see [`pdf`].
 ///
 /// # Errors
 /// When a page is empty or too large.
-pub fn pdf_pages(figures: &[&Figure], title: &str, manner: &Manner<'_>) -> Result<Vec<u8>, PrintError> {
-    let mut document = Document::new_with(SerializeSettings { enable_tagging: false, ..SerializeSettings::default() });
-    document.set_metadata(Metadata::new().title(title.to_owned()).creator("Raystep".to_owned()));
-    for figure in figures {
-        let size = figure.size * manner.scale * PRINT;
+pub fn pdf_pages(leaves: &[Leaf<'_>], title: &str, manner: &Manner<'_>) -> Result<Vec<u8>, PrintError> {
+    let enable_tagging = leaves.iter().any(|leaf| !leaf.passages.is_empty());
+    let mut document = Document::new_with(SerializeSettings { enable_tagging, ..SerializeSettings::default() });
+    let about = Metadata::new().title(title.to_owned()).creator("Raystep".to_owned()).language("en".to_owned());
+    document.set_metadata(about);
+    let mut told = TagTree::new().with_lang(Some("en".to_owned()));
+    for leaf in leaves {
+        let size = leaf.figure.size * manner.scale * PRINT;
         let settings = PageSettings::from_wh(size.x, size.y).filter(|_| size.max_element() <= MOST);
         let mut page = document.start_page_with(settings.ok_or(PrintError::Size(size.x, size.y))?);
-        paint_page(figure, manner, page.surface());
+        if let Some(section) = paint_page(leaf, manner, page.surface()) {
+            told.push(section);
+        }
         page.finish();
+    }
+    if enable_tagging {
+        document.set_tag_tree(told);
     }
     document.finish().map_err(|error| PrintError::Pack(format!("{error:?}")))
 }
 
-fn paint_page(figure: &Figure, manner: &Manner<'_>, mut surface: Surface<'_>) {
+fn paint_page(leaf: &Leaf<'_>, manner: &Manner<'_>, mut surface: Surface<'_>) -> Option<TagGroup> {
     surface.push_transform(&Transform::from_scale(manner.scale * PRINT, manner.scale * PRINT));
     let mut painter = Painter { surface, manner, fonts: HashMap::new() };
+    let mut teller = Teller::new(leaf.passages);
     if let Some(color) = manner.theme.style(Role::Page).fill.filter(|_| !manner.clear) {
-        painter.ground(figure.size, color);
+        teller.comes(None, &mut painter.surface);
+        painter.ground(leaf.figure.size, color);
     }
-    for mark in figure.marks.iter().filter(|mark| !manner.leaves_out(mark)) {
+    for (index, mark) in leaf.figure.marks.iter().enumerate().filter(|(_, mark)| !manner.leaves_out(mark)) {
+        teller.comes(Some(index), &mut painter.surface);
         painter.mark(mark);
     }
+    teller.ends(&mut painter.surface);
     painter.surface.pop();
     painter.surface.finish();
+    teller.told()
 }
 
 /// The longest side of a page that programs open, in points of print.

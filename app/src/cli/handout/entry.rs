@@ -3,9 +3,9 @@
 use glam::Vec2;
 use raystep_figure::{Anchor, Face, Figure, Ink, Role, Theme, crop};
 use raystep_lesson::{Show, Slide};
-use raystep_print::{enlarge, prose, set_in};
+use raystep_print::{Passage, Reading, prose, set_in};
 
-use super::sheet::INNER;
+use super::sheet::{INNER, Piece, Sheet};
 use crate::cli::page::plain;
 use crate::export::{Asked, Session, Telling, View};
 use crate::fault::Fault;
@@ -15,7 +15,9 @@ pub(super) struct Entry {
     telling: Telling,
     /// The picture in words.
     shows: String,
-    /// Its pictures, beside each other; none where the same one stands above.
+    /// Whether it has pictures; the same one may stand above.
+    pictured: bool,
+    /// Its pictures, beside each other, once they are drawn.
     pictures: Vec<Figure>,
     /// The number of its question, from 1.
     pub(super) number: usize,
@@ -25,12 +27,16 @@ pub(super) struct Entry {
 const SIZE: f32 = 17.0;
 /// Between pictures beside each other, and above and below them.
 const GAP: f32 = 14.0;
-/// How high a picture is.
-const HIGH: f32 = 400.0;
+/// How high pictures may be; those that stand alone are higher. On one slide all are as high.
+const HIGH: [f32; 6] = [520.0, 480.0, 440.0, 400.0, 360.0, 320.0];
+const ALONE: f32 = 1.2;
 
-/// The beats of a slide as far as they are reached.
-pub(super) fn entries(slide: &Slide, sessions: &[Session<'_>]) -> Result<Vec<Entry>, Fault> {
+/// The beats of a slide as far as they are reached, on as few sheets as may be, their pictures as high as they can be on
+/// these. `about` says of which slide they are.
+pub(super) fn entries(slide: &Slide, about: &str, sessions: &[Session<'_>]) -> Result<Vec<Entry>, Fault> {
+    let tree = slide.show.contains(&Show::Tree);
     let mut entries = Vec::new();
+    let mut drawn = Vec::new();
     // What the picture above shows: a beat's question is often asked where the beat before it stands.
     let mut above = None;
     for beat in 0..slide.beats.len() {
@@ -38,21 +44,32 @@ pub(super) fn entries(slide: &Slide, sessions: &[Session<'_>]) -> Result<Vec<Ent
         let (Some(at), Some(telling)) = (session.step_of(beat), session.telling(beat)) else { continue };
         let step = telling.asked.as_ref().map_or(at, |asked| asked.before);
         let here = Some((session.file_stem().to_owned(), step));
-        let pictures = if above == here { Vec::new() } else { pictures(slide, session, step)? };
+        let pictured = above != here;
         above = here;
-        entries.push(Entry { telling, shows: session.shows(step), pictures, number: 0 });
+        entries.push(Entry { telling, shows: session.shows(step), pictured, pictures: Vec::new(), number: 0 });
+        drawn.push((session, step));
+    }
+    let height = |high: f32| if tree { high } else { high * ALONE };
+    let sheets = |high: f32| {
+        let mut sheet = Sheet::new(&slide.title, about);
+        entries.iter().for_each(|entry| sheet.add(entry.piece_with(height(high))));
+        sheet.finish().len()
+    };
+    let fewest = HIGH.map(sheets).into_iter().zip(HIGH).min_by_key(|(sheets, _)| *sheets);
+    let high = fewest.map_or(HIGH[0], |(_, high)| height(high));
+    for (entry, (session, step)) in entries.iter_mut().zip(drawn).filter(|(entry, _)| entry.pictured) {
+        entry.pictures = pictures(tree, high, session, step)?;
     }
     Ok(entries)
 }
 
-/// Space, or what stands in its place, and the tree if the slide shows one.
-fn pictures(slide: &Slide, session: &Session<'_>, step: usize) -> Result<Vec<Figure>, Fault> {
-    let tree = slide.show.contains(&Show::Tree);
+/// Space, or what stands in its place, and the tree if the slide shows one, so high.
+fn pictures(tree: bool, high: f32, session: &Session<'_>, step: usize) -> Result<Vec<Figure>, Fault> {
     let widths = if tree { vec![INNER * 0.6 - GAP, INNER * 0.4] } else { vec![INNER] };
     let views = [View::Space, View::Tree];
     let draw = |(width, view): (f32, View)| {
-        let size = Vec2::new(width, if tree { HIGH } else { HIGH * 1.2 });
-        let (figure, _) = session.figure(view, step, None, size * SHARP, &Theme::PRINT)?;
+        let size = Vec2::new(width, high);
+        let figure = session.figure_on(view, step, size, SHARP, &Theme::PRINT)?;
         Ok(framed(figure, size))
     };
     widths.into_iter().zip(views).map(draw).collect()
@@ -63,8 +80,6 @@ const SHARP: f32 = 1.5;
 
 /// A picture at this size, with nothing beyond its edge, and a line around it.
 fn framed(mut picture: Figure, size: Vec2) -> Figure {
-    let by = size.x / picture.size.x.max(1.0);
-    enlarge(&mut picture, by);
     picture.size = size;
     crop(&mut picture, 0.0);
     let points = vec![Vec2::ZERO, Vec2::new(size.x, 0.0), size, Vec2::new(0.0, size.y), Vec2::ZERO];
@@ -79,16 +94,21 @@ impl Entry {
     }
 
     /// It on paper; of a beat that asks nothing is told that answers.
-    pub(super) fn figure(&self) -> Figure {
+    pub(super) fn piece(&self) -> Piece {
+        self.piece_with(self.pictures.iter().map(|picture| picture.size.y).fold(0.0, f32::max))
+    }
+
+    /// The same; its pictures, drawn or not, are so high.
+    fn piece_with(&self, high: f32) -> Piece {
         let mut pile = Pile::default();
         let mut x = 0.0;
-        let high = self.pictures.iter().map(|picture| picture.size.y).fold(0.0, f32::max);
         for picture in &self.pictures {
             set_in(&mut pile.figure, picture.clone(), Vec2::new(x, 0.0));
             x += picture.size.x + GAP;
         }
-        if high > 0.0 {
+        if self.pictured {
             pile.y = high + GAP * 0.7;
+            pile.read(Reading::Picture, format!("Picture: {}", plain(&self.shows)));
         }
         match &self.telling.asked {
             Some(asked) => self.question(asked, &mut pile),
@@ -97,6 +117,7 @@ impl Entry {
                 pile.words(&self.telling.text, SIZE, Face::Regular, Role::Text, 0.0);
             }
         }
+        pile.read(Reading::Words, self.says());
         pile.done()
     }
 
@@ -118,29 +139,28 @@ impl Entry {
         }
     }
 
-    /// The same in words.
-    pub(super) fn says(&self) -> String {
-        let shows = plain(&self.shows);
+    /// What it says or asks.
+    fn says(&self) -> String {
         match &self.telling.asked {
             Some(asked) => {
                 let answers = ('A'..='Z').zip(&asked.answers);
                 let answers: Vec<String> =
                     answers.map(|(letter, a)| format!("{letter}: {}", plain(&a.label))).collect();
                 let question = plain(&asked.question);
-                format!("Picture: {shows} Question {}: {question} {}.", self.number, answers.join("; "))
+                format!("Question {}: {question} {}.", self.number, answers.join("; "))
             }
             None => {
                 let (heading, text) = (plain(&self.telling.heading), plain(&self.telling.text));
-                format!("{heading}. Picture: {shows} {text}")
+                format!("{heading}. {text}")
             }
         }
     }
 }
 
-/// The answer to an entry's question, on paper and in words; `about` says of which slide it is.
-pub(super) fn answers(entry: &Entry, about: &str) -> (Figure, String) {
+/// The answer to an entry's question; `about` says of which slide it is.
+pub(super) fn answers(entry: &Entry, about: &str) -> Piece {
     let mut pile = Pile::default();
-    let Some(asked) = &entry.telling.asked else { return (pile.done(), String::new()) };
+    let Some(asked) = &entry.telling.asked else { return pile.done() };
     let right = ('A'..='Z').zip(&asked.answers).find(|(_, answer)| answer.right);
     let right = right.map_or_else(String::new, |(letter, answer)| format!("{letter}: {}", answer.label));
     pile.words(&format!("Question {} · {about}", entry.number), SIZE * 0.85, Face::Regular, Role::Quiet, 0.0);
@@ -155,7 +175,8 @@ pub(super) fn answers(entry: &Entry, about: &str) -> (Figure, String) {
     }
     pile.words(&entry.telling.text, SIZE * 0.92, Face::Regular, Role::Text, 18.0);
     said.push(plain(&entry.telling.text));
-    (pile.done(), said.join(" "))
+    pile.read(Reading::Words, said.join(" "));
+    pile.done()
 }
 
 /// Words one below the other.
@@ -163,6 +184,7 @@ pub(super) fn answers(entry: &Entry, about: &str) -> (Figure, String) {
 struct Pile {
     figure: Figure,
     y: f32,
+    passages: Vec<Passage>,
 }
 
 impl Pile {
@@ -176,8 +198,14 @@ impl Pile {
         self.y += height + size * 0.35;
     }
 
-    fn done(mut self) -> Figure {
+    /// All that was added since the last time is read so.
+    fn read(&mut self, kind: Reading, says: String) {
+        let before = self.passages.last().map_or(0, |last| last.marks.end);
+        self.passages.push(Passage { marks: before..self.figure.marks.len(), kind, says });
+    }
+
+    fn done(mut self) -> Piece {
         self.figure.size = Vec2::new(INNER, self.y);
-        self.figure
+        Piece { figure: self.figure, passages: self.passages }
     }
 }

@@ -11,11 +11,11 @@ use clap::Args;
 use rayon::prelude::*;
 use raystep_figure::{Figure, Theme};
 use raystep_lesson::{Library, NamedRay, Slide, StageKind};
-use raystep_print::{Manner, pdf_pages, svg};
+use raystep_print::{Leaf, Manner, Passage, pdf_pages, svg};
 
-use super::export::bar;
 use super::lessons::Lessons;
 use super::page::escaped;
+use super::progress::bar;
 use crate::export::{Ground, Session, rays_of_beats};
 use crate::fault::Fault;
 use crate::files;
@@ -45,10 +45,17 @@ pub struct HandoutArguments {
     lessons: Lessons,
 }
 
-/// A page with what it shows, in words.
+/// A page with what is read of it aloud.
 struct Printed {
     figure: Figure,
-    says: String,
+    passages: Vec<Passage>,
+}
+
+impl Printed {
+    /// What it shows, in words.
+    fn says(&self) -> String {
+        self.passages.iter().map(|passage| passage.says.as_str()).collect::<Vec<_>>().join(" ")
+    }
 }
 
 /// Draws the pages and writes them.
@@ -69,11 +76,11 @@ pub(crate) fn run(arguments: &HandoutArguments) -> Result<(), Fault> {
     }
     let sessions: Vec<(&Slide, Vec<Session<'_>>)> =
         grounds.iter().map(|(slide, ground, rays)| (*slide, Session::of_rays(ground, rays))).collect();
-    let bar = bar(sessions.len());
+    let bar = bar(sessions.len() as u64, "slides");
     let drawn: Vec<Vec<Entry>> = sessions
         .par_iter()
         .map(|(slide, sessions)| {
-            let drawn = entries(slide, sessions);
+            let drawn = entries(slide, &about(slide), sessions);
             bar.inc(1);
             drawn
         })
@@ -94,9 +101,10 @@ pub(crate) fn run(arguments: &HandoutArguments) -> Result<(), Fault> {
             files::write(&folder.join(name), svg(&page.figure, &Theme::PRINT).as_bytes())
         })?;
         if arguments.pdf {
-            let figures: Vec<&Figure> = pages.iter().map(|page| &page.figure).collect();
-            let written =
-                pdf_pages(&figures, "Raystep: handout", &Manner { scale: A4 / WIDTH, ..Manner::plain(&Theme::PRINT) });
+            let leaves: Vec<Leaf<'_>> =
+                pages.iter().map(|page| Leaf { figure: &page.figure, passages: &page.passages }).collect();
+            let manner = Manner { scale: A4 / WIDTH, ..Manner::plain(&Theme::PRINT) };
+            let written = pdf_pages(&leaves, "Raystep: handout", &manner);
             let written = written.map_err(|error| Fault::new(error.to_string()))?;
             files::write(&folder.join(PDF_NAME), &written)?;
         }
@@ -133,6 +141,11 @@ fn chosen<'a>(library: &'a Library, arguments: &HandoutArguments) -> Result<Vec<
     Ok(library.slides.iter().filter(wanted).collect())
 }
 
+/// Of which slide a sheet is.
+fn about(slide: &Slide) -> String {
+    format!("{} · {}", slide.section_title(), slide.numbers_text())
+}
+
 /// Numbers the questions from the first page to the last.
 fn number(drawn: &mut [(&Slide, Vec<Entry>)]) {
     let asked = drawn.iter_mut().flat_map(|(_, entries)| entries).filter(|entry| entry.asks());
@@ -145,10 +158,10 @@ fn number(drawn: &mut [(&Slide, Vec<Entry>)]) {
 fn pages(drawn: &[(&Slide, Vec<Entry>)]) -> Vec<Printed> {
     let mut pages = Vec::new();
     for (slide, entries) in drawn {
-        let about = format!("{} · {}", slide.section_title(), slide.numbers_text());
+        let about = about(slide);
         let mut sheet = Sheet::new(&slide.title, &about);
         for entry in entries {
-            sheet.add(entry.figure(), &entry.says());
+            sheet.add(entry.piece());
         }
         pages.extend(sheet.finish());
     }
@@ -156,8 +169,7 @@ fn pages(drawn: &[(&Slide, Vec<Entry>)]) -> Vec<Printed> {
         let mut sheet = Sheet::new("Answers", "At the end of this handout");
         for (slide, entries) in drawn {
             for entry in entries.iter().filter(|entry| entry.asks()) {
-                let (figure, says) = answers(entry, &format!("{} · {}", slide.numbers_text(), slide.title));
-                sheet.add(figure, &says);
+                sheet.add(answers(entry, &format!("{} · {}", slide.numbers_text(), slide.title)));
             }
         }
         pages.extend(sheet.finish());
@@ -169,8 +181,8 @@ fn pages(drawn: &[(&Slide, Vec<Entry>)]) -> Vec<Printed> {
 /// All pages, one below the other, each of them one sheet of paper.
 fn index(pages: &[Printed], names: &[String]) -> String {
     let mut shown = String::new();
-    for (page, name) in pages.iter().zip(names) {
-        let says = escaped(&page.says);
+    for ((page, name), number) in pages.iter().zip(names).zip(1..) {
+        let says = escaped(&format!("Page {number} of {}. {}", pages.len(), page.says()));
         let _ = writeln!(
             shown,
             "<img loading=\"lazy\" width=\"{WIDTH}\" height=\"{HEIGHT}\" src=\"{name}\" alt=\"{says}\">"

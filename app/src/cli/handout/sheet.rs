@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 use raystep_figure::{Anchor, Face, Figure, Ink, Role};
-use raystep_print::{prose, set_in};
+use raystep_print::{Passage, Reading, prose, set_in};
 
 use super::Printed;
 
@@ -32,9 +32,15 @@ pub(super) struct Sheet<'a> {
 /// A sheet that is being filled.
 pub(super) struct Page {
     figure: Figure,
-    says: Vec<String>,
+    passages: Vec<Passage>,
     about: String,
     empty: bool,
+}
+
+/// Something that is put on a sheet in one piece, and how it is read aloud.
+pub(super) struct Piece {
+    pub(super) figure: Figure,
+    pub(super) passages: Vec<Passage>,
 }
 
 impl<'a> Sheet<'a> {
@@ -61,21 +67,26 @@ impl<'a> Sheet<'a> {
             set_in(&mut figure, large, Vec2::new(SIDE, y));
             y += height + 4.0;
         }
-        let says = vec![if more { about.clone() } else { format!("{}. {}.", self.about, self.title) }];
-        self.pages.push(Page { figure, says, about: self.about.to_owned(), empty: true });
+        let says = if more { about.clone() } else { format!("{}. {}.", self.about, self.title) };
+        let heading = Passage { marks: 0..figure.marks.len(), kind: Reading::Heading, says };
+        self.pages.push(Page { figure, passages: vec![heading], about: self.about.to_owned(), empty: true });
         self.filled = y + GAP * 0.4;
     }
 
     /// Puts something below what is there, on a new sheet if there is no room.
-    pub(super) fn add(&mut self, part: Figure, says: &str) {
+    pub(super) fn add(&mut self, Piece { figure: part, passages }: Piece) {
         let full = self.filled + part.size.y > HEIGHT - BOTTOM;
         if full && self.pages.last().is_some_and(|page| !page.empty) {
             self.turn();
         }
         let Some(page) = self.pages.last_mut() else { return };
         let height = part.size.y;
+        let before = page.figure.marks.len();
         set_in(&mut page.figure, part, Vec2::new(SIDE, self.filled));
-        page.says.push(says.to_owned());
+        page.passages.extend(passages.into_iter().map(|passage| {
+            let marks = passage.marks.start + before..passage.marks.end + before;
+            Passage { marks, ..passage }
+        }));
         page.empty = false;
         self.filled += height + GAP;
     }
@@ -97,7 +108,6 @@ impl Page {
         };
         text(SIDE, format!("Raystep · {}", self.about), Anchor::Start);
         text(WIDTH - SIDE, format!("{number} of {count}"), Anchor::End);
-        let says = format!("Page {number} of {count}. {}", self.says.join(" "));
-        Printed { figure: self.figure, says }
+        Printed { figure: self.figure, passages: self.passages }
     }
 }
