@@ -80,12 +80,22 @@ impl<'a, T: Through> Camera<'a, T> {
     }
 
     /// All pixels, one after the other.
-    pub(super) fn colors(&self) -> Vec<Vec3> {
+    ///
+    /// # Errors
+    /// `watch` asked to give up.
+    pub(super) fn colors(&self, watch: &impl Observer<Grow>) -> Result<Vec<Vec3>, Cancelled> {
         let [width, height] = self.size;
         let size = Vec2::new(width as f32, height as f32);
         let (mut cost, mut rays) = (Cost::default(), 0);
-        let pixels = (0..height).flat_map(|y| (0..width).map(move |x| Vec2::new(x as f32 + 0.5, y as f32 + 0.5)));
-        pixels.map(|middle| self.light(middle / size, &mut cost, &mut rays)).collect()
+        let mut colors = Vec::with_capacity((width * height) as usize);
+        for y in 0..height {
+            if watch.cancelled() {
+                return Err(Cancelled);
+            }
+            let middles = (0..width).map(|x| Vec2::new(x as f32 + 0.5, y as f32 + 0.5));
+            colors.extend(middles.map(|middle| self.light(middle / size, &mut cost, &mut rays)));
+        }
+        Ok(colors)
     }
 
     /// All pixels, with smooth edges if it is careful, the rows side by side.

@@ -149,23 +149,25 @@ impl Rendered {
         let asked = Asked::new(&through);
         let size = if matches!(*structure, Structure::List(_)) { SHARED_BY_ALL } else { SHARED };
         let camera = Camera::new(scene, &asked, view, &smooth, size, Care::Draft);
-        std::hint::black_box(camera.colors());
+        std::hint::black_box(camera.colors(&watch)?);
         let camera = camera.answered(&through);
         let rays = asked.take();
         let mut shares = Vec::new();
         for _ in 0..ROUNDS {
-            if watch.cancelled() {
-                return Err(Cancelled);
-            }
             let begun = stopwatch.seconds();
-            std::hint::black_box(camera.colors());
+            std::hint::black_box(camera.colors(&watch)?);
             let whole = stopwatch.seconds() - begun;
             let begun = stopwatch.seconds();
             let mut cost = Cost::default();
-            for (ray, want) in &rays {
-                match want {
-                    Want::Nearest => _ = std::hint::black_box(through.nearest(ray, &mut cost)),
-                    Want::Any => _ = std::hint::black_box(through.any(ray, &mut cost)),
+            for row in rays.chunks(size[0] as usize) {
+                if watch.cancelled() {
+                    return Err(Cancelled);
+                }
+                for (ray, want) in row {
+                    match want {
+                        Want::Nearest => _ = std::hint::black_box(through.nearest(ray, &mut cost)),
+                        Want::Any => _ = std::hint::black_box(through.any(ray, &mut cost)),
+                    }
                 }
             }
             std::hint::black_box(cost);
