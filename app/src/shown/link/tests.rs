@@ -262,6 +262,13 @@ fn every_wrong_link_gets_a_sentence() {
         assert!(said.starts_with(says), "{text}: {said}");
     };
     check("", "a link begins with a slide, as in 5/33?step=3");
+    // A sentence quotes no more than a line.
+    let long = "3".repeat(70);
+    let quoted = |many: usize| "3".repeat(many);
+    check(
+        &format!("5/33?set=max_depth:{long}"),
+        &format!("set=max_depth:{}…: max_depth = {}…: allowed is a whole number", quoted(46), quoted(60)),
+    );
     check("?step=3", "a link begins with a slide");
     check("5/33?step", "step: a part of a link is written key=value");
     check("5/33?step=-1", "step=-1: a whole number from 0 to");

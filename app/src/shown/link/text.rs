@@ -247,6 +247,7 @@ fn known(key: &str, value: &str) -> Result<(), String> {
         Some(refused) => Err(refused),
         None if value.split(' ').all(is_number) => Ok(()),
         None => {
+            let (value, key) = (short(value), short(key));
             Err(format!("{value} is nothing that {key} can be: no structure has such a parameter, and it is no number"))
         }
     }

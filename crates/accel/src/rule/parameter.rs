@@ -1,5 +1,6 @@
 //! A parameter as text: what it is called, what it is now, what it may be.
 
+use std::borrow::Cow;
 use std::fmt;
 
 use super::ByHand;
@@ -181,16 +182,17 @@ impl fmt::Display for RuleError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             RuleError::Kind { found, nearest } => {
-                write!(f, "there is no structure \"{found}\"{} ({})", meant(*nearest), one_of(&crate::Rule::KINDS))
+                let (found, kinds) = (quoted(found), one_of(&crate::Rule::KINDS));
+                write!(f, "there is no structure \"{found}\"{} ({kinds})", meant(*nearest))
             }
             RuleError::Key { kind, found, nearest, keys } if keys.is_empty() => {
-                write!(f, "{kind} has no parameter \"{found}\"{}: it has none", meant(*nearest))
+                write!(f, "{kind} has no parameter \"{}\"{}: it has none", quoted(found), meant(*nearest))
             }
             RuleError::Key { kind, found, nearest, keys } => {
-                write!(f, "{kind} has no parameter \"{found}\"{} ({})", meant(*nearest), one_of(keys))
+                write!(f, "{kind} has no parameter \"{}\"{} ({})", quoted(found), meant(*nearest), one_of(keys))
             }
             RuleError::Value { key, found, allowed } => {
-                write!(f, "{key} = {found}: allowed is {allowed}")?;
+                write!(f, "{key} = {}: allowed is {allowed}", quoted(found))?;
                 match allowed {
                     Allowed::Words(words) => f.write_str(&meant(nearest(found, words.iter().copied()))),
                     _ => Ok(()),
@@ -201,6 +203,17 @@ impl fmt::Display for RuleError {
 }
 
 impl std::error::Error for RuleError {}
+
+/// A sentence quotes so many letters of what was asked for.
+const QUOTED: usize = 60;
+
+/// What was asked for, as far as a sentence quotes it.
+fn quoted(found: &str) -> Cow<'_, str> {
+    match found.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("{}…", &found[..end]).into(),
+        None => found.into(),
+    }
+}
 
 /// `a, b or c`
 fn one_of(words: &[&str]) -> String {
