@@ -51,7 +51,7 @@ fn legible(pane: Pane) -> Option<[f32; 2]> {
         Pane::RulerLine => [16.0, 0.0],
         Pane::Tree => [13.0, 6.5],
         Pane::Cells => [13.0, 7.5],
-        Pane::Matrix => [15.0, 8.0],
+        Pane::Matrix => [15.0, 9.0],
         Pane::Slabs => [16.0, 7.0],
         Pane::Bytes => [30.0, 12.5],
         Pane::Listing => [20.0, 8.5],
@@ -241,6 +241,7 @@ fn high(pane: Pane, pictures: &Pictures, body: f32) -> Option<f32> {
     let [_, least] = legible(pane)?;
     Some(match pane {
         Pane::RulerLine => pictures.ruler_line_height(&look) + body,
+        Pane::Bytes => pictures.height(pane, &look).map_or(least * body, |own| own.min(least * body)),
         Pane::Tree | Pane::Work => pictures.height(pane, &look).unwrap_or(0.0).clamp(least * body, 9.0 * body),
         _ => least * body,
     })

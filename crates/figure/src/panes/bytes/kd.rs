@@ -194,7 +194,8 @@ impl Row {
         let u = self.u;
         // What the bits say may stand a little to the left of them.
         let leftmost = left - u * 1.2;
-        let least = u * SMALL * text_width("0", Face::Mono, 1.0);
+        // A little air beside each digit.
+        let least = u * text_width("0", Face::Mono, 1.0);
         let side = ((right - left) / 32.0).clamp(least, (u * 1.2).max(least));
         let room = ((right - left) / side + 1e-3) as u32;
         if room < GATHERED + 2 {
@@ -211,7 +212,7 @@ impl Row {
             figure.add(Role::Edge, None, block(corner, Vec2::new(side, height), 0.0));
             let role = if set { Role::Value } else { Role::Quiet };
             let digit = if set { "1" } else { "0" };
-            let size = (side / text_width("0", Face::Mono, 1.0)).min(u * 0.9);
+            let size = (side * SMALL / text_width("0", Face::Mono, 1.0)).min(u * 0.9);
             write(figure, role, None, corner + Vec2::new(side, height) / 2.0, digit, size, Face::Mono, Anchor::Middle);
         }
         if alone < 32 {

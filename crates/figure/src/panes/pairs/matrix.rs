@@ -10,6 +10,9 @@ use crate::theme::{Face, Role, text_width};
 /// A row's height in letters.
 const ROW: f32 = 2.1;
 
+/// The height of the names above the columns in letters: in one row, in two.
+const HEADS: [f32; 2] = [2.1, 3.4];
+
 /// The kinds that come first and those that come second, in the order in which they are tested.
 fn kinds(cases: &[Arrangement]) -> [Vec<Kind>; 2] {
     let mut all = [Vec::new(), Vec::new()];
@@ -26,7 +29,7 @@ fn kinds(cases: &[Arrangement]) -> [Vec<Kind>; 2] {
 /// How high it stands.
 pub(crate) fn matrix_height(cases: &[Arrangement], look: &Look) -> f32 {
     let [rows, _] = kinds(cases);
-    look.heading(&mut Figure::default(), "", "") + look.text * ROW * (rows.len() as f32 + 1.2) + look.margin()
+    look.heading(&mut Figure::default(), "", "") + look.text * (ROW * rows.len() as f32 + HEADS[1]) + look.margin()
 }
 
 /// The matrix after so many steps.
@@ -35,18 +38,23 @@ pub(crate) fn matrix(cases: &[Arrangement], events: &[Trial], step: usize, ask: 
     let mut figure = Figure::new(size);
     let top = look.heading(&mut figure, "Pairs", "a test for each");
     let [rows, columns] = kinds(cases);
-    let u = look.text.min((size.y - top - look.margin()) / (ROW * (rows.len() as f32 + 1.2)));
+    let u = look.text.min((size.y - top - look.margin()) / (ROW * rows.len() as f32 + HEADS[1]));
     let names = rows.iter().map(|kind| text_width(kind.word(), Face::Medium, u)).fold(0.0, f32::max);
     let left = look.margin() + names + u;
     let wide = ((size.x - left - look.margin()) / columns.len().max(1) as f32).min(u * 9.0);
     let high = u * ROW;
+    // Names that are wider than their columns stand in two rows, every other one higher.
+    let long = |kind: &Kind| text_width(kind.word(), Face::Medium, u * 0.95) + u * 0.4;
+    let levels = if columns.iter().any(|kind| long(kind) > wide) { 2 } else { 1 };
     for (index, kind) in columns.iter().enumerate() {
-        let at = Vec2::new(left + wide * (index as f32 + 0.5), top + u * 1.1);
+        let up = (index + columns.len()) % levels;
+        let at = Vec2::new(left + wide * (index as f32 + 0.5), top + u * (HEADS[levels - 1] - 1.0 - 1.3 * up as f32));
+        let room = wide * levels as f32 - u * 0.4;
         // Smaller rather than cut off.
-        let text = u * 0.95 * ((wide - u * 0.2) / text_width(kind.word(), Face::Medium, u * 0.95)).min(1.0);
+        let text = u * 0.95 * (room / text_width(kind.word(), Face::Medium, u * 0.95)).min(1.0);
         write(&mut figure, Role::Text, None, at, kind.word(), text, Face::Medium, Anchor::Middle);
     }
-    let first = top + u * 2.1;
+    let first = top + u * HEADS[levels - 1];
     for (index, kind) in rows.iter().enumerate() {
         let at = Vec2::new(left - u * 0.8, first + high * (index as f32 + 0.5));
         write(&mut figure, Role::Text, None, at, kind.word(), u, Face::Medium, Anchor::End);
