@@ -155,7 +155,9 @@ fn side_page(
     let pictures = kept.pictures.as_ref()?;
     let rest = (rect.bottom() - end - body * 0.6).min(changed_height(6, &look));
     let changed = pictures.has(Pane::Changed) && pictures.changes();
-    let shows = changed && rest >= changed_height(2, &look) && !page.state.is_settled();
+    // A question is thought about by itself.
+    let asks = page.state.question().is_some() || page.state.is_settled();
+    let shows = changed && rest >= changed_height(2, &look) && !asks;
     let below = Rect::from_min_max(pos2(rect.left(), rect.bottom() - rest), rect.max);
     shows.then(|| figure(ui, page, kept, Pane::Changed, below, &look, asked)).flatten()
 }

@@ -109,20 +109,21 @@ impl Speech {
         if self.height(ui, formulas, prose, room.x) <= room.y + 1.0 {
             return vec![self];
         }
-        let pieces = self.0.into_iter().flat_map(Part::pieces);
-        let (mut pages, mut full) = (vec![Speech(Vec::new())], 0.0);
+        let pieces: Vec<Part> = self.0.into_iter().flat_map(Part::pieces).collect();
+        let highs: Vec<f32> = pieces.iter().map(|piece| piece.height(ui, formulas, prose, room.x)).collect();
         // The page's number stands at its foot.
-        let room = vec2(room.x, room.y - prose.size);
-        for piece in pieces {
-            let high = piece.height(ui, formulas, prose, room.x);
-            let above = if full > 0.0 { full + gap(prose.size) } else { 0.0 };
-            if full > 0.0 && above + high > room.y {
-                pages.push(Speech(vec![piece]));
-                full = high;
-            } else {
-                pages.last_mut().expect("there is a page").0.push(piece);
-                full = above + high;
+        let most = room.y - prose.size;
+        let fewest = turned(&highs, gap(prose.size), most);
+        let count = |turns: &[bool]| turns.iter().filter(|turns| **turns).count();
+        // As full as each other, as far as they can be: no line is left over for a page of its own.
+        let lower = (1..EVEN).map(|part| turned(&highs, gap(prose.size), most * part as f32 / EVEN as f32));
+        let even = lower.into_iter().find(|turns| count(turns) == count(&fewest)).unwrap_or(fewest);
+        let mut pages = vec![Speech(Vec::new())];
+        for (piece, turns) in pieces.into_iter().zip(even) {
+            if turns {
+                pages.push(Speech(Vec::new()));
             }
+            pages.last_mut().expect("there is a page").0.push(piece);
         }
         pages
     }
@@ -154,6 +155,21 @@ impl Speech {
         }
         asked
     }
+}
+
+/// In so many steps pages are tried less full.
+const EVEN: usize = 24;
+
+/// Before which pieces of these heights a page is turned that is filled so high at most.
+fn turned(highs: &[f32], gap: f32, most: f32) -> Vec<bool> {
+    let mut full = 0.0;
+    let turns = highs.iter().map(|high| {
+        let above = if full > 0.0 { full + gap } else { 0.0 };
+        let turns = full > 0.0 && above + high > most;
+        full = if turns { *high } else { above + high };
+        turns
+    });
+    turns.collect()
 }
 
 /// Between two parts, and between two buttons.
