@@ -8,7 +8,7 @@ use std::rc::Rc;
 use std::time::Instant;
 
 use egui::{Event, Key, Modifiers, Ui, ViewportCommand};
-use raystep::window::{App, Opening};
+use raystep::window::{App, Opening, Wishes};
 use raystep_lesson::Library;
 use winit::platform::x11::EventLoopBuilderExtX11;
 
@@ -29,8 +29,8 @@ struct Measured {
     first: f64,
     /// And to the frame in which its picture stands.
     opening: f64,
-    /// The computing of each frame after that.
-    frames: Vec<f32>,
+    /// The computing of each frame after that, and the key that called for it.
+    frames: Vec<(f32, Option<Key>)>,
 }
 
 /// Who turns the pages.
@@ -42,8 +42,11 @@ struct Pages {
     shown: usize,
     /// The slide that is being opened, and since when.
     opens: Option<(usize, Instant)>,
-    /// How many keys were pressed on this slide.
+    /// How many keys were pressed on this slide, and the last one.
     pressed: usize,
+    key: Option<Key>,
+    /// The slide after which the window is closed.
+    last: usize,
 }
 
 impl Pages {
@@ -63,10 +66,11 @@ impl Pages {
             self.opens = None;
             return;
         }
-        if self.opens.is_some() {
+        if self.opens.is_some() || slide > self.last {
             return;
         }
-        self.measured.frames.extend(milliseconds);
+        let key = self.key.take();
+        self.measured.frames.extend(milliseconds.map(|milliseconds| (milliseconds, key)));
         let mut before = 0;
         let key = KEYS.iter().find(|(_, times)| {
             before += times;
@@ -75,9 +79,11 @@ impl Pages {
         self.pressed += 1;
         if let Some((key, _)) = key {
             press(ui, *key);
+            self.key = Some(*key);
         } else if self.pressed > before + REST {
             self.tell(slide);
-            if slide + 1 == self.names.len() {
+            if slide == self.last {
+                self.last = 0;
                 ui.ctx().send_viewport_cmd(ViewportCommand::Close);
             } else {
                 press(ui, Key::PageDown);
@@ -91,10 +97,11 @@ impl Pages {
     /// Prints what was measured on a slide that is left.
     fn tell(&mut self, slide: usize) {
         let Measured { first, opening, mut frames } = std::mem::take(&mut self.measured);
-        frames.sort_by(f32::total_cmp);
-        let (median, most) = (frames[frames.len() / 2], frames[frames.len() - 1]);
+        frames.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let ((median, _), (most, key)) = (frames[frames.len() / 2], frames[frames.len() - 1]);
         let (name, count) = (&self.names[slide], frames.len());
-        println!("{name:>8} {first:>9.0} {opening:>11.0} {median:>10.1} {most:>11.1} {count:>7}");
+        let key = key.map_or("-", Key::name);
+        println!("{name:>8} {first:>9.0} {opening:>11.0} {median:>10.1} {most:>11.1} {key:>7} {count:>7}");
         self.shown += 1;
     }
 }
@@ -111,16 +118,24 @@ fn press(ui: &Ui, key: Key) {
 fn inside_all_slides() {
     let library = Library::embedded();
     let names: Vec<String> = library.slides.iter().map(raystep_lesson::Slide::id).collect();
-    let slides = names.len();
+    // That slide alone, behind the one before it.
+    let only = std::env::var("RAYSTEP_SLIDE").ok();
+    let place = |id: &String| names.iter().position(|name| name == id).expect("such a slide");
+    let only = only.as_ref().map(place);
+    let (from, last) = only.map_or((0, names.len() - 1), |only| (only.saturating_sub(1), only));
+    let slides = last - from + 1;
+    let slide = Some(names[from].clone());
     println!(
-        "{:>8} {:>9} {:>11} {:>10} {:>11} {:>7}",
-        "slide", "first, ms", "picture, ms", "frame, ms", "slowest, ms", "frames"
+        "{:>8} {:>9} {:>11} {:>10} {:>11} {:>7} {:>7}",
+        "slide", "first, ms", "picture, ms", "frame, ms", "slowest, ms", "after", "frames"
     );
     let measured = Measured::default();
-    let pages = Rc::new(RefCell::new(Pages { names, measured, shown: 0, opens: None, pressed: 0 }));
+    let pages = Pages { names, measured, shown: 0, opens: None, pressed: 0, key: None, last };
+    let pages = Rc::new(RefCell::new(pages));
     let turns = pages.clone();
     let opening = Opening {
         library,
+        wishes: Wishes { slide, ..Wishes::default() },
         each_frame: Some(Box::new(move |app, ui, frame| turns.borrow_mut().turn(app, ui, frame))),
         event_loop: Some(Box::new(|builder| _ = builder.with_any_thread(true))),
         ..Opening::default()
@@ -131,7 +146,7 @@ fn inside_all_slides() {
 }
 
 #[test]
-#[ignore = "takes minutes, and says most in a release build of an idle machine"]
+#[ignore = "takes minutes, and says most in a release build of an idle machine; RAYSTEP_SLIDE=5/33 that slide alone"]
 fn every_slide_opens_and_steps() {
     let Some(display) = Display::or_step_aside() else { return };
     let folder = tempfile::tempdir().expect("a folder");

@@ -94,6 +94,13 @@ fn one(target: &Target, input: &[u8], watch: &Watch, keep: &Path) -> Duration {
         let file = write(keep, target.name, &mutate::shortened(input, &fails));
         panic!("{} fails; the input is kept in {}", target.name, file.display());
     }
+    // The machine may have been busy with something else: what hangs does so again.
+    let again = || {
+        let start = Instant::now();
+        (target.body)(input);
+        start.elapsed()
+    };
+    let time = if time > LONGEST { time.min(again()) } else { time };
     if time > LONGEST {
         let file = write(keep, target.name, input);
         panic!("{} takes {time:?}; the input is kept in {}", target.name, file.display());

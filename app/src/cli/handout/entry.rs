@@ -52,7 +52,9 @@ pub(super) fn entries(slide: &Slide, about: &str, sessions: &[Session<'_>]) -> R
     let height = |high: f32| if tree { high } else { high * ALONE };
     let sheets = |high: f32| {
         let mut sheet = Sheet::new(&slide.title, about);
-        entries.iter().for_each(|entry| sheet.add(entry.piece_with(height(high))));
+        for entry in &entries {
+            sheet.add(entry.piece_with(height(high)));
+        }
         sheet.finish().len()
     };
     let fewest = HIGH.map(sheets).into_iter().zip(HIGH).min_by_key(|(sheets, _)| *sheets);
