@@ -19,6 +19,9 @@ use display::{Display, resident};
 /// last one, so many steps back, and the first one.
 const KEYS: [(Key, usize); 4] = [(Key::ArrowRight, 40), (Key::End, 1), (Key::ArrowLeft, 20), (Key::Home, 1)];
 
+/// A frame that takes longer is told of by itself, in milliseconds.
+const FRAME: f32 = 16.0;
+
 /// Frames in which nothing is pressed before a slide is left.
 const REST: usize = 3;
 
@@ -70,6 +73,9 @@ impl Pages {
             return;
         }
         let key = self.key.take();
+        if let Some(slow) = milliseconds.filter(|milliseconds| *milliseconds > FRAME) {
+            println!("{:>8}: {slow:.1} ms at step {}", self.names[slide], app.state.view.step);
+        }
         self.measured.frames.extend(milliseconds.map(|milliseconds| (milliseconds, key)));
         let mut before = 0;
         let key = KEYS.iter().find(|(_, times)| {

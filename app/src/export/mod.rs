@@ -21,6 +21,7 @@ pub(crate) use order::{Format, Order, STEP_MILLIS, delay};
 pub(crate) use session::Session;
 pub use size::Size;
 pub(crate) use span::span;
+pub(crate) use standing::Changed;
 pub(crate) use telling::{Asked, Telling};
 pub(crate) use there::There;
 pub(crate) use video::has_ffmpeg;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use raystep_accel::{Cancelled, Rule};
-use raystep_figure::Pane;
+use raystep_figure::{Depth, Pane};
 use raystep_lesson::{Built, Care, Library, Plays, Slide, Stage, Tape};
 use raystep_scene::Scene;
 
@@ -13,25 +13,41 @@ use crate::fault::Fault;
 use crate::shown::all_nodes::AllNodes;
 use crate::shown::camera::Seen;
 use crate::shown::kind_name::kind_name;
+use crate::shown::own::OwnScene;
+
+/// What differs from a slide's stage.
+#[derive(Default)]
+pub(crate) struct Changed {
+    /// Parameters of the structure: keys and values.
+    pub(crate) settings: Vec<(String, String)>,
+    /// The scene with shapes that were moved by hand.
+    pub(crate) own: Option<OwnScene>,
+    /// Where it is seen from, and how that is called.
+    pub(crate) seen: Option<(String, Seen)>,
+    /// How many boxes of a tree are drawn in space.
+    pub(crate) depth: Option<Depth>,
+}
 
 impl<'a> Ground<'a> {
     /// A stage as its slide has it.
     pub(crate) fn of_stage(library: &'a Library, slide: &'a Slide, stage: &'a Stage) -> Result<Ground<'a>, Fault> {
-        Ground::of_changed_stage(library, slide, stage, Vec::new(), None, false)
+        Ground::of_changed_stage(library, slide, stage, Changed::default(), false)
     }
 
-    /// A stage with other parameters of its structure, keys and values, perhaps seen from elsewhere, and perhaps with times
-    /// of this machine.
+    /// A stage with what differs from its slide's, and perhaps with times of this machine.
     pub(crate) fn of_changed_stage(
         library: &'a Library,
         slide: &'a Slide,
         stage: &'a Stage,
-        settings: Vec<(String, String)>,
-        seen: Option<(String, Seen)>,
+        changed: Changed,
         times: bool,
     ) -> Result<Ground<'a>, Fault> {
+        let Changed { settings, own, seen, depth } = changed;
         let wrong = |error: &dyn std::fmt::Display| Fault::new(format!("{}: {error}", slide.file));
-        let scene = stage.scenes.named(&stage.scene).map_err(|error| wrong(&error))?;
+        let scene = match &own {
+            Some(own) => own.scene.clone(),
+            None => stage.scenes.named(&stage.scene).map_err(|error| wrong(&error))?,
+        };
         let mut rule = stage.plan.rule(scene.flat).map_err(|error| wrong(&error))?;
         for (key, value) in &settings {
             match stage.own_setting(key, value) {
@@ -46,8 +62,9 @@ impl<'a> Ground<'a> {
         let nodes = Arc::new(AllNodes::of(&structure, told.as_ref()));
         let built = Built { scene, structure: Arc::new(structure), told };
         let (settings, seen) = with_camera(settings, seen);
-        let own = Changes { scene: None, settings, own: None, seen, depth: None, told: true };
-        Ok(Ground::new(library, slide, stage, built, rule, nodes, own, &|| true))
+        let own = own.as_ref().map(|own| &*own.scene);
+        let changes = Changes { scene: None, settings, own, seen, depth, told: true };
+        Ok(Ground::new(library, slide, stage, built, rule, nodes, changes, &|| true))
     }
 
     /// A scene of no slide, with a structure over it; `builds` tells how that is built.

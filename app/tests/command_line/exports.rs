@@ -200,6 +200,37 @@ fn any_walk_becomes_a_picture() {
 }
 
 #[test]
+fn the_place_of_a_link_becomes_a_picture() {
+    let folder = folder("linked");
+    let small = ["--size", "160x100", "--format", "svg"];
+    for (link, name, says) in [
+        ("5/33?ray=from%20the%20right&step=6", "slide33-which-child-first-flat-from-the-right-160x100-step0006", ""),
+        ("5/33?stage=flat&step=6&set=max_depth:3", "slide33-which-child-first-flat-max-depth-3-160x100-step0006", ""),
+        ("5/33?own=0.1,1.2,0,7.9,2.8,0&step=4&camera=4,2,1.5&aspect=1.4", "-camera-linked-own-ray-", ""),
+        ("5/33?step=3&shape=2:3,1,0.25", "slide33-which-child-first-flat-", ""),
+        ("5/33?step=3&beside=grid", "-step0003", "--at: what stands beside is left out"),
+    ] {
+        let output = raystep(&folder, &[&["export", "--out", "said", "--at", link][..], &small].concat());
+        assert!(text(&output.stderr).contains(says), "{link}: {}", text(&output.stderr));
+        let (file, _) = only(&folder, &[&["--at", link][..], &small].concat());
+        assert!(file.contains(name), "{link}: {file}");
+    }
+    // Without a step, all that the beats say on this ray.
+    assert!(written(&folder, &[&["--at", "5/33?ray=from%20the%20right"][..], &small].concat()).len() > 3);
+    for (link, says) in [
+        ("5/99?step=3", "--at: there is no slide \"5/99\""),
+        ("5/33?step=x", "step=x: a whole number"),
+        ("5/33?ray=nobody", "--at: slide 5/33 has no ray \"nobody\""),
+        ("5/33?mesh=teapot.obj", "--at: a mesh is drawn by --mesh teapot.obj"),
+        ("5/33?example=unclipped", "example=unclipped: there are"),
+    ] {
+        refused(&folder, &["export", "--out", "none", "--at", link], says);
+    }
+    refused(&folder, &["export", "--out", "none", "--at", "5/33", "--slide", "5/33"], "cannot be used with");
+    assert!(!folder.join("none").exists());
+}
+
+#[test]
 fn two_programs_that_write_one_file_do_not_mix() {
     let folder = folder("at-once");
     let call = ["export", "--slide", "5/33", "--stage", "flat", "--steps", "0..5", "--view", "t", "--format", "svg"];

@@ -6,15 +6,15 @@ use raystep_lesson::{Library, NamedRay, Slide, Stage, StageKind};
 use super::ExportArguments;
 use super::own::{pairs, seen};
 use crate::cli::rays;
-use crate::export::{Format, Ground, Session, rays_of_beats};
+use crate::export::{Changed, Format, Ground, Session, rays_of_beats};
 use crate::fault::Fault;
 use crate::shown::unknown::{no_ray, no_slide};
 
 /// A stage, built, with what walks on it.
 pub(super) struct Stood<'a> {
     pub(super) ground: Ground<'a>,
-    rays: Vec<&'a NamedRay>,
-    own: Option<Ray>,
+    pub(super) rays: Vec<&'a NamedRay>,
+    pub(super) own: Option<Ray>,
 }
 
 impl Stood<'_> {
@@ -41,7 +41,8 @@ pub(super) fn grounds<'a>(library: &'a Library, arguments: &ExportArguments) -> 
                 if !slide.plays.has_rays() { arguments.ray.is_some() } else { rays.is_empty() && own.is_none() };
             if !left_out && !nothing {
                 let seen = seen(&arguments.own, stage, arguments.size)?;
-                let ground = Ground::of_changed_stage(library, slide, stage, settings.clone(), seen, arguments.times)?;
+                let changed = Changed { settings: settings.clone(), seen, ..Changed::default() };
+                let ground = Ground::of_changed_stage(library, slide, stage, changed, arguments.times)?;
                 grounds.push(Stood { ground, rays, own });
             }
         }

@@ -1,5 +1,6 @@
 //! `raystep export`: steps as pictures, without display or graphics card.
 
+mod at;
 mod chosen;
 mod own;
 
@@ -19,16 +20,21 @@ use crate::export::{
 };
 use crate::fault::Fault;
 use crate::files;
+use crate::shown::Link;
 
 /// What to draw, how, and where to.
 #[derive(Args, Debug)]
 pub struct ExportArguments {
     /// The slide: section and number, as in 5/33.
-    #[arg(long, value_name = "SLIDE", conflicts_with = "all", required_unless_present_any = ["all", "scene", "mesh"])]
+    #[arg(long, value_name = "SLIDE", conflicts_with = "all", required_unless_present_any = ["all", "scene", "mesh", "at"])]
     slide: Option<String>,
     /// All slides.
     #[arg(long)]
     all: bool,
+    /// A place as Ctrl+L copies it, as in "5/33?step=13": its slide, stage and ray, what was set there, and its step.
+    #[arg(long, value_name = "LINK", value_parser = str::parse::<Link>, conflicts_with_all = ["slide", "all", "ray",
+          "stage", "scene", "mesh", "structure", "rule", "pixel", "build", "camera"])]
+    at: Option<Link>,
     /// The ray: a name of the slide's, or OX,OY,OZ,DX,DY,DZ[,T_MIN,T_MAX] as trace takes it; without it, the ray that
     /// each beat wants.
     #[arg(long, value_name = "NAME|NUMBERS", allow_hyphen_values = true)]
@@ -94,9 +100,15 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
     let library = arguments.lessons.read()?;
     if arguments.own.is_asked() {
         let (ground, ray) = own::ground(&library, arguments)?;
-        return draw(&own::sessions(&ground, ray), &order, arguments);
+        return draw(&own::sessions(&ground, ray), &order, None, arguments);
     }
-    let grounds = chosen::grounds(&library, arguments)?;
+    let (grounds, step) = match &arguments.at {
+        Some(link) => {
+            let (stood, step) = at::stood(&library, link, arguments)?;
+            (vec![stood], step)
+        }
+        None => (chosen::grounds(&library, arguments)?, None),
+    };
     // What is wrong elsewhere was said, and is drawn by nobody here.
     let drawn =
         |file: &str| file.starts_with("listings/") || grounds.iter().any(|stood| stood.ground.slide.file == file);
@@ -107,14 +119,20 @@ pub(crate) fn run(arguments: &ExportArguments) -> Result<(), Fault> {
     if sessions.is_empty() {
         return Err(Fault::new(chosen::nothing(&library, arguments)));
     }
-    draw(&sessions, &order, arguments)
+    draw(&sessions, &order, step, arguments)
 }
 
-/// Draws what was chosen, and says how much that was.
-fn draw(sessions: &[Session<'_>], order: &Order, arguments: &ExportArguments) -> Result<(), Fault> {
-    let which = match &arguments.steps {
-        Some(range) => Which::Steps(range.clone()),
-        None if arguments.ray.is_some() => Which::ReachedBeats,
+/// Draws what was chosen, and says how much that was. Of a place with a step that alone is drawn, unless a film is.
+fn draw(
+    sessions: &[Session<'_>],
+    order: &Order,
+    step: Option<usize>,
+    arguments: &ExportArguments,
+) -> Result<(), Fault> {
+    let step = step.filter(|_| !arguments.beats && !order.format.is_film());
+    let which = match arguments.steps.clone().or(step.map(|step| step..=step)) {
+        Some(range) => Which::Steps(range),
+        None if arguments.ray.is_some() || arguments.at.is_some() => Which::ReachedBeats,
         None => Which::Beats,
     };
     let jobs = jobs(sessions, &which, order)?;
