@@ -2,16 +2,20 @@
 
 mod changes;
 mod joins;
+mod node;
+mod tally;
+mod weighed;
 
 use std::collections::BTreeMap;
 
 use glam::Vec3;
-use raystep_accel::{
-    Aabb, Axis, CellId, Direction, FreePlane, Grow, LeafReason, NodeId, Place, PrimId, Prims, Structure,
-};
+use raystep_accel::{Aabb, Axis, CellId, Direction, FreePlane, Grow, NodeId, Place, PrimId, Prims, Structure};
 
 use super::Changed;
 use crate::world::Nodes;
+pub use node::{GrowNode, Taken};
+pub use tally::Tally;
+pub use weighed::Weighed;
 
 /// A build that was recorded, with what it ended in.
 #[derive(Clone, Copy)]
@@ -90,89 +94,6 @@ pub enum Fate {
     Stored,
     /// It does not reach into the cell.
     Pruned,
-}
-
-/// How often a builder did what.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
-    /// Primitives put into the box.
-    pub boxed: u64,
-    /// Cells that the box of a primitive met.
-    pub rasterised: u64,
-    /// Those that the primitive itself did not reach.
-    pub pruned: u64,
-    /// References stored.
-    pub stored: u64,
-    /// Splits weighed.
-    pub weighed: u64,
-    /// Splits taken.
-    pub taken: u64,
-    /// Times that two sets became one.
-    pub joined: u64,
-    /// Leaves made.
-    pub leaves: u64,
-}
-
-/// A node that grows.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GrowNode {
-    /// Its box.
-    pub bounds: Aabb,
-    /// How many references it holds.
-    pub prims: u32,
-    /// How deep it lies: the root at 0.
-    pub depth: u32,
-    /// How it was split in two, if it was.
-    pub split: Option<Taken>,
-    /// The nodes that it was split or divided into.
-    pub children: Vec<NodeId>,
-    /// Why it stayed a leaf, if it did.
-    pub leaf: Option<LeafReason>,
-    /// What it refers to, as a leaf.
-    pub settled: Vec<PrimId>,
-    /// Where sets are joined: whether it lies where it stays.
-    pub placed: bool,
-}
-
-/// A split that was taken.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Taken {
-    /// Across this axis.
-    pub axis: Direction,
-    /// At this coordinate.
-    pub plane: f32,
-    /// The lower child.
-    pub below: NodeId,
-    /// The upper child.
-    pub above: NodeId,
-    /// What it costs.
-    pub cost: f32,
-    /// In a BSP tree, how the plane stands.
-    pub free: Option<FreePlane>,
-}
-
-/// A split that was weighed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Weighed {
-    /// Across this axis.
-    pub axis: Direction,
-    /// At this coordinate.
-    pub plane: f32,
-    /// References below it.
-    pub below: u32,
-    /// References above it.
-    pub above: u32,
-    /// What it would cost.
-    pub cost: f32,
-    /// In a BSP tree, how the plane stands.
-    pub free: Option<FreePlane>,
-}
-
-impl Weighed {
-    /// The cheapest of some; the first of equals.
-    pub fn cheapest(weighed: &[Weighed]) -> Option<Weighed> {
-        weighed.iter().copied().reduce(|best, next| if next.cost < best.cost { next } else { best })
-    }
 }
 
 impl Default for GrowMoment {

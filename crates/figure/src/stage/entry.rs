@@ -3,8 +3,10 @@
 use glam::{Vec2, Vec3};
 
 use super::HEAD;
-use super::labels::{HOPELESS, Obstacles, beside_point, letters, outside};
+use super::beside::beside_point;
+use super::labels::{letters, outside};
 use super::lens::Lens;
+use super::obstacles::{HOPELESS, Obstacles};
 use super::spot::{ASIDE, HALF, Spot};
 use crate::page::{Anchor, Figure, Ink};
 use crate::theme::{Face, Role, text_width};

@@ -1,6 +1,7 @@
 //! A space as a camera sees it: a figure.
 
 mod axes;
+mod beside;
 mod camera;
 mod controls;
 mod crop;
@@ -9,6 +10,7 @@ mod inset;
 mod labels;
 mod lens;
 mod numbers;
+mod obstacles;
 mod rulers;
 mod shaded;
 mod shapes;

@@ -3,8 +3,10 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::{Place, PrimId, Primitives, Prims, Shape};
 
-use super::labels::{AROUND, HOPELESS, Obstacles, covered, letters, outline, within_shape};
+use super::beside::{AROUND, outline, within_shape};
+use super::labels::letters;
 use super::lens::Lens;
+use super::obstacles::{HOPELESS, Obstacles, covered};
 use super::spot::{ASIDE, HALF, Spot};
 use crate::page::{Anchor, Figure, Ink, write};
 use crate::theme::{Face, Role, text_width};

@@ -8,7 +8,7 @@ use crate::reading::Reading;
 
 use raystep_fast::FastKind;
 
-use crate::{Plan, Spot, head, limits, template};
+use crate::{Plan, Spot, limits, template};
 
 use super::{Column, Formula, table};
 
@@ -139,7 +139,7 @@ fn draw(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Drawn> {
     let (from, to) = (keys.get::<f64>("from", reading), keys.get::<f64>("to", reading));
     let guess = keys.get::<bool>("guess", reading).unwrap_or_default().1;
     let scenes = keys.get::<Vec<String>>("scenes", reading);
-    let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+    let plan = keys.table("structure", reading).and_then(|mut table| Plan::read(&mut table, reading));
     let at = keys.at();
     table::moves(plan.as_ref(), false, at, reading);
     let fast = table::fast(&mut keys, plan.as_ref(), reading);

@@ -5,7 +5,7 @@ use crate::problem::misspelt;
 use crate::reading::Reading;
 use raystep_fast::FastKind;
 
-use crate::{Plan, head, template};
+use crate::{Plan, template};
 
 use super::{Column, table};
 
@@ -51,7 +51,7 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Map
     let mut maps = Vec::new();
     for mut keys in keys.tables("maps", reading) {
         let (name, step) = (keys.need::<String>("name", reading), keys.get::<f32>("step", reading));
-        let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+        let plan = keys.table("structure", reading).and_then(|mut table| Plan::read(&mut table, reading));
         let at = keys.at();
         table::moves(plan.as_ref(), true, at, reading);
         let fast = table::fast(&mut keys, plan.as_ref(), reading);

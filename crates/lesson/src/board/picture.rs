@@ -4,9 +4,9 @@ use glam::Vec3;
 use raystep_accel::BvhVolume;
 
 use super::table;
+use crate::Plan;
 use crate::keys::Keys;
 use crate::reading::Reading;
-use crate::{Plan, head};
 
 /// Pictures beside each other.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,7 +58,7 @@ pub(super) fn read(keys: &mut Keys<'_>, reading: &mut Reading<'_>) -> Option<Pic
         let spot = reading.spot(keys.at());
         let (name, step) = (keys.need::<String>("name", reading), keys.get::<f32>("step", reading));
         let scene = keys.get::<String>("scene", reading).map(|(_, scene)| scene);
-        let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+        let plan = keys.table("structure", reading).and_then(|mut table| Plan::read(&mut table, reading));
         let at = keys.at();
         table::moves(plan.as_ref(), false, at, reading);
         let (eye, target) = (keys.get::<Vec3>("eye", reading), keys.get::<Vec3>("target", reading));

@@ -7,7 +7,7 @@ use crate::check::PACKET_KINDS;
 use crate::keys::Keys;
 use crate::problem::{listed, misspelt};
 use crate::reading::Reading;
-use crate::{Plan, Spot, head, limits, template};
+use crate::{Plan, Spot, limits, template};
 
 use super::{Formula, How, Numbers};
 
@@ -253,7 +253,7 @@ fn row(mut keys: Keys<'_>, reading: &mut Reading<'_>) -> Option<Row> {
     let step = keys.get::<f32>("step", reading);
     let scene = keys.get::<String>("scene", reading).map(|(_, scene)| scene);
     let spot = reading.spot(keys.at());
-    let plan = keys.table("structure", reading).and_then(|mut table| head::plan(&mut table, reading));
+    let plan = keys.table("structure", reading).and_then(|mut table| Plan::read(&mut table, reading));
     let volume = volume(&mut keys, reading);
     let fast = fast(&mut keys, plan.as_ref(), reading);
     let at = keys.at();
