@@ -300,7 +300,8 @@ impl Stage<'_> {
 /// How a line looks where a surface lies before it.
 fn behind(role: Role) -> Role {
     match role {
-        Role::Live | Role::Ray => Role::Ray,
+        Role::Live => Role::LiveBehind,
+        Role::Ray => Role::Ray,
         Role::Here | Role::Seen => Role::Seen,
         Role::Waiting | Role::Best | Role::Hit | Role::Lane => role,
         Role::Thread1 | Role::Strand1 => Role::Thread1,

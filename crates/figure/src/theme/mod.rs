@@ -262,6 +262,7 @@ impl Theme {
             Role::Hover => look(stroke(self.text, 2.6, Solid), Some(self.hover.alpha(96)), self.text),
             Role::Edge => look(stroke(self.edge, 1.0, Solid), None, self.quiet),
             Role::Filled => look(stroke(self.edge, 1.0, Solid), Some(self.edge.alpha(self.tint + 14)), self.quiet),
+            Role::LiveBehind => look(stroke(self.ray.alpha(190), 4.0, Short), None, self.ray),
             Role::Hidden => look(stroke(self.edge, 0.9, Dotted), None, self.quiet),
             Role::Ghost => look(stroke(self.edge, 2.8, Dotted), None, self.quiet),
             Role::Wrong => hatched(stroke(self.wrong, 3.2, Dashed), tint(self.wrong), self.wrong),

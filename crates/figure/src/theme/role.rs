@@ -61,6 +61,8 @@ pub enum Role {
     Edge,
     /// A cell or a leaf that refers to primitives: tinted.
     Filled,
+    /// The part of the ray under consideration where a surface lies before it: as wide, in dashes.
+    LiveBehind,
     /// A line behind a surface: thin and dotted.
     Hidden,
     /// Where the step before stood: pale and dotted.
@@ -83,7 +85,7 @@ pub enum Role {
 
 impl Role {
     /// Every role.
-    pub const ALL: [Role; 38] = [
+    pub const ALL: [Role; 39] = [
         Role::Scene,
         Role::Ray,
         Role::Line,
@@ -113,6 +115,7 @@ impl Role {
         Role::Hover,
         Role::Edge,
         Role::Filled,
+        Role::LiveBehind,
         Role::Hidden,
         Role::Ghost,
         Role::Wrong,
