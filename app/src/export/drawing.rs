@@ -2,8 +2,8 @@
 
 use glam::Vec2;
 use raystep_figure::{
-    Ask, Camera, Figure, ListingLine, Look, Pane, Reel, Scenery, Space, Still, Theme, close_up, crop, inset_at,
-    inset_size, is_nearer, set_inset, stage_around as picture_of,
+    Ask, Camera, Figure, ListingLine, Look, Pane, Reel, Scenery, Space, Still, Theme, TreeView, close_up, crop,
+    inset_at, inset_size, is_nearer, set_inset, stage_around as picture_of,
 };
 use raystep_lesson::Tape;
 use raystep_print::{Part, Plate, drawn, part, plate, set_in};
@@ -23,6 +23,8 @@ struct Sheet<'a> {
     beat: Option<usize>,
     /// How many pixels a point has.
     scale: f32,
+    /// While a beat's question is open: what answers it is hidden, and so are totals if it asks for one.
+    asks: Option<bool>,
 }
 
 impl Session<'_> {
@@ -39,18 +41,22 @@ impl Session<'_> {
         self.figure_of(&Order::new(view, Format::Png, Size::USUAL, theme), step, beat, pixels)
     }
 
-    /// A step on a page of so many points, whose shaded scenes have `scale` pixels to a point.
+    /// A step on a page of so many points, whose shaded scenes have `scale` pixels to a point; while the question of a
+    /// beat is `asked`, without what answers it.
     pub(crate) fn figure_on(
         &self,
         view: View,
         step: usize,
+        asked: Option<usize>,
         page: Vec2,
         scale: f32,
         theme: &Theme,
     ) -> Result<Figure, Fault> {
         let theme = Theme::named(theme.name).unwrap_or(&Theme::LIGHT);
         let order = Order::new(view, Format::Png, Size::USUAL, theme);
-        Ok(self.laid_out(&order, step, None, page * scale, scale)?.0)
+        let ask = asked.and_then(|beat| self.ground.beats.get(beat)?.ask.as_ref());
+        let asks = ask.map(|ask| ask.about.is_total());
+        Ok(self.laid_out(&order, step, None, asks, page * scale, scale)?.0)
     }
 
     /// The same, with everything that an order says of it.
@@ -65,7 +71,7 @@ impl Session<'_> {
         let page = if order.view == View::Plate { PLATE } else { BARE };
         let larger = if *order.theme == Theme::PROJECTOR { PROJECTED } else { 1.0 };
         let scale = (pixels.x * pixels.y / (page.x * page.y)).sqrt() * larger;
-        self.laid_out(order, step, beat, pixels, scale)
+        self.laid_out(order, step, beat, None, pixels, scale)
     }
 
     fn laid_out(
@@ -73,6 +79,7 @@ impl Session<'_> {
         order: &Order,
         step: usize,
         beat: Option<usize>,
+        asks: Option<bool>,
         pixels: Vec2,
         scale: f32,
     ) -> Result<(Figure, f32), Fault> {
@@ -84,7 +91,7 @@ impl Session<'_> {
         let changed = order.view == View::Changed || order.pieces.iter().any(tells);
         let before = changed.then(|| reel.at(step.saturating_sub(1)));
         let still = before.as_ref().map_or(still, |before| still.since(before));
-        let sheet = Sheet { session: self, order, still, reel: &reel, step, beat, scale };
+        let sheet = Sheet { session: self, order, still, reel: &reel, step, beat, scale, asks };
         let drawn = match (order.view, order.view.pane()) {
             (View::Plate, _) => (sheet.plate(pixels / scale), scale),
             (View::Heat, _) if !reel.has(Pane::Heat) => fitted(sheet.heat()?, pixels),
@@ -112,7 +119,8 @@ impl Sheet<'_> {
 
     fn picture(&self, size: Vec2) -> Figure {
         let Some(shown) = self.still.space().filter(|_| !self.still.has(Pane::Picture)) else {
-            return self.still.draw(Pane::Picture, &Ask::new(size, Look::WINDOW));
+            let ask = Ask { hide: self.asks.is_some(), ..Ask::new(size, Look::WINDOW) };
+            return self.still.draw(Pane::Picture, &ask);
         };
         let ground = self.session.ground;
         let camera = ground.camera(&shown, size);
@@ -165,7 +173,9 @@ impl Sheet<'_> {
         // A tree says itself what it is.
         let look = Look { titles: pane != Pane::Tree, ..Look::WINDOW };
         let listing = self.listing();
-        self.still.draw(pane, &Ask { lines: &listing, ..Ask::new(size, look) })
+        let view = TreeView { uncounted: self.asks == Some(true), ..TreeView::default() };
+        let (hide, view) = (self.asks.is_some(), Some(&view));
+        self.still.draw(pane, &Ask { hide, view, lines: &listing, ..Ask::new(size, look) })
     }
 
     fn listing(&self) -> Vec<ListingLine<'_>> {

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_figure::{Anchor, Face, Figure, Ink, Role, Theme, crop};
 use raystep_lesson::{Show, Slide};
-use raystep_print::{Passage, Reading, prose, set_in};
+use raystep_print::{Passage, Reading, enlarge, prose, set_in};
 
 use super::sheet::{INNER, Piece, Sheet};
 use crate::cli::page::plain;
@@ -34,7 +34,7 @@ const ALONE: f32 = 1.2;
 /// The beats of a slide as far as they are reached, on as few sheets as may be, their pictures as high as they can be on
 /// these. `about` says of which slide they are.
 pub(super) fn entries(slide: &Slide, about: &str, sessions: &[Session<'_>]) -> Result<Vec<Entry>, Fault> {
-    let tree = slide.show.contains(&Show::Tree);
+    let beside = beside(slide);
     let mut entries = Vec::new();
     let mut drawn = Vec::new();
     // What the picture above shows: a beat's question is often asked where the beat before it stands.
@@ -44,12 +44,14 @@ pub(super) fn entries(slide: &Slide, about: &str, sessions: &[Session<'_>]) -> R
         let (Some(at), Some(telling)) = (session.step_of(beat), session.telling(beat)) else { continue };
         let step = telling.asked.as_ref().map_or(at, |asked| asked.before);
         let here = Some((session.file_stem().to_owned(), step));
+        let telling_asks = telling.asked.is_some();
         let pictured = above != here;
         above = here;
         entries.push(Entry { telling, shows: session.shows(step), pictured, pictures: Vec::new(), number: 0 });
-        drawn.push((session, step));
+        let asked = telling_asks.then_some(beat);
+        drawn.push((session, step, asked));
     }
-    let height = |high: f32| if tree { high } else { high * ALONE };
+    let height = |high: f32| if beside.is_some() { high } else { high * ALONE };
     let sheets = |high: f32| {
         let mut sheet = Sheet::new(&slide.title, about);
         for entry in &entries {
@@ -59,22 +61,40 @@ pub(super) fn entries(slide: &Slide, about: &str, sessions: &[Session<'_>]) -> R
     };
     let fewest = HIGH.map(sheets).into_iter().zip(HIGH).min_by_key(|(sheets, _)| *sheets);
     let high = fewest.map_or(HIGH[0], |(_, high)| height(high));
-    for (entry, (session, step)) in entries.iter_mut().zip(drawn).filter(|(entry, _)| entry.pictured) {
-        entry.pictures = pictures(tree, high, session, step)?;
+    for (entry, (session, step, asked)) in entries.iter_mut().zip(drawn).filter(|(entry, _)| entry.pictured) {
+        entry.pictures = pictures(beside, high, session, step, asked)?;
     }
     Ok(entries)
 }
 
-/// Space, or what stands in its place, and the tree if the slide shows one, so high.
-fn pictures(tree: bool, high: f32, session: &Session<'_>, step: usize) -> Result<Vec<Figure>, Fault> {
-    let widths = if tree { vec![INNER * 0.6 - GAP, INNER * 0.4] } else { vec![INNER] };
-    let views = [View::Space, View::Tree];
+/// What stands beside space: the bytes of a slide that is about these, or the tree, if it shows one.
+fn beside(slide: &Slide) -> Option<View> {
+    match slide.show.first() {
+        Some(Show::Bytes) => Some(View::Bytes),
+        _ => slide.show.contains(&Show::Tree).then_some(View::Tree),
+    }
+}
+
+/// Space, or what stands in its place, and what stands beside it, so high. While the question of a beat is `asked`
+/// nothing in them answers it.
+fn pictures(
+    beside: Option<View>,
+    high: f32,
+    session: &Session<'_>,
+    step: usize,
+    asked: Option<usize>,
+) -> Result<Vec<Figure>, Fault> {
+    let views = match beside {
+        Some(View::Bytes) => vec![(INNER * 0.45 - GAP, View::Space), (INNER * 0.55, View::Bytes)],
+        Some(view) => vec![(INNER * 0.6 - GAP, View::Space), (INNER * 0.4, view)],
+        None => vec![(INNER, View::Space)],
+    };
     let draw = |(width, view): (f32, View)| {
         let size = Vec2::new(width, high);
-        let figure = session.figure_on(view, step, size, SHARP, &Theme::PRINT)?;
+        let figure = session.figure_on(view, step, asked, size, SHARP, &Theme::PRINT)?;
         Ok(framed(figure, size))
     };
-    widths.into_iter().zip(views).map(draw).collect()
+    views.into_iter().map(draw).collect()
 }
 
 /// Pixels of a solid scene to a point of the page.
@@ -82,6 +102,8 @@ const SHARP: f32 = 1.5;
 
 /// A picture at this size, with nothing beyond its edge, and a line around it.
 fn framed(mut picture: Figure, size: Vec2) -> Figure {
+    let by = size.x / picture.size.x.max(1.0);
+    enlarge(&mut picture, by);
     picture.size = size;
     crop(&mut picture, 0.0);
     let points = vec![Vec2::ZERO, Vec2::new(size.x, 0.0), size, Vec2::new(0.0, size.y), Vec2::ZERO];
@@ -120,7 +142,7 @@ impl Entry {
             }
         }
         pile.read(Reading::Words, self.says());
-        pile.done()
+        Piece { asks: self.asks(), ..pile.done() }
     }
 
     fn question(&self, asked: &Asked, pile: &mut Pile) {
@@ -208,6 +230,6 @@ impl Pile {
 
     fn done(mut self) -> Piece {
         self.figure.size = Vec2::new(INNER, self.y);
-        Piece { figure: self.figure, passages: self.passages }
+        Piece { figure: self.figure, passages: self.passages, asks: false }
     }
 }

@@ -27,6 +27,8 @@ pub(super) struct Sheet<'a> {
     pages: Vec<Page>,
     /// How far the last of them is filled.
     filled: f32,
+    /// Whether a question stands at its foot.
+    asked: bool,
 }
 
 /// A sheet that is being filled.
@@ -41,12 +43,14 @@ pub(super) struct Page {
 pub(super) struct Piece {
     pub(super) figure: Figure,
     pub(super) passages: Vec<Passage>,
+    /// Whether it asks something: what comes next may answer it, and stands on the next sheet.
+    pub(super) asks: bool,
 }
 
 impl<'a> Sheet<'a> {
     /// The first sheet, with its title.
     pub(super) fn new(title: &'a str, about: &'a str) -> Sheet<'a> {
-        let mut sheet = Sheet { title, about, pages: Vec::new(), filled: 0.0 };
+        let mut sheet = Sheet { title, about, pages: Vec::new(), filled: 0.0, asked: false };
         sheet.turn();
         sheet
     }
@@ -74,8 +78,9 @@ impl<'a> Sheet<'a> {
     }
 
     /// Puts something below what is there, on a new sheet if there is no room.
-    pub(super) fn add(&mut self, Piece { figure: part, passages }: Piece) {
-        let full = self.filled + part.size.y > HEIGHT - BOTTOM;
+    pub(super) fn add(&mut self, Piece { figure: part, passages, asks }: Piece) {
+        let asked = std::mem::replace(&mut self.asked, asks);
+        let full = asked || self.filled + part.size.y > HEIGHT - BOTTOM;
         if full && self.pages.last().is_some_and(|page| !page.empty) {
             self.turn();
         }
