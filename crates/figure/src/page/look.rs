@@ -4,6 +4,7 @@ use glam::Vec2;
 use raystep_accel::Place;
 
 use crate::page::{Anchor, Figure, Ink};
+use crate::theme::fonts::has_glyph;
 use crate::theme::{Face, Role, text_width};
 
 /// What the window, the presenter's page and a printed plate set differently.
@@ -91,7 +92,21 @@ pub(crate) fn write(
     if text.is_empty() {
         return;
     }
-    figure.add(role, place, Ink::Text { at, text: text.to_owned(), size, face, anchor, boxed: false });
+    figure.add(
+        role,
+        place,
+        Ink::Text { at, text: text.to_owned(), size, face: legible(text, face), anchor, boxed: false },
+    );
+}
+
+/// The face, or one that has all letters of the text: of small raised ones, as in 10⁻⁷, a face for numbers lacks some.
+fn legible(text: &str, face: Face) -> Face {
+    let instead = match face {
+        Face::Mono => Face::Regular,
+        Face::MonoMedium => Face::Medium,
+        face => face,
+    };
+    if text.chars().all(|letter| has_glyph(letter, face)) { face } else { instead }
 }
 
 /// A straight line.

@@ -151,11 +151,10 @@ fn of_build(moment: &GrowMoment) -> Vec<Watched> {
     all.place("node", moment.node.map(Place::Node));
     let extent = (!moment.bounds.is_empty()).then(|| value(&raystep_accel::Value::Box(moment.bounds)));
     all.says("box", extent);
-    // Where the node is cut it is the split that is taken, not the one that was weighed last.
-    let weighed = match moment.event {
-        Some(Grow::Split { .. }) => moment.cheapest(),
-        _ => moment.weighed.last().copied(),
-    };
+    // Where the node is cut, and from then on, it is the split that is taken, not the one that was weighed last.
+    let node = moment.node.and_then(|node| moment.nodes.get(&node));
+    let is_cut = matches!(moment.event, Some(Grow::Split { .. })) || node.is_some_and(|node| node.split.is_some());
+    let weighed = if is_cut { moment.cheapest() } else { moment.weighed.last().copied() };
     if let Some(weighed) = weighed {
         all.number(coordinate(weighed.axis), Some(weighed.plane));
         all.count("n_below", u64::from(weighed.below));

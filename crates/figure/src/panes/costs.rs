@@ -148,7 +148,9 @@ impl Plot<'_> {
         self.figure.add(Role::Edge, None, line(corner, Vec2::new(left, self.plot_top)));
         let counted = axis == Direction::Normal;
         // The name of the axis stands at its end where it has no line of words.
-        let end = if self.tight { right - u * 1.5 } else { f32::INFINITY };
+        let name = if counted { "candidate".to_owned() } else { axis.to_string() };
+        let long = text_width(&name, Face::Medium, small) + u * 0.8;
+        let end = if self.tight { right - long } else { f32::INFINITY };
         for plane in self.across.marks(u * 4.0).into_iter().filter(|at| !counted || at.fract() == 0.0) {
             let at = Vec2::new(self.across.x(plane), self.bottom);
             if at.x > end {
@@ -170,7 +172,6 @@ impl Plot<'_> {
         }
         if self.tight {
             let at = Vec2::new(right, self.bottom + u * 1.0);
-            let name = if counted { "in order".to_owned() } else { axis.to_string() };
             write(self.figure, Role::Text, None, at, &name, small, Face::Medium, Anchor::End);
             return;
         }

@@ -79,17 +79,21 @@ fn word(index: usize, many: usize) -> &'static str {
 
 fn draw(title: &str, remark: &str, rows: &[Row], nothing: &str, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
-    let top = look.heading(&mut figure, title, remark);
+    // All rows that fit; of more, the last line says how many, or the heading where there is no line left.
+    let (height, gap) = row(look);
+    let top = look.heading(&mut Figure::default(), "", "");
+    let fit = (((size.y - top) / (height + gap)) as usize).max(1);
+    let shown = if rows.len() > fit { fit.saturating_sub(1).max(1) } else { rows.len() };
+    let more = format!("and {} more below", rows.len() - shown);
+    let below = top + shown as f32 * (height + gap) + look.line() * 0.5;
+    let in_heading = shown < rows.len() && below + look.text * 0.5 > size.y;
+    look.heading(&mut figure, title, if in_heading { &more } else { remark });
     if rows.is_empty() {
         let at = Vec2::new(look.margin(), top + look.line() * 0.5);
         write(&mut figure, Role::Quiet, None, at, nothing, look.text, Face::Regular, Anchor::Start);
         return figure;
     }
 
-    // All rows that fit; of more, the last line says how many.
-    let (height, gap) = row(look);
-    let fit = (((size.y - top) / (height + gap)) as usize).max(1);
-    let shown = if rows.len() > fit { fit.saturating_sub(1).max(1) } else { rows.len() };
     for (index, Row { place, role, interval, word }) in rows.iter().take(shown).enumerate() {
         let corner = Vec2::new(look.margin(), top + index as f32 * (height + gap));
         let extent = Vec2::new(size.x - 2.0 * look.margin(), height);
@@ -104,10 +108,9 @@ fn draw(title: &str, remark: &str, rows: &[Row], nothing: &str, size: Vec2, look
         put(Role::Text, right - word_room, interval, Face::Mono, Anchor::End);
         put(Role::Text, right, word, Face::Regular, Anchor::End);
     }
-    if shown < rows.len() {
-        let at = Vec2::new(look.margin(), top + shown as f32 * (height + gap) + look.line() * 0.5);
-        let says = format!("and {} more below", rows.len() - shown);
-        write(&mut figure, Role::Quiet, None, at, &says, look.text, Face::Regular, Anchor::Start);
+    if shown < rows.len() && !in_heading {
+        let at = Vec2::new(look.margin(), below);
+        write(&mut figure, Role::Quiet, None, at, &more, look.text, Face::Regular, Anchor::Start);
     }
     figure
 }

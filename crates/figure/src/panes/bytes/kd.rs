@@ -40,7 +40,9 @@ pub(super) fn node(tree: &Kd, walk: &Walk<'_>, moment: &Moment, hide: bool, size
     let widest = rows.iter().map(|(layout, _)| layout.bytes(Machine::Printed)).max().unwrap_or(1);
     let byte = (size.x - look.margin() - left) / widest as f32;
     for (index, (layout, fields)) in rows.iter().enumerate() {
-        let row = Row { node, leaf, hide, u, byte, left, y: top + height * index as f32 };
+        // What a compiler makes of the first layout alone is asked for at the end of its walk.
+        let compiled = rows.len() > 1 || moment.ending.is_some();
+        let row = Row { node, leaf, hide, compiled, u, byte, left, y: top + height * index as f32 };
         row.draw(&mut figure, *layout, fields, size.x - look.margin());
         let lines = touched(walk, moment.step, layout.bytes(Machine::Printed));
         let strip = Strip {
@@ -87,6 +89,8 @@ struct Row {
     leaf: bool,
     /// Whether what stands in the fields is asked for.
     hide: bool,
+    /// Whether it is told how many bytes a compiler makes of it.
+    compiled: bool,
     u: f32,
     /// The width of a byte.
     byte: f32,
@@ -105,7 +109,9 @@ impl Row {
         };
         label(0.85, &format!("{printed} bytes"), Role::Text, Face::Bold, u);
         // What a compiler makes of it where pointers have 64 bits.
-        label(2.15, &format!("64 bit: {compiled}"), Role::Quiet, Face::Regular, u * SMALL);
+        if self.compiled {
+            label(2.15, &format!("64 bit: {compiled}"), Role::Quiet, Face::Regular, u * SMALL);
+        }
 
         let width_of = |field: &NodeField| self.byte * Machine::Printed.bytes(field.word) as f32;
         let letters = self.caption_size(fields.iter().map(|(field, _)| (field.name, width_of(field))));

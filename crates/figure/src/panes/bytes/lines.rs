@@ -63,7 +63,8 @@ impl Strip {
             let left = self.corner.x + (first as f32 + before as f32 * GAP) * side;
             figure.add(Role::Here, None, block(Vec2::new(left, self.corner.y), Vec2::new(wide, self.size.y), 0.0));
         }
-        let says = if whole { format!("of {all} lines of 64 bytes") } else { "lines of 64 bytes".to_owned() };
+        let lines = if all == 1 { "line" } else { "lines" };
+        let says = if whole { format!("of {all} {lines} of 64 bytes") } else { "lines of 64 bytes".to_owned() };
         let size = self.size.y * 0.95;
         let left = x + self.size.y * 0.6;
         if left + text_width(&says, Face::Regular, size) <= self.corner.x + self.size.x {

@@ -1,6 +1,6 @@
 //! The numbers by which text and lists call what a flat picture shows.
 
-use raystep_accel::{Place, PrimId, Primitives, Structure};
+use raystep_accel::{NodeId, Place, PrimId, Primitives, Structure};
 
 use super::Drawing;
 use crate::theme::Role;
@@ -36,15 +36,21 @@ impl Drawing<'_> {
             let text = match place {
                 Place::Cell(cell) => cell.to_string(),
                 // The box of a parent is that of its children.
-                Place::Node(node) if self.walk.structure.split(node).is_none() || role == Role::Quiet => {
-                    node.to_string()
-                }
+                Place::Node(node) if !self.is_divided(node) || role == Role::Quiet => node.to_string(),
                 _ => continue,
             };
             let within = self.walk.bounds(place);
             if !within.is_empty() {
                 self.add(role, Some(place), Form::Number { within, text });
             }
+        }
+    }
+
+    /// Whether the space of a node is that of its children.
+    fn is_divided(&self, node: NodeId) -> bool {
+        match self.walk.structure {
+            Structure::Octree(_) => !self.walk.structure.children(node).is_empty(),
+            structure => structure.split(node).is_some(),
         }
     }
 

@@ -37,9 +37,9 @@ impl<'a> Outside<'a> {
         self.levels.counts().iter().sum()
     }
 
-    /// Where what says how many nodes are drawn ends: without a heading it stands over the column.
+    /// Where what says how many nodes are drawn ends: without a heading it has a line of its own.
     pub(super) fn top(&self) -> f32 {
-        if self.has_column() { self.look.margin() + self.look.text * 1.6 } else { 0.0 }
+        if self.has_column() || !self.look.titles { self.look.margin() + self.look.text * 1.6 } else { 0.0 }
     }
 
     /// How wide the column beside the tree is, if there is one.
