@@ -47,7 +47,7 @@ pub struct Paragraph {
 pub enum Medium {
     /// In a window, where something can be done about it.
     Window,
-    /// On the wall before a class: as in a window, but nobody there has a mouse to be told what to do with.
+    /// On the wall before a class: what is for a window is not said, since nobody there has a mouse.
     Wall,
     /// On paper, which shows what it has to show.
     Paper,
@@ -79,11 +79,10 @@ impl Beat {
 }
 
 impl Paragraph {
-    /// Whether it is for those who read there. What it offers is a button on the wall, too.
+    /// Whether it is for those who read there.
     fn is_for(&self, medium: Medium) -> bool {
         match (self.only_in, medium) {
             (None, _) => true,
-            (Some(Medium::Window), Medium::Wall) => !self.offers.is_empty(),
             (Some(only), here) => only == here,
         }
     }

@@ -154,7 +154,8 @@ impl Link {
                 let (prim, numbers) = value.split_once(':').ok_or("a shape is written shape=number:x,y,…")?;
                 let prim =
                     prim.trim().parse().map_err(|_| "the number of the shape stands first, as in 3:2.5,1,0.5")?;
-                let numbers = floats(numbers, MOST_NUMBERS).ok_or("the numbers of a shape have commas between them")?;
+                let numbers =
+                    floats(numbers, MOST_NUMBERS).ok_or("a shape has finite numbers with commas between them")?;
                 if self.shapes.iter().any(|(other, _)| *other == prim) {
                     return Err("this shape lies elsewhere already".to_owned());
                 }

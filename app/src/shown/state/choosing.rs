@@ -13,9 +13,13 @@ use crate::shown::view::{RayChoice, View};
 impl State {
     /// To another slide.
     pub fn show_slide(&mut self, slide: usize) {
-        if slide >= self.library.slides.len() || slide == self.target().slide {
-            return;
+        if slide < self.library.slides.len() && slide != self.target().slide {
+            self.open_slide(slide);
         }
+    }
+
+    /// Shows a slide from where it opens, with its own ray and structure, also if it is shown already.
+    pub(super) fn open_slide(&mut self, slide: usize) {
         self.leave();
         let stage = opening_stage(&self.library, slide, self.wished);
         self.want(View::of_slide(slide, stage), Landing::Opening);

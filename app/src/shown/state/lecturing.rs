@@ -22,7 +22,8 @@ impl State {
             Command::Pointer => lecture.take(InHand::Pointer),
             Command::Pen => lecture.take(InHand::Pen),
             Command::Panes => lecture.turn += 1,
-            Command::Notes => lecture.notes = !lecture.notes,
+            // Whoever has a window for the notes has them there, not on the wall.
+            Command::Notes => lecture.notes = !lecture.notes && !lecture.speaker,
             Command::Freeze => lecture.frozen = !lecture.frozen,
             Command::Type(letter) => lecture.type_letter(letter),
             Command::Skip if !lecture.typed.is_empty() => self.go_to_typed(),
@@ -44,6 +45,7 @@ impl State {
             self.present();
         }
         self.lecture.speaker = !self.lecture.speaker;
+        self.lecture.notes = false;
     }
 
     /// The letters with which the number that is being typed goes on: `b` after `40`, as in `40b`.
@@ -62,7 +64,8 @@ impl State {
     fn go_to_typed(&mut self) {
         let typed = std::mem::take(&mut self.lecture.typed);
         if let Some(slide) = place_of(&self.library, &typed) {
-            self.show_slide(slide);
+            // Also the one that is shown: it begins anew.
+            self.open_slide(slide);
         }
     }
 
