@@ -16,6 +16,8 @@ const MOST: usize = 4;
 #[derive(Default)]
 pub(crate) struct Notices {
     shown: Vec<Notice>,
+    /// How many stood there when the strip was drawn last: it is as high as they were then.
+    drawn: usize,
 }
 
 struct Notice {
@@ -55,6 +57,9 @@ impl Notices {
     pub(super) fn strip(&mut self, ui: &mut Ui, theme: &Theme) {
         let now = ui.ctx().time();
         self.shown.retain(|notice| notice.until.is_none_or(|until| until > now));
+        if std::mem::replace(&mut self.drawn, self.shown.len()) != self.shown.len() {
+            ui.ctx().request_repaint();
+        }
         if self.shown.is_empty() {
             return;
         }

@@ -74,11 +74,18 @@ pub(super) fn bar(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<Aske
         _ => ("in time".to_owned(), Role::Quiet),
     };
     say(bar.left(), bar.bottom() + 11.0, Align2::LEFT_CENTER, &says, Face::Bold, 13.0, role);
-    let buttons =
-        Rect::from_min_max(pos2(bar.right() - 132.0, bar.bottom() + 1.0), pos2(bar.right() + 62.0, rect.bottom()));
+    let after = bar.left() + text_width(&says, Face::Bold, 13.0) + 10.0;
+    let buttons = Rect::from_min_max(
+        pos2(after.max(bar.right() - 132.0), bar.bottom() + 1.0),
+        pos2(bar.right() + 72.0, rect.bottom()),
+    );
     let mut child = ui.new_child(UiBuilder::new().max_rect(buttons));
     child.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
+        // One row below the bar, as low as its letters.
+        ui.spacing_mut().item_spacing.x = 3.0;
+        ui.spacing_mut().button_padding = vec2(4.0, 0.0);
+        ui.spacing_mut().interact_size = vec2(20.0, 18.0);
+        ui.style_mut().drag_value_text_style = egui::TextStyle::Small;
         let small = |text: &str| {
             Button::new(RichText::new(text).font(font(Face::Regular, 13.0))).frame(false).min_size(vec2(20.0, 18.0))
         };
@@ -91,7 +98,7 @@ pub(super) fn bar(ui: &mut Ui, desk: &Desk<'_>, rect: Rect, asked: &mut Vec<Aske
             asked.push(AskedHere::Lengthen(false));
         }
         let mut minutes = length.round();
-        let has = DragValue::new(&mut minutes).range(LENGTHS).speed(0.5).fixed_decimals(0).suffix(" min");
+        let has = DragValue::new(&mut minutes).range(LENGTHS).speed(0.5).fixed_decimals(0).prefix("of ").suffix(" min");
         let has = ui
             .add(has)
             .on_hover_text("How long the talk is: as the notes of this section's slides plan it, or as you set it");
