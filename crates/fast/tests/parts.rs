@@ -50,7 +50,7 @@ fn grazing(random: &mut Random, mesh: &Mesh) -> Option<Ray> {
 fn check(name: &str, mesh: &Mesh, rays: u32, seed: u64) {
     let prims = Prims::Mesh(mesh.clone());
     let random = &mut Random::new(seed);
-    let settings = Settings { splits: 100, ..Settings::DEAR };
+    let settings = Settings { leaf: 1, splits: 100, ..Settings::DEAR };
     let built: Vec<_> = [FastKind::Bvh2, FastKind::Bvh8, FastKind::Packets16]
         .into_iter()
         .flat_map(|kind| {
@@ -94,7 +94,7 @@ fn parts_are_limited_and_pay() {
     let mesh = giants(random, 2000, 0.5, 0.0);
     let rays: Vec<Ray> = (0..4000).filter_map(|_| grazing(random, &mesh)).collect();
     let tested = |splits| {
-        let tree = raystep_fast::Bvh2::build(&mesh, &Settings { splits, ..Settings::DEAR });
+        let tree = raystep_fast::Bvh2::build(&mesh, &Settings { leaf: 1, splits, ..Settings::DEAR });
         let mut work = raystep_fast::Work::default();
         for ray in &rays {
             tree.walk(ray, raystep_accel::Want::Nearest, &mut work);

@@ -15,8 +15,9 @@ pub struct Settings {
 impl Settings {
     /// Built as fast as can be.
     pub const QUICK: Settings = Settings { leaf: 4, reinsertions: 0, splits: 0 };
-    /// Built with all pains.
-    pub const DEAR: Settings = Settings { leaf: 1, reinsertions: 4, splits: 60 };
+    /// Built with all pains. Leaves are whole before nodes are put elsewhere: what is put elsewhere triangle by triangle
+    /// tears apart what one leaf of four would hold (peers/README.md).
+    pub const DEAR: Settings = Settings { leaf: 4, reinsertions: 4, splits: 60 };
 }
 
 impl Default for Settings {

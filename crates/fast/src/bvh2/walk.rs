@@ -79,11 +79,14 @@ macro_rules! walk {
                     let y = add_product4(turned4(load4(&node.planes[1]), turn_y), r_y, n_y);
                     let z = add_product4(turned4(load4(&node.planes[2]), turn_z), r_z, n_z);
                     let within = max4(max4(x, y), max4(z, range));
-                    let met = at_most4(within, negated4(upper4(within))) & 3;
+                    let far = negated4(upper4(within));
+                    let met = at_most4(within, far) & 3;
                     let near = array4(within);
+                    let middle = array4(add4(within, far));
                     let [left, right] = node.children;
                     if met == 3 {
-                        let right_first = near[1] < near[0];
+                        // By the middles of the ways through both: boxes often begin at the same plane.
+                        let right_first = middle[1] < middle[0];
                         let (first, second) = if right_first { (right, left) } else { (left, right) };
                         stack.put(high, second.number(), if right_first { near[0] } else { near[1] });
                         high += 1;

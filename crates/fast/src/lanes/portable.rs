@@ -60,6 +60,17 @@ ops! {
     /// Lanes 2, 3, 2, 3.
     fn upper4(a: F4) -> F4 { [a[2], a[3], a[2], a[3]] }
 
+    /// Lets a hit of triangle `prim` at `met` stand in some lanes, where it is nearer, or as near and the number is
+    /// smaller; in which lanes that is.
+    fn offer4(t: &mut [f32; 4], prims: &mut [u32; 4], met: F4, prim: u32, lanes: u32) -> u32 {
+        let is_better = |i: usize| met[i] < t[i] || met[i] == t[i] && prim < prims[i];
+        let better = lanes & bits::<4>(is_better);
+        for i in (0..4).filter(|i| better >> i & 1 == 1) {
+            (t[i], prims[i]) = (met[i], prim);
+        }
+        better
+    }
+
     fn splat8(x: f32) -> F8 { [x; 8] }
     fn load8(x: &[f32; 8]) -> F8 { *x }
     fn array8(x: F8) -> [f32; 8] { x }

@@ -42,6 +42,21 @@ macro_rules! registers {
             /// Lanes 2, 3, 2, 3.
             fn upper4(a: F4) -> F4 { _mm_movehl_ps(a, a) }
 
+            /// Lets a hit of triangle `prim` at `met` stand in some lanes, where it is nearer, or as near and the number is
+            /// smaller; in which lanes that is.
+            fn offer4(t: &mut [f32; 4], prims: &mut [u32; 4], met: F4, prim: u32, lanes: u32) -> u32 {
+                let (old_t, old) = (load4(t), cast::<[u32; 4], __m128i>(*prims));
+                let own = _mm_set1_epi32(prim as i32);
+                let bit = _mm_setr_epi32(1, 2, 4, 8);
+                let lanes = _mm_cmpeq_epi32(_mm_and_si128(_mm_set1_epi32(lanes as i32), bit), bit);
+                let no_less = _mm_castsi128_ps(_mm_cmpeq_epi32(_mm_max_epu32(own, old), own));
+                let nearer = _mm_or_ps(_mm_cmplt_ps(met, old_t), _mm_andnot_ps(no_less, _mm_cmpeq_ps(met, old_t)));
+                let better = _mm_and_ps(_mm_castsi128_ps(lanes), nearer);
+                *t = cast(_mm_blendv_ps(old_t, met, better));
+                *prims = cast(_mm_blendv_epi8(old, own, _mm_castps_si128(better)));
+                _mm_movemask_ps(better) as u32
+            }
+
             fn splat8(x: f32) -> F8 { _mm256_set1_ps(x) }
             fn load8(x: &[f32; 8]) -> F8 { cast(*x) }
             fn array8(x: F8) -> [f32; 8] { cast(x) }

@@ -18,6 +18,8 @@ macro_rules! meet {
             count.triangles(four.count());
             let left = left(four, shot, best.t);
             if left != 0 {
+                // Each triangle once, though the last one may stand in several lanes.
+                let left = left & ((1 << four.count()) - 1);
                 count.judged(left.count_ones());
                 judge(four, shot, left, best);
             }

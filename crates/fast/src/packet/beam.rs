@@ -1,8 +1,9 @@
 //! Several rays from one eye, made ready for lanes.
 
-use raystep_accel::{Hit, PrimId};
+use bytemuck::cast_mut;
+use raystep_accel::Hit;
 
-use crate::judge::NONE;
+use crate::judge::{NONE, Nearest};
 
 /// `G` groups of eight rays with one origin, whose directions have the same signs and the same largest axis.
 pub(super) struct Beam<const G: usize> {
@@ -22,6 +23,19 @@ pub(super) struct Beam<const G: usize> {
     pub(super) t_min: [[f32; 8]; G],
 }
 
+impl<const G: usize> Beam<G> {
+    /// To be filled.
+    pub(super) const EMPTY: Beam<G> = Beam {
+        o: [0.0; 3],
+        d: [[[0.0; 8]; 3]; G],
+        extreme: [[0.0; 3]; 2],
+        down: [false; 3],
+        axes: [0; 3],
+        largest: 0.0,
+        t_min: [[0.0; 8]; G],
+    };
+}
+
 /// The nearest hits so far.
 pub(super) struct Found<const G: usize> {
     pub(super) t: [[f32; 8]; G],
@@ -29,10 +43,20 @@ pub(super) struct Found<const G: usize> {
 }
 
 impl<const G: usize> Found<G> {
-    /// The hits, in the order of the rays.
+    /// Nothing.
+    pub(super) const NONE: Found<G> = Found { t: [[0.0; 8]; G], prims: [[NONE; 8]; G] };
+
+    /// The t and the triangles of four rays: the first or the last of a group.
     #[inline(always)]
-    pub(super) fn hits(&self) -> impl Iterator<Item = Option<Hit>> {
-        let both = self.t.as_flattened().iter().zip(self.prims.as_flattened());
-        both.map(|(&t, &prim)| (prim != NONE).then_some(Hit { t, prim: PrimId(prim), inner: None }))
+    pub(super) fn half(&mut self, group: usize, half: usize) -> (&mut [f32; 4], &mut [u32; 4]) {
+        let t: &mut [[f32; 4]; 2] = cast_mut(&mut self.t[group]);
+        let prims: &mut [[u32; 4]; 2] = cast_mut(&mut self.prims[group]);
+        (&mut t[half & 1], &mut prims[half & 1])
+    }
+
+    /// The hit of a ray of a group.
+    #[inline(always)]
+    pub(super) fn hit(&self, group: usize, at: usize) -> Option<Hit> {
+        Nearest::of(self.t[group][at], self.prims[group][at]).hit()
     }
 }

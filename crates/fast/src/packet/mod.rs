@@ -2,7 +2,9 @@
 //! once. Rays that part walk alone.
 
 mod beam;
+mod meet;
 mod walk;
+mod work;
 
 use raystep_accel::{Hit, Mesh, Ray, Want};
 
@@ -45,6 +47,7 @@ impl Packets {
     /// Walks packets of 8·`G` rays.
     fn ask_packets<const G: usize, T>(&self, rays: &[Ray], answers: &mut [T], question: impl Question<T>) {
         let (nodes, leaves, reach) = self.tree.parts();
+        let mut found = Found::<G>::NONE;
         walk::STACK.with_borrow_mut(|stack| {
             for (rays, answers) in rays.chunks(8 * G).zip(answers.chunks_mut(8 * G)) {
                 // Quickly seen: rays of different origins do not walk together.
@@ -53,14 +56,16 @@ impl Packets {
                     self.tree.ask_some(rays, answers, question);
                     continue;
                 }
-                let found: Option<Found<G>> = dispatch!(self.isa, walk::walk(nodes, leaves, rays, reach, stack));
-                match found {
-                    Some(found) => {
-                        for (answer, hit) in answers.iter_mut().zip(found.hits()) {
-                            *answer = question.answer(hit);
+                let found = &mut found;
+                if dispatch!(self.isa, walk::walk(nodes, leaves, rays, reach, stack, found, &mut ())) {
+                    // By eights: of a longer loop the compiler makes scattered stores, which are slow.
+                    for (group, answers) in answers.as_chunks_mut::<8>().0.iter_mut().take(G).enumerate() {
+                        for (at, answer) in answers.iter_mut().enumerate() {
+                            *answer = question.answer(found.hit(group, at));
                         }
                     }
-                    None => self.tree.ask_some(rays, answers, question),
+                } else {
+                    self.tree.ask_some(rays, answers, question);
                 }
             }
         });
