@@ -1,6 +1,7 @@
 //! Raystep's fast structures beside the best there are: rays per second on three scenes, in interleaved rounds. All of it
 //! on one thread, whose own time is measured: what else runs on the machine takes caches, but no time.
 
+mod counts;
 mod peers;
 mod rays;
 mod referee;
@@ -10,7 +11,7 @@ mod threads;
 use cpu_time::ThreadTime;
 use peers::Peer;
 use rays::{Ask, Rays};
-use raystep_accel::{Random, Want};
+use raystep_accel::Random;
 use raystep_fast::{Bvh2, Fast, Settings};
 
 struct Options {
@@ -18,12 +19,15 @@ struct Options {
     rounds: usize,
     scenes: Vec<&'static str>,
     only: Vec<String>,
+    /// The kinds of rays; all if there are none.
+    kinds: Vec<String>,
     /// Whether builds on one thread and on two are to be timed, and nothing else.
     threads: bool,
 }
 
 fn options() -> Options {
-    let mut options = Options { rays: 1 << 20, rounds: 7, scenes: scenes::NAMES.to_vec(), only: Vec::new(), threads: false };
+    let (only, kinds) = (Vec::new(), Vec::new());
+    let mut options = Options { rays: 1 << 20, rounds: 7, scenes: scenes::NAMES.to_vec(), only, kinds, threads: false };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         let mut value = || words.next().unwrap_or_else(|| usage(&word));
@@ -36,6 +40,7 @@ fn options() -> Options {
                     scenes::NAMES.into_iter().filter(|name| names.split(',').any(|own| own == *name)).collect();
             }
             "--only" => options.only = value().split(',').map(str::to_owned).collect(),
+            "--kinds" => options.kinds = value().split(',').map(str::to_owned).collect(),
             "--threads" => options.threads = true,
             _ => usage(&word),
         }
@@ -44,7 +49,8 @@ fn options() -> Options {
 }
 
 fn usage(what: &str) -> ! {
-    eprintln!("{what}\nraystep-peers [--rays N] [--rounds N] [--scenes teapot,million,stadium] [--only PART,PART] [--threads]");
+    let own = "[--rays N] [--rounds N] [--scenes teapot,million,stadium] [--kinds primary,random,shadow]";
+    eprintln!("{what}\nraystep-peers {own} [--only PART,PART] [--threads]");
     std::process::exit(2)
 }
 
@@ -73,7 +79,8 @@ fn main() {
 fn scene(name: &'static str, options: &Options) {
     let stage = scenes::stage(name);
     let exact = Bvh2::build(&stage.mesh, &Settings::default());
-    let kinds = rays::kinds(&stage, options.rays, |rays| exact.intersect_many(rays));
+    let mut kinds = rays::kinds(&stage, options.rays, |rays| exact.intersect_many(rays)).to_vec();
+    kinds.retain(|kind| options.kinds.is_empty() || options.kinds.iter().any(|own| own == kind.name));
     println!(
         "\n{}: {} triangles, {} rays of each kind, {} rounds",
         stage.name,
@@ -119,24 +126,11 @@ fn scene(name: &'static str, options: &Options) {
         }
     }
     print(&built, &kinds);
-    for one in &built {
-        for Rays { name, ask, rays } in &kinds {
-            let want = if *ask == Ask::Any { Want::Any } else { Want::Nearest };
-            if let Some(work) = one.peer.work(rays, want) {
-                let each = |number: u64| number as f64 / rays.len() as f64;
-                let (nodes, boxes) = (each(work.nodes), each(work.boxes));
-                let (triangles, judged) = (each(work.triangles), each(work.judged));
-                println!(
-                    "  {}, {name}: {nodes:.2} nodes, {boxes:.1} boxes, {triangles:.2} triangles a ray, {judged:.3} of them judged",
-                    one.name
-                );
-            }
-        }
-    }
+    counts::print(&built, &kinds);
 }
 
 /// Hits before speed: every peer's answers beside the exact ones.
-fn check(mesh: &raystep_accel::Mesh, kinds: &[Rays; 3], exact: &Bvh2, built: &[Built]) {
+fn check(mesh: &raystep_accel::Mesh, kinds: &[Rays], exact: &Bvh2, built: &[Built]) {
     for Rays { name, ask, rays } in kinds {
         let truth = exact.intersect_many(rays);
         let own = referee::report(mesh, rays, &truth, &truth);
@@ -172,7 +166,7 @@ fn median(numbers: &[f64]) -> f64 {
     sorted[sorted.len() / 2]
 }
 
-fn print(built: &[Built], kinds: &[Rays; 3]) {
+fn print(built: &[Built], kinds: &[Rays]) {
     print!("{:<24}{:>10}{:>9}", "", "build ms", "MB");
     for kind in kinds {
         print!("{:>11} Mrays/s  ratio (spread)  ", kind.name);
@@ -181,7 +175,7 @@ fn print(built: &[Built], kinds: &[Rays; 3]) {
     for one in built {
         let megabytes = one.peer.bytes().map_or("-".to_owned(), |bytes| format!("{:.1}", bytes as f64 / 1e6));
         print!("{:<24}{:>10.1}{megabytes:>9}", one.name, one.build_ms);
-        for kind in 0..3 {
+        for kind in 0..kinds.len() {
             let ratios: Vec<f64> =
                 built[0].times[kind].iter().zip(&one.times[kind]).map(|(first, own)| first / own).collect();
             let (low, high) = ratios.iter().fold((f64::MAX, 0.0f64), |(low, high), &own| (low.min(own), high.max(own)));

@@ -13,6 +13,7 @@ pub enum Ask {
 }
 
 /// Rays of one kind.
+#[derive(Clone)]
 pub struct Rays {
     pub name: &'static str,
     pub ask: Ask,

@@ -7,7 +7,8 @@ pub mod ours;
 pub mod parry_crate;
 
 use raystep_accel::{Hit, Mesh, PrimId, Ray, Triangle, Want};
-use raystep_fast::Work;
+
+use crate::counts::{Expected, Met};
 
 /// A hit as Raystep tells it.
 pub fn hit(t: f32, prim: u32) -> Option<Hit> {
@@ -21,7 +22,15 @@ pub trait Peer {
     /// Whether anything is hit.
     fn any(&self, rays: &[Ray], hits: &mut [bool]);
     /// What the rays meet on their ways, where it is counted.
-    fn work(&self, _rays: &[Ray], _want: Want) -> Option<Work> {
+    fn met(&self, _rays: &[Ray], _want: Want) -> Option<Met> {
+        None
+    }
+    /// What a line is expected to meet, where the tree can be seen.
+    fn expected(&self) -> Option<Expected> {
+        None
+    }
+    /// What packets of rays meet, where any walk together, and how many those are.
+    fn packets(&self, _rays: &[Ray], _want: Want) -> Option<(Met, usize)> {
         None
     }
     /// Its size in bytes, where it can be told.

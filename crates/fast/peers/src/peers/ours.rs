@@ -1,13 +1,15 @@
 //! Raystep's own.
 
-use raystep_accel::{Hit, Mesh, Ray, Want};
-use raystep_fast::{Any, Fast, FastKind, Isa, Nearest, Settings, Work};
+use glam::Vec3;
+use raystep_accel::{Aabb, Hit, Mesh, Ray, Want};
+use raystep_fast::{Any, AnyFast, Below, Fast, FastKind, Isa, Nearest, Settings};
 
 use super::{Maker, Peer};
+use crate::counts::{Expected, Met};
 
-struct Ours<F>(F);
+struct Ours(AnyFast);
 
-impl<F: Fast> Peer for Ours<F> {
+impl Peer for Ours {
     fn nearest(&self, rays: &[Ray], hits: &mut [Option<Hit>]) {
         self.0.ask_some(rays, hits, Nearest);
     }
@@ -16,12 +18,45 @@ impl<F: Fast> Peer for Ours<F> {
         self.0.ask_some(rays, hits, Any);
     }
 
-    fn work(&self, rays: &[Ray], want: Want) -> Option<Work> {
-        let mut work = Work::default();
+    fn met(&self, rays: &[Ray], want: Want) -> Option<Met> {
+        let mut met = Met::default();
         for ray in rays {
-            self.0.walk(ray, want, &mut work);
+            self.0.walk(ray, want, &mut met);
         }
-        Some(work)
+        Some(met)
+    }
+
+    fn expected(&self) -> Option<Expected> {
+        let AnyFast::Bvh2(tree) = &self.0 else { return None };
+        let half_area = |side: Vec3| f64::from(side.x * side.y + side.y * side.z + side.z * side.x);
+        let counts: Vec<usize> = tree.leaves().map(|leaf| leaf.len()).collect();
+        let (mut root, mut expected) = (Aabb::EMPTY, Expected::default());
+        for (at, sides) in tree.nodes().enumerate() {
+            for (bounds, below) in sides.into_iter().flatten() {
+                if at == 0 {
+                    root = root.union(bounds);
+                }
+                let area = half_area(bounds.extent());
+                match below {
+                    Below::Node(_) => expected.nodes += area,
+                    Below::Leaf(leaf) => {
+                        expected.leaves += area;
+                        expected.triangles += area * counts[leaf] as f64;
+                    }
+                }
+            }
+        }
+        let all = half_area(root.extent());
+        let Expected { nodes, leaves, triangles } = expected;
+        Some(Expected { nodes: 1.0 + nodes / all, leaves: leaves / all, triangles: triangles / all })
+    }
+
+    fn packets(&self, rays: &[Ray], want: Want) -> Option<(Met, usize)> {
+        let AnyFast::Packets(packets) = &self.0 else { return None };
+        let mut met = Met::default();
+        // Only packets to the nearest hits walk together.
+        let together = if want == Want::Nearest { packets.count(rays, &mut met) } else { 0 };
+        (together > 0).then_some((met, together))
     }
 
     fn bytes(&self) -> Option<usize> {
