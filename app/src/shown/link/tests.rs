@@ -285,7 +285,7 @@ fn every_wrong_link_gets_a_sentence() {
     check("5/33?aspect=0", "aspect=0: a number from 0.01 to 100");
     check("5/33?shape=1", "shape=1: a shape is written shape=number:x,y,…");
     check("5/33?shape=a:1,2", "shape=a:1,2: the number of the shape stands first");
-    check("5/33?shape=1:1,x", "shape=1:1,x: the numbers of a shape have commas between them");
+    check("5/33?shape=1:1,x", "shape=1:1,x: a shape has finite numbers with commas between them");
     check("5/33?shape=1:1,2,3&shape=1:1,2,3", "shape=1:1,2,3: this shape lies elsewhere already");
     check("5/33?shape=99:1,2,3", "shape=99: there is no shape 99; the last one is");
     check("5/33?shape=0:1,2", "shape=0: 0 is a disc: x and y of its middle and its radius");
