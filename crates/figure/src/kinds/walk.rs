@@ -9,8 +9,8 @@ use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
 use crate::panes::{
     Ask, Pane, RulerScale, TreeView, bin, bytes, bytes_height, cells, changed, ghost, legend, listing, ruler_height,
-    ruler_line_height, ruler_line_of, ruler_of, ruler_scale, slabs, space_to, stack, symbol_at, tested, timeline, tree,
-    tree_height, work,
+    ruler_line_height, ruler_line_of, ruler_of, ruler_scale, slabs, space_to, stack, symbol_at, tests_of, timeline,
+    tree, tree_height, work,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, whole};
@@ -179,8 +179,8 @@ impl Kind for Walk<'_> {
     }
 
     fn tally(&self, at: &Instant) -> String {
-        let (tests, tested) = tested(self.structure, self.prims, &at.state::<Moment>().cost);
-        format!("{} of {tested} tested", whole(tests))
+        let (tests, says) = tests_of(self, at.state::<Moment>());
+        format!("{} {says}", whole(tests))
     }
 
     fn guess(&self, at: &mut Instant, guesses: &[Guess]) {

@@ -247,8 +247,10 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look
         let (shown, asked) = (filled.shows(row.entry), filled.is_asked(row.entry));
         let place = place(row.entry).filter(|_| shown);
         if filled.is_new(row.entry) || asked {
-            let corner = Vec2::new(left - text * 0.6, y - high * 0.5);
-            figure.add(Role::Ground, place, block(corner, Vec2::new(right - left + text * 1.2, high), text * 0.2));
+            // A little beyond its words, but not out of the pane.
+            let aside = (text * 0.6).min(left);
+            let corner = Vec2::new(left - aside, y - high * 0.5);
+            figure.add(Role::Ground, place, block(corner, Vec2::new(right - left + aside * 2.0, high), text * 0.2));
         }
         let name = if shown || asked { Role::Text } else { Role::Quiet };
         let below = narrow && !row.note.is_empty();

@@ -3,8 +3,10 @@
 mod build;
 mod loud;
 
+use std::collections::BTreeSet;
+
 use glam::Vec2;
-use raystep_accel::{Cost, Primitives, Prims, Structure};
+use raystep_accel::{Cost, PrimId, Primitives, Prims, Structure};
 
 pub(crate) use build::weighed;
 pub use build::work_of_build;
@@ -26,6 +28,18 @@ pub fn tested(structure: &Structure, prims: &Prims, cost: &Cost) -> (u64, String
     (tests, counted(all, one, many))
 }
 
+/// How many tests a walk has cost, and what that is a part of: "of 12 primitives tested". Without a mailbox some are
+/// tested twice: "tests, of 3 of 12 primitives".
+pub(crate) fn tests_of(walk: &Walk<'_>, moment: &Moment) -> (u64, String) {
+    let (tests, all, one, many) = of_all(walk.structure, walk.prims, &moment.cost);
+    let all = counted(all, one, many);
+    let each: BTreeSet<PrimId> = moment.tested.iter().map(|test| test.prim).collect();
+    let once = each.len() as u64;
+    let again = !tests_box_only(walk.structure) && !matches!(walk.prims, Prims::Instances(_)) && once < tests;
+    let says = if again { format!("tests, of {once} of {all}") } else { format!("of {all} tested") };
+    (tests, says)
+}
+
 /// How many tests a walk has cost, how many things there are to be tested, and what one and many of them are called.
 /// In instances the triangles of their models are tested, as often as they are placed.
 fn of_all(structure: &Structure, prims: &Prims, cost: &Cost) -> (u64, u64, &'static str, &'static str) {
@@ -45,9 +59,9 @@ pub fn work(walk: &Walk<'_>, moment: &Moment, beside: Option<(&str, u64)>, size:
     let (left, u) = (look.margin(), look.text);
     let only_box = tests_box_only(walk.structure);
     let volume = VolumeName::of(walk.structure);
-    let (tests, all, one, many) = of_all(walk.structure, walk.prims, &moment.cost);
+    let (_, all, ..) = of_all(walk.structure, walk.prims, &moment.cost);
 
-    let says = format!("of {} tested", counted(all, one, many));
+    let (tests, says) = tests_of(walk, moment);
     let mut y = loud(&mut figure, tests, &says, top, look) + u * 0.6;
 
     // The same as a bar; with another walk beside it, a bar each.
