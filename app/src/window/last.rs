@@ -61,7 +61,8 @@ impl Last {
             "lessons" => self.lessons = Some(text()?),
             "link" => {
                 let (link, wrong) = Link::read(&text()?);
-                self.link = link;
+                // What is set on no slide is set nowhere.
+                self.link = if link.slide.is_empty() { Link::default() } else { link };
                 if !wrong.is_empty() {
                     return Err(wrong.join("; "));
                 }
@@ -236,6 +237,8 @@ mod tests {
         check("lesons = \"a\"", "lesons = \"a\": nothing of that name is kept");
         check("lessons = 3", "lessons = 3: a text is needed; it is left out");
         check("zoom =", "");
+        let (read, wrong) = Last::read("link = \"%A3?step=7\"\n");
+        assert_eq!((Last::read(&read.text()), wrong.len()), ((Last::default(), Vec::new()), 1), "{wrong:?}");
         let (read, wrong) = Last::read("link = \"5/33?step=x&grain=visit\"\n");
         assert_eq!((read.link.step, read.link.grain), (None, raystep_accel::Grain::Visit));
         assert!(wrong.len() == 1 && wrong[0].contains("step=x: a whole number"), "{wrong:?}");

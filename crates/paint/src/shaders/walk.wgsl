@@ -136,13 +136,13 @@ fn walk(@builtin(global_invocation_id) id: vec3u) {
                     state = AGAIN;
                     break;
                 }
-                // The nearer child first.
-                let turn = near_1 < near_0;
+                // The nearer child first, by the middles of the ways through both: boxes often begin at the same plane.
+                let turn = near_1 + min(second.y, end) < near_0 + min(first.y, end);
                 children[high] = select(node.child_1, node.child_0, turn);
-                enters[high] = max(near_0, near_1);
+                enters[high] = select(near_1, near_0, turn);
                 high += 1u;
                 here = select(node.child_0, node.child_1, turn);
-                near = min(near_0, near_1);
+                near = select(near_0, near_1, turn);
                 continue;
             }
             if meets_0 || meets_1 {
