@@ -2,7 +2,7 @@
 
 use egui::{Align2, Rect, Ui, vec2};
 use raystep_accel::{Cost, Event, Hit, Structure, Verdict, Visit};
-use raystep_figure::{Face, Role, counted, number, tested, text_width, whole};
+use raystep_figure::{Face, Role, counted, number, tested, text_width};
 use raystep_lesson::{PacketTape, Tape};
 
 use super::page::Page;
@@ -16,7 +16,8 @@ pub(super) fn bill(ui: &Ui, page: Page<'_>, rect: Rect, playback: &Playback, cos
     let Some(cost) = cost else { return };
     let structure = &*playback.play.structure;
     let (tests, of) = tested(structure, &playback.play.scene.prims, &cost);
-    let mut says = vec![format!("{} of {of} tested", whole(tests))];
+    // Without a mailbox a primitive may be tested twice.
+    let mut says = vec![format!("{}, of {of}", counted(tests, "test", "tests"))];
     match (cost.node_visits, cost.cell_steps) {
         (0, 0) => {}
         (0, cells) => {
