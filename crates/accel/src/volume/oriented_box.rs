@@ -163,6 +163,10 @@ fn turned(frame: DMat3, i: usize, j: usize, tangent: f64) -> DMat3 {
     next
 }
 
+/// So many turns by one angle are taken at most: along a narrow valley between two edges a box shrinks a little with each
+/// of thousands.
+const TURNS: u32 = 16;
+
 /// A frame, and between which coordinates along it the box lies, seen from `center`.
 #[derive(Clone, Copy)]
 struct Turned {
@@ -223,10 +227,10 @@ impl Turned {
         });
     }
 
-    /// Turned by smaller and smaller angles as long as the box shrinks.
+    /// Turned by smaller and smaller angles as long as the box shrinks, a few times each.
     fn refined(mut self, corners: &[Corner], center: Vec3, axes: Axes, watch: &mut impl Observer<Fit>) -> Turned {
         let pairs: &[(usize, usize)] = if axes == Axes::Xy { &[(0, 1)] } else { &[(0, 1), (0, 2), (1, 2)] };
-        let mut tangent = 0.5;
+        let (mut tangent, mut left) = (0.5, TURNS);
         while tangent > 1e-4 {
             let turns = pairs.iter().flat_map(|&(i, j)| [(i, j, tangent), (i, j, -tangent)]);
             let mut best: Option<Turned> = None;
@@ -244,10 +248,11 @@ impl Turned {
             let (surface, least, taken) = (best.surface(), self.surface(), best.size() < self.size());
             if taken {
                 self = best;
+                left -= 1;
             }
             watch.on(Fit::Choose { surface, least, tangent: tangent as f32, taken });
-            if !taken {
-                tangent *= 0.5;
+            if !taken || left == 0 {
+                (tangent, left) = (tangent * 0.5, TURNS);
             }
         }
         self

@@ -133,6 +133,29 @@ fn an_oriented_box_is_the_smallest_that_was_tried() {
     }
 }
 
+/// Points and balls of all sizes, most of them on whole numbers or just beside one: no box is turned thousands of times.
+#[test]
+fn a_box_is_turned_a_few_times() {
+    let random = &mut Random::new(23);
+    for run in 0..50_000 {
+        let scale = [1.0, 1024.0, 1.0 / 4_194_304.0, 16_777_216.0][random.below(4) as usize];
+        let mut number = || {
+            let whole = random.below(11) as f32 - 5.0;
+            let beside = [whole, whole.next_up(), whole.next_down(), whole / 3.0, whole * 16.0 * f32::EPSILON];
+            scale * beside[random.below(12).saturating_sub(7) as usize]
+        };
+        let mut shape = |round: bool| {
+            let [a, b, c] = [0; 3].map(|_| Vec3::new(number(), number(), number()));
+            let radius = b.x.abs().max(scale / 1024.0);
+            if round { Shape::Sphere(Sphere { center: a, radius }) } else { triangle(a, b, c) }
+        };
+        let set: Vec<_> = (0..=run % 5).map(|i| shape((run / 7 + i) % 3 == 0)).collect();
+        let (_, events) = told(&set, BvhVolume::Obb);
+        let chosen = events.iter().filter(|event| matches!(event, Fit::Choose { .. })).count();
+        assert!(chosen <= 222, "run {run}: {chosen}");
+    }
+}
+
 fn pushed(event: &Fit) -> Option<&'static str> {
     if let Fit::Push { axis, .. } = event { Some(axis.name()) } else { None }
 }
