@@ -3,6 +3,7 @@
 use std::sync::{Arc, LazyLock};
 
 use glam::{DVec3, Mat3, Vec3};
+use rayon::prelude::*;
 use raystep_accel::{Aabb, BvhRule, Instances, Mesh, Model, PrimId, Primitives, Prims, Random, Rule, Transform};
 
 use crate::tree::tree;
@@ -21,8 +22,9 @@ const PATCH: f32 = 1.0;
 /// Blades on a patch.
 const BLADES: u32 = 500;
 
-/// The trees of every forest, grown once.
-static GROWN: LazyLock<[Arc<Model>; 3]> = LazyLock::new(|| [11, 12, 13].map(|seed| model(tree(seed))));
+/// The trees of every forest, grown once, side by side.
+static GROWN: LazyLock<Vec<Arc<Model>>> =
+    LazyLock::new(|| [11, 12, 13].into_par_iter().map(|seed| model(tree(seed))).collect());
 
 /// A forest of so many trees, at least 1: three grown trees, each placed many times, on a floor.
 pub(crate) fn forest(trees: u32) -> Scene {
