@@ -34,6 +34,15 @@ struct Measured {
     opening: f64,
     /// The computing of each frame after that, and the key that called for it.
     frames: Vec<(f32, Option<Key>)>,
+    /// The most that a frame took of the processor in the window's own thread: what is painted in software beside it can
+    /// make it wait, and does on a machine of two cores.
+    own: f32,
+}
+
+/// How long the processor has worked for this thread, in milliseconds.
+fn worked() -> f32 {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    told.split(' ').next().and_then(|nanoseconds| nanoseconds.parse::<u64>().ok()).unwrap_or(0) as f32 / 1e6
 }
 
 /// Who turns the pages.
@@ -48,6 +57,8 @@ struct Pages {
     /// How many keys were pressed on this slide, and the last one.
     pressed: usize,
     key: Option<Key>,
+    /// What the processor had worked for the window's thread at the frame before.
+    worked: f32,
     /// The slide after which the window is closed.
     last: usize,
 }
@@ -55,6 +66,8 @@ struct Pages {
 impl Pages {
     fn turn(&mut self, app: &App, ui: &Ui, frame: &eframe::Frame) {
         ui.ctx().request_repaint();
+        let worked = worked();
+        let own = worked - std::mem::replace(&mut self.worked, worked);
         let slide = app.state.view.slide;
         let milliseconds = frame.info().cpu_usage.map(|seconds| seconds * 1000.0);
         let since = |since: Instant| since.elapsed().as_secs_f64() * 1000.0;
@@ -74,8 +87,9 @@ impl Pages {
         }
         let key = self.key.take();
         if let Some(slow) = milliseconds.filter(|milliseconds| *milliseconds > FRAME) {
-            println!("{:>8}: {slow:.1} ms at step {}", self.names[slide], app.state.view.step);
+            println!("{:>8}: {slow:.1} ms at step {}, {own:.1} ms of its own", self.names[slide], app.state.view.step);
         }
+        self.measured.own = self.measured.own.max(own);
         self.measured.frames.extend(milliseconds.map(|milliseconds| (milliseconds, key)));
         let mut before = 0;
         let key = KEYS.iter().find(|(_, times)| {
@@ -102,12 +116,12 @@ impl Pages {
 impl Pages {
     /// Prints what was measured on a slide that is left.
     fn tell(&mut self, slide: usize) {
-        let Measured { first, opening, mut frames } = std::mem::take(&mut self.measured);
+        let Measured { first, opening, mut frames, own } = std::mem::take(&mut self.measured);
         frames.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let ((median, _), (most, key)) = (frames[frames.len() / 2], frames[frames.len() - 1]);
         let (name, count) = (&self.names[slide], frames.len());
         let key = key.map_or("-", Key::name);
-        println!("{name:>8} {first:>9.0} {opening:>11.0} {median:>10.1} {most:>11.1} {key:>7} {count:>7}");
+        println!("{name:>8} {first:>9.0} {opening:>11.0} {median:>10.1} {most:>11.1} {key:>7} {own:>7.1} {count:>7}");
         self.shown += 1;
     }
 }
@@ -132,11 +146,11 @@ fn inside_all_slides() {
     let slides = last - from + 1;
     let slide = Some(names[from].clone());
     println!(
-        "{:>8} {:>9} {:>11} {:>10} {:>11} {:>7} {:>7}",
-        "slide", "first, ms", "picture, ms", "frame, ms", "slowest, ms", "after", "frames"
+        "{:>8} {:>9} {:>11} {:>10} {:>11} {:>7} {:>7} {:>7}",
+        "slide", "first, ms", "picture, ms", "frame, ms", "slowest, ms", "after", "own, ms", "frames"
     );
     let measured = Measured::default();
-    let pages = Pages { names, measured, shown: 0, opens: None, pressed: 0, key: None, last };
+    let pages = Pages { names, measured, shown: 0, opens: None, pressed: 0, key: None, worked: 0.0, last };
     let pages = Rc::new(RefCell::new(pages));
     let turns = pages.clone();
     let opening = Opening {
