@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::fs::{File, FileType, Metadata};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::{Builder, NamedTempFile, TempDir};
@@ -188,6 +189,16 @@ fn underway() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     UNDERWAY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Whether a file was written to its end.
+static WHOLE: AtomicBool = AtomicBool::new(false);
+
+/// Ends the program because it was told to, and says what became of its files.
+pub(crate) fn stop(code: i32) -> ! {
+    let left = if WHOLE.load(Ordering::Relaxed) { "what was finished by then is whole" } else { "no file was written" };
+    say(&format!("stopped; {left}"));
+    end(code)
+}
+
 /// Ends the program at once: what is not whole is removed first, and nothing is begun any more.
 pub(crate) fn end(code: i32) -> ! {
     let underway = underway();
@@ -235,7 +246,9 @@ impl Part {
     /// Gives it its name; what had that name is gone.
     fn put(self, path: &Path) -> Result<(), Fault> {
         let _nobody_ends = underway();
-        self.file.persist(path).map(|_| ()).map_err(|error| about(path)(error.error))
+        self.file.persist(path).map_err(|error| about(path)(error.error))?;
+        WHOLE.store(true, Ordering::Relaxed);
+        Ok(())
     }
 }
 

@@ -109,8 +109,5 @@ const STOPPED: i32 = 130;
 
 /// From now on Ctrl+C leaves nothing half-written. Where no handler can be set it ends the program as it always does.
 fn end_cleanly() {
-    let _ = ctrlc::set_handler(|| {
-        files::say("stopped; what was finished by then is whole");
-        files::end(STOPPED)
-    });
+    let _ = ctrlc::set_handler(|| files::stop(STOPPED));
 }

@@ -41,6 +41,7 @@ const LONGEST: usize = 5000;
 
 /// The files to write, in the order of their names.
 pub(crate) fn jobs<'a>(sessions: &'a [Session<'a>], which: &Which, order: &Order) -> Result<Vec<Job<'a>>, Fault> {
+    order.has_room()?;
     let mut jobs: BTreeMap<String, Job<'_>> = BTreeMap::new();
     let shown: Vec<&Session<'_>> = sessions.iter().filter(|session| session.missing(order).is_none()).collect();
     // One of many slides may lack what the others have.

@@ -8,6 +8,10 @@ use raystep_figure::Theme;
 use raystep_print::{Lettering, Manner};
 
 use super::{Piece, Size, View};
+use crate::fault::Fault;
+
+/// How many times as long a plate may be one way as the other.
+const SLENDEREST: u32 = 4;
 
 /// How steps are drawn.
 #[derive(Clone, Debug)]
@@ -114,6 +118,19 @@ impl Order {
             grain: None,
             delay: STEP_MILLIS,
         }
+    }
+
+    /// A plate sets its panes side by side and below each other: in a narrow strip they have no room.
+    pub(super) fn has_room(&self) -> Result<(), Fault> {
+        let plate = self.view == View::Plate && self.format != Format::Json;
+        if plate && self.size.slenderness() > SLENDEREST {
+            return Err(Fault::new(format!(
+                "--size {}: a plate has no room for its panes there, since it is at most {SLENDEREST} times as long one way \
+                 as the other; a single view, as --view space, may be of any size",
+                self.size
+            )));
+        }
+        Ok(())
     }
 
     /// How its figures become files.

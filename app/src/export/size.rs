@@ -19,6 +19,11 @@ impl Size {
     /// What is drawn if nobody says how large.
     pub(crate) const USUAL: Size = Size { width: 1600, height: 1000 };
 
+    /// How many times as long the longer side is as the other, rounded up.
+    pub(super) fn slenderness(self) -> u32 {
+        self.width.max(self.height).div_ceil(self.width.min(self.height))
+    }
+
     /// Whether both sides are even, as videos need them.
     pub(super) fn is_even(self) -> bool {
         self.width.is_multiple_of(2) && self.height.is_multiple_of(2)

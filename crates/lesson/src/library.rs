@@ -151,11 +151,29 @@ impl Library {
         self.terms.iter().find(|term| term.is(word))
     }
 
-    /// The slide called `"5/33"`, `"05-kd-tree/33-which-child-first"` or `"33-which-child-first"`.
+    /// The slide called `"5/33"`, `"05-kd-tree/33-which-child-first"`, `"33-which-child-first"` or, by its number alone,
+    /// `"33"`.
     pub fn slide(&self, id: &str) -> Option<&Slide> {
-        self.slides.iter().find(|slide| {
+        let called = |slide: &&Slide| {
             slide.id() == id || slide.name == id || id.split_once('/') == Some((&slide.section, &slide.name))
-        })
+        };
+        self.slides.iter().find(called).or_else(|| self.slides.get(self.numbered(id)?))
+    }
+
+    /// The place of a slide by the number it has in the lecture, `"33"`, or with its section, `"5/33"`. A number between
+    /// those that a slide stands for, `"35"` of 33 to 38, finds it, too.
+    pub fn numbered(&self, typed: &str) -> Option<usize> {
+        let (section, number) =
+            typed.split_once('/').map_or((None, typed), |(section, number)| (Some(section), number));
+        let value = |text: &str| text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic()).parse::<u32>().ok();
+        let here = |slide: &Slide| section.is_none_or(|section| slide.id().split('/').next() == Some(section));
+        let exact = |slide: &Slide| slide.numbers.iter().any(|known| known == number);
+        let between = |slide: &Slide| {
+            let (first, last) = (value(slide.numbers.first()?)?, value(slide.numbers.last()?)?);
+            (first..=last).contains(&value(number)?).then_some(())
+        };
+        let place = |found: &dyn Fn(&Slide) -> bool| self.slides.iter().position(|slide| here(slide) && found(slide));
+        place(&exact).or_else(|| place(&|slide| between(slide).is_some()))
     }
 }
 

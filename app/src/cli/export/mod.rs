@@ -25,7 +25,7 @@ use crate::shown::Link;
 /// What to draw, how, and where to.
 #[derive(Args, Debug)]
 pub struct ExportArguments {
-    /// The slide: section and number, as in 5/33.
+    /// The slide: section and number, as in 5/33, or the number alone.
     #[arg(long, value_name = "SLIDE", conflicts_with = "all", required_unless_present_any = ["all", "scene", "mesh", "at"])]
     slide: Option<String>,
     /// All slides.
@@ -142,6 +142,12 @@ fn draw(
         true
     })?;
     bar.finish_and_clear();
+    // Steps that a walk does not have are none of its pictures: who counts the files knows why.
+    if let Some((range, last)) = arguments.steps.as_ref().zip(sessions.iter().map(Session::steps).max())
+        && *range.end() > last
+    {
+        files::say(&format!("--steps {}..{}: the last step there is is {last}", range.start(), range.end()));
+    }
     let count = drawn.len();
     files::say(&format!("{count} {} in {}", if count == 1 { "file" } else { "files" }, arguments.out.display()));
     Ok(())

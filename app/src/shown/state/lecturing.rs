@@ -1,6 +1,6 @@
 //! Before a class: from beat to beat and across slides, one thing at a time; other rays; slides by their numbers.
 
-use raystep_lesson::{Library, StageKind};
+use raystep_lesson::StageKind;
 
 use super::{Answered, Landing, State};
 use crate::shown::command::Command;
@@ -63,7 +63,7 @@ impl State {
     /// To the slide whose number was typed, if there is one.
     fn go_to_typed(&mut self) {
         let typed = std::mem::take(&mut self.lecture.typed);
-        if let Some(slide) = place_of(&self.library, &typed) {
+        if let Some(slide) = self.library.numbered(&typed) {
             // Also the one that is shown: it begins anew.
             self.open_slide(slide);
         }
@@ -197,23 +197,4 @@ fn moves(command: Command) -> bool {
             | Command::OtherStage
             | Command::Skip
     )
-}
-
-/// The place of a slide by the number it has in the lecture, `"33"`, or with its section, `"5/33"`. A number between
-/// those that a slide stands for, `"35"` of 33 to 38, finds it, too.
-pub(crate) fn place_of(library: &Library, typed: &str) -> Option<usize> {
-    let (section, number) = typed.split_once('/').map_or((None, typed), |(section, number)| (Some(section), number));
-    let of_section =
-        |slide: &&raystep_lesson::Slide| section.is_none_or(|section| slide.id().split('/').next() == Some(section));
-    let found = library.slides.iter().enumerate().filter(|(_, slide)| of_section(slide));
-    let exact = |slide: &raystep_lesson::Slide| slide.numbers.iter().any(|known| known == number);
-    let between = |slide: &raystep_lesson::Slide| {
-        let value = |text: &str| text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic()).parse::<u32>().ok();
-        let ends =
-            slide.numbers.first().and_then(|first| value(first)).zip(slide.numbers.last().and_then(|last| value(last)));
-        ends.zip(value(number)).is_some_and(|((first, last), number)| (first..=last).contains(&number))
-    };
-    let mut all: Vec<(usize, &raystep_lesson::Slide)> = found.collect();
-    all.sort_by_key(|(_, slide)| !exact(slide));
-    all.into_iter().find(|(_, slide)| exact(slide) || between(slide)).map(|(index, _)| index)
 }
