@@ -3,7 +3,7 @@
 use egui::{Frame, Margin, Rect, ScrollArea, Stroke, StrokeKind, Ui, UiBuilder};
 use raystep_figure::{Face, Role};
 
-use super::desk::Desk;
+use super::desk::{Desk, more_below};
 use crate::shown::playback::Posed;
 use crate::shown::state::State;
 use crate::shown::words::{label, question_text, reason};
@@ -59,11 +59,12 @@ pub(super) fn card(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
             heights.sum::<f32>() - gap
         };
         let scale = SCALES.into_iter().find(|scale| high(kept, *scale) <= room).unwrap_or(SCALES[SCALES.len() - 1]);
-        ScrollArea::vertical().id_salt("answer").auto_shrink(false).show(ui, |ui| {
+        let scrolled = ScrollArea::vertical().id_salt("answer").auto_shrink(false).show(ui, |ui| {
             ui.set_width(ui.available_width());
             for (set, text) in parts(scale) {
                 set.show(ui, &mut kept.formulas, text);
             }
         });
+        more_below(ui, desk, &scrolled, Role::Panel);
     });
 }

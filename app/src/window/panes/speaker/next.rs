@@ -4,7 +4,7 @@ use egui::{Align2, Id, Rect, ScrollArea, StrokeKind, Ui, UiBuilder, pos2, vec2};
 use raystep_figure::{Face, Role};
 use raystep_lesson::Medium;
 
-use super::desk::{Desk, heading};
+use super::desk::{Desk, heading, more_below};
 use super::small::small;
 use crate::shown::reel::said;
 use crate::window::look::painter::caption;
@@ -57,7 +57,7 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
     let bottom = words.bottom();
     let mut child = ui.new_child(UiBuilder::new().max_rect(words));
     child.set_clip_rect(words);
-    ScrollArea::vertical().id_salt("next words").auto_shrink(false).show(&mut child, |ui| {
+    let scrolled = ScrollArea::vertical().id_salt("next words").auto_shrink(false).show(&mut child, |ui| {
         ui.set_width(ui.available_width());
         let prose = Prose { theme, size: 14.0, role: Role::Text, face: Face::Regular, leading: 1.35 };
         if let (Some((beat, step)), Some(playback)) = (next.beat(), next.playback()) {
@@ -76,6 +76,7 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, kept: &mut Kept, rect: Rect) {
             }
         }
     });
+    more_below(&child, desk, &scrolled, Role::Page);
 }
 
 /// The titles of up to four beats that come after the next one, those with questions marked.

@@ -3,7 +3,7 @@
 use egui::{Align2, Button, Rect, RichText, ScrollArea, Ui, UiBuilder, Vec2, pos2, vec2};
 use raystep_figure::{Face, Role};
 
-use super::desk::{Desk, heading};
+use super::desk::{Desk, MORE_BELOW, heading};
 use crate::shown::talk::minutes;
 use crate::window::look::fonts::font;
 use crate::window::look::formulas::Formulas;
@@ -51,7 +51,7 @@ pub(super) fn show(ui: &mut Ui, desk: &Desk<'_>, formulas: &mut Formulas, letter
         child = ui.new_child(UiBuilder::new().max_rect(seen));
         child.set_clip_rect(seen);
         let at = pos2(words.center().x, words.bottom() - foot * 0.5);
-        caption(ui.painter(), at, Align2::CENTER_CENTER, "▼  more below", Face::Medium, 12.5, Role::Quiet, theme);
+        caption(ui.painter(), at, Align2::CENTER_CENTER, MORE_BELOW, Face::Medium, 12.5, Role::Quiet, theme);
     }
     ScrollArea::vertical().id_salt(("notes", desk.wall.state.view.slide)).auto_shrink(false).show(&mut child, |ui| {
         ui.set_width(ui.available_width() - 8.0);
