@@ -292,6 +292,14 @@ fn a_ray_of_ones_own_that_shows_no_mistake_is_not_taken_away_without_a_word() {
     harness.run_steps(3);
     assert!(matches!(harness.state().state.view.ray, RayChoice::Named(_)));
     assert!(harness.query_by_label_contains("Your own ray does not show it").is_some());
+    // Nothing broken any more: back to where one was.
+    press(&mut harness, Key::M);
+    settle(&mut harness);
+    assert_eq!(harness.state().state.view.ray, RayChoice::Own(own));
+    press(&mut harness, Key::M);
+    settle(&mut harness);
+    harness.run_steps(3);
+    assert!(matches!(harness.state().state.view.ray, RayChoice::Named(_)));
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run_steps(1);
     settle(&mut harness);

@@ -63,6 +63,12 @@ impl State {
         self.want(View { ray, part: None, ..self.target().clone() }, landing);
     }
 
+    /// Back to a view that was left for another, at its step.
+    pub(crate) fn return_to(&mut self, view: View) {
+        self.keep();
+        self.want(view, Landing::Named);
+    }
+
     /// The ray of that name, on whichever stage it walks.
     pub fn show_named_ray(&mut self, name: &str) {
         let index = |stage: &Stage| stage.rays.iter().position(|ray| ray.name == name);

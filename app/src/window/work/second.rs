@@ -18,6 +18,8 @@ pub(crate) struct Second {
     shown: Option<Arc<Playback>>,
     bench: Bench<(View, Beside), Result<Playback, Failure>>,
     search: Bench<usize, Result<Shows, Cancelled>>,
+    /// Where one was before a mistake led to a ray on which it shows, and where that was.
+    led: Option<[View; 2]>,
 }
 
 /// Where a mistake shows.
@@ -39,7 +41,7 @@ impl Broken for Result<Shows, Cancelled> {
 
 impl Second {
     pub(crate) fn new(context: &egui::Context) -> Second {
-        Second { shown: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()) }
+        Second { shown: None, bench: Bench::new(context.clone()), search: Bench::new(context.clone()), led: None }
     }
 
     /// The second walk, once it is there.
@@ -62,7 +64,14 @@ impl Second {
     pub(crate) fn catch_up(&mut self, state: &mut State) -> Option<String> {
         let mut instead = None;
         while let Some((index, Ok(shows))) = self.search.collect() {
+            let before = state.target().clone();
             instead = found(state, index, &shows);
+            let again = self.led.as_ref().is_some_and(|[_, led]| led.same_walk(&before));
+            match &mut self.led {
+                _ if state.target().same_walk(&before) => {}
+                Some([_, led]) if again => *led = state.target().clone(),
+                _ => self.led = Some([before, state.target().clone()]),
+            }
         }
         self.make(state).or(instead)
     }
@@ -132,9 +141,15 @@ impl Second {
 
     /// Looks for a ray on which a mistake shows, to show it beside the walk; or shows none. Says what to expect.
     pub(crate) fn break_it(&mut self, state: &mut State, mistake: Option<usize>) -> Option<String> {
-        state.beside = Beside::Nothing;
+        let broken = matches!(std::mem::replace(&mut state.beside, Beside::Nothing), Beside::Mistake(_));
         self.search.cancel();
-        let (index, playback) = (mistake?, state.playback()?.clone());
+        let Some(index) = mistake else {
+            // Back to the ray from which the mistake led here.
+            let led = self.led.take().filter(|[_, led]| broken && led.same_walk(state.target()));
+            led.into_iter().for_each(|[before, _]| state.return_to(before));
+            return None;
+        };
+        let playback = state.playback()?.clone();
         let Some(mistake) = playback.mistakes.get(index) else {
             return Some("There is nothing to break in this structure.".to_owned());
         };
