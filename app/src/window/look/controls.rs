@@ -115,7 +115,7 @@ fn control(ui: &mut Ui, parameter: &Parameter, label: &str) -> Said {
             let mut count: u32 = parameter.value.parse().unwrap_or(min);
             let field = DragValue::new(&mut count).range(min..=max).speed(0.05);
             let Typed { response, wrong } =
-                typed::field(ui, label, &typed::Allowed::within(min.into(), max.into()), field, |ui, field| {
+                typed::field(ui, label, &typed::Allowed::whole(min.into(), max.into()), field, |ui, field| {
                     ui.add(field)
                 });
             response.widget_info(|| WidgetInfo::labeled(Role::SpinButton, true, label));

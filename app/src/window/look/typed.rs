@@ -9,6 +9,8 @@ use egui::{DragValue, Response, Ui};
 pub(crate) struct Allowed {
     pub(crate) range: RangeInclusive<f64>,
     pub(crate) digits: fn(f64) -> String,
+    /// Whether it is a whole one.
+    pub(crate) whole: bool,
 }
 
 impl Allowed {
@@ -17,7 +19,12 @@ impl Allowed {
 
     /// Any number from one to another.
     pub(crate) const fn within(least: f64, most: f64) -> Allowed {
-        Allowed { range: least..=most, digits: |number| number.to_string() }
+        Allowed { range: least..=most, digits: |number| number.to_string(), whole: false }
+    }
+
+    /// Any whole number from one to another.
+    pub(crate) const fn whole(least: f64, most: f64) -> Allowed {
+        Allowed { whole: true, ..Allowed::within(least, most) }
     }
 
     /// What is said of a text that was typed, and the number that it is.
@@ -27,7 +34,16 @@ impl Allowed {
         let goes =
             if least.is_finite() { format!("; {name} goes from {} to {}", ends[0], ends[1]) } else { String::new() };
         match number(text) {
-            None => (None, Some(format!("\u{201c}{}\u{201d} is no number{goes}.", text.trim()))),
+            None => {
+                let point = text.trim().replace(',', ".");
+                let comma = text.matches(',').count() == 1 && point.parse::<f64>().is_ok();
+                let hint = if comma { format!(", but {point} is: write a point") } else { String::new() };
+                (None, Some(format!("\u{201c}{}\u{201d} is no number{hint}{goes}.", text.trim())))
+            }
+            Some(number) if self.whole && number.fract() != 0.0 && self.range.contains(&number) => {
+                let nearest = (self.digits)(number.round());
+                (Some(number.round()), Some(format!("{name} is a whole number: {nearest} is taken.")))
+            }
             Some(number) if !self.range.contains(&number) => {
                 let nearest = (self.digits)(number.clamp(least, most));
                 (Some(number), Some(format!("\u{201c}{}\u{201d} cannot be{goes}: {nearest} is taken.", text.trim())))
@@ -115,6 +131,9 @@ mod tests {
         check(&depth, "abc", None, Some("\u{201c}abc\u{201d} is no number; depth goes from 0 to 64."));
         let cannot = "\u{201c}999\u{201d} cannot be; depth goes from 0 to 64: 64 is taken.";
         check(&depth, "999", Some(999.0), Some(cannot));
+        check(&Allowed::whole(0.0, 64.0), "12", Some(12.0), None);
+        check(&Allowed::whole(0.0, 64.0), "2.5", Some(3.0), Some("depth is a whole number: 3 is taken."));
+        check(&Allowed::ANY, "1,5", None, Some("\u{201c}1,5\u{201d} is no number, but 1.5 is: write a point."));
         check(&Allowed::ANY, "1e9", Some(1e9), None);
         check(&Allowed::ANY, "x", None, Some("\u{201c}x\u{201d} is no number."));
     }
