@@ -21,9 +21,11 @@ const NARROW: f32 = 1400.0;
 /// Below this height of the page the tree stands behind a tab as well.
 const LOW: f32 = 540.0;
 
-/// Most of the height that the walk takes of itself, and the least height of a row and of what stands behind tabs.
+/// Most of the height that the walk takes of itself, and the least height of a row, of that of the work, which has three
+/// lines, and of what stands behind tabs.
 const WALK: f32 = 0.66;
 const ROW: f32 = 70.0;
+const WORK: f32 = 94.0;
 const TABS: f32 = 124.0;
 
 /// The height in which the walk stands whole.
@@ -90,7 +92,8 @@ fn stacked(
     let scale = (left / wanted.iter().sum::<f32>()).min(1.0);
     let mut under = None;
     for ((shown, name, size, _), wanted) in rows.into_iter().zip(wanted) {
-        let usual = (wanted * scale).max(ROW);
+        let least = if shown == Pane::Work { WORK } else { ROW };
+        let usual = (wanted * scale).max(least);
         let panel = Panel::bottom(salt(name, *size, usual))
             .frame(Frame::new())
             .resizable(true)

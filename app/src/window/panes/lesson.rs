@@ -105,7 +105,8 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
             &format!("Your own mesh: {}, {}.", mesh.title, counted(prims(mesh) as u64, "triangle", "triangles")),
         );
         let quiet = Prose { role: Role::Quiet, size: 13.0, ..prose };
-        quiet.show(ui, formulas, &mesh.note);
+        // A line each.
+        mesh.note.lines().for_each(|note| quiet.show(ui, formulas, note));
     }
     if let Some(mistake) = state.view.example {
         prose.show(

@@ -101,7 +101,7 @@ fn by_keys(ui: &mut Ui, line: &KnobLine, digits: [Pos2; 2], asked: &mut Vec<Aske
         .range(own.from..=own.to)
         .speed(speed)
         .custom_formatter(|value, _| Knob::digits(value));
-    let allowed = Allowed { range: own.from..=own.to, digits: Knob::digits };
+    let allowed = Allowed { range: own.from..=own.to, digits: Knob::digits, whole: false };
     let Typed { response: field, wrong } = typed::field(ui, &own.name, &allowed, field, |ui, field| {
         let add = |ui: &mut Ui| {
             ui.style_mut().override_font_id = Some(font(Face::Mono, line.text));

@@ -28,14 +28,15 @@ pub(crate) fn page(
     let left = Panel::left(columns::salt("lesson", dragged, width)).frame(ground);
     let left = left.default_size(dragged.unwrap_or(usual).min(widest)).size_range(220.0..=widest);
     let shown = left.show(ui, |ui| {
-        asked.extend(underway::strip(ui, page.tasks, page.theme).map(Asked::Stop));
-        kept.notices.strip(ui, page.theme);
         if page.state.by_hand {
             let height = ui.available_height();
             let below = Panel::bottom("by hand").frame(Frame::new()).default_size(height * 0.46);
             let below = below.size_range(120.0..=height * 0.7);
             below.show(ui, |ui| by_hand::pane(ui, page.state, page.theme, asked));
         }
+        // Above what is set by hand: nothing moves away under the hand that sets it.
+        asked.extend(underway::strip(ui, page.tasks, page.theme).map(Asked::Stop));
+        kept.notices.strip(ui, page.theme);
         lesson::pane(ui, page.state, page.theme, &mut kept.formulas, asked);
     });
     columns::note(ui, &mut sizes.lesson, shown.response.rect.width(), usual);
