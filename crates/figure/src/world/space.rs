@@ -89,6 +89,26 @@ pub enum Form {
     },
 }
 
+/// How far what is drawn apart keeps from its neighbours, in parts of the scene's diagonal, and at most in parts of its
+/// own side.
+const GAP: f32 = 0.008;
+const MOST: f32 = 0.08;
+
+impl Form {
+    /// A part of space that fills a box, a little smaller: where parts share their faces, lines of one would cover those
+    /// of the other.
+    pub(crate) fn apart(self, own: &Aabb, scene: &Aabb) -> Form {
+        let gap = Vec3::splat(GAP * scene.extent().length()).min(own.extent() * MOST);
+        let share = Vec3::ONE - 2.0 * gap / own.extent().max(Vec3::splat(f32::MIN_POSITIVE));
+        let inwards = |at: Vec3| own.center() + (at - own.center()) * share;
+        match self {
+            Form::Box(bounds) => Form::Box(Aabb::new(inwards(bounds.min), inwards(bounds.max))),
+            Form::Segment(from, to) => Form::Segment(inwards(from), inwards(to)),
+            form => form,
+        }
+    }
+}
+
 /// The edges of a box, without those that have no length.
 pub(crate) fn edges(bounds: &Aabb) -> Vec<[Vec3; 2]> {
     let corners = corners(bounds);

@@ -22,6 +22,9 @@ const BOXES: usize = 300;
 const LEVELS: usize = 3;
 const NEXT: usize = 3;
 
+/// Beside so many boxes none that wait are drawn of an octree in space: with eight children each they soon are a tangle.
+const WIRES: usize = 20;
+
 /// Of a finished tree in space, so many levels.
 const UPPER: u32 = 3;
 
@@ -233,15 +236,19 @@ impl Drawing<'_> {
         }
     }
 
-    /// The nodes that a split has named and that are still to be built. In space the next few; a kd-tree's are halves, and
-    /// an octree's all alike.
+    /// The nodes that a split has named and that are still to be built. In space the next few; a kd-tree's are halves.
     fn waiting(&mut self) {
         let (build, moment) = (self.build, self.moment);
-        if !build.flat && matches!(build.structure, Structure::Kd(_) | Structure::Octree(_)) {
+        if !build.flat && matches!(build.structure, Structure::Kd(_)) {
             return;
         }
         let fresh = moment.waiting.iter().rev().filter(|id| !moment.nodes.contains_key(id));
-        for &id in fresh.take(if build.flat { BOXES } else { NEXT }) {
+        let most = match build.structure {
+            _ if build.flat => BOXES,
+            Structure::Octree(_) => NEXT.min(WIRES.saturating_sub(self.marks.len())),
+            _ => NEXT,
+        };
+        for &id in fresh.take(most) {
             let named = moment.nodes.iter().find(|(_, node)| node.children.contains(&id));
             // Some builders number their nodes anew in the end: then nobody knows yet where it will lie.
             let known = named.filter(|(parent, node)| build.structure.children(**parent) == node.children);
@@ -253,6 +260,7 @@ impl Drawing<'_> {
                 continue;
             }
             for form in build.nodes.look(build.structure, id, bounds, build.flat) {
+                let form = if plain && !build.flat { form.apart(&bounds, &moment.bounds) } else { form };
                 self.add(Role::Waiting, Some(Place::Node(id)), form);
             }
             if build.flat {

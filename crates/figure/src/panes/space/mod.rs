@@ -99,7 +99,10 @@ impl Drawing<'_> {
         };
         let bounds = self.walk.bounds(place);
         if let Place::Node(node) = place {
+            // In space, what waits would share its edges with where the walk is; volumes of a hierarchy have their own.
+            let shares = !self.walk.flat && role == Role::Waiting && !matches!(self.walk.structure, Structure::Bvh(_));
             for form in self.walk.nodes.look(self.walk.structure, node, bounds, self.walk.flat) {
+                let form = if shares { form.apart(&bounds, &self.walk.world()) } else { form };
                 self.add(role, Some(place), form);
             }
         } else if !bounds.is_empty() {

@@ -40,7 +40,7 @@ impl Drawing<'_> {
             above.min[axis] = taken.plane;
             for (id, half) in [(taken.below, below), (taken.above, above)] {
                 if moment.waiting.contains(&id) && !moment.nodes.contains_key(&id) {
-                    self.add(Role::Waiting, Some(Place::Node(id)), Form::Box(half));
+                    self.add(Role::Waiting, Some(Place::Node(id)), Form::Box(half).apart(&half, &moment.bounds));
                 }
             }
         }
