@@ -28,6 +28,12 @@ impl Build<'_> {
             && self.events.iter().any(|event| matches!(event, Grow::Rank { .. }))
     }
 
+    /// The box of the set that the one under consideration has just chosen; empty if it has chosen none.
+    fn chosen(&self, moment: &GrowMoment) -> Aabb {
+        let Some(Grow::Prefer { nearest, .. }) = moment.event else { return Aabb::EMPTY };
+        moment.nodes.get(&nearest).map_or(Aabb::EMPTY, |node| node.bounds)
+    }
+
     /// Whether a flat scene is divided by planes along the axes, or by shares of its primitives.
     fn weighs_in_the_plane(&self) -> bool {
         self.flat && matches!(self.structure, Structure::Kd(_) | Structure::Bvh(_)) && self.weighs()
@@ -181,15 +187,16 @@ impl Kind for Build<'_> {
         }
     }
 
-    /// The primitive that is put somewhere, or the leaf just made.
+    /// The primitive that is put somewhere, or the node under consideration, with what it has chosen.
     fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
         let moment: &GrowMoment = at.state();
-        let (place, bounds) = match (moment.prim, moment.node.and_then(|node| moment.nodes.get_key_value(&node))) {
-            (Some(prim), None) => (Place::Prim(prim), self.prims.bounds(prim)),
-            (_, Some((id, node))) if node.leaf.is_some() => (Place::Node(*id), node.bounds),
+        // Some of what lies around a primitive shows where it is; a node has its neighbours.
+        let (place, bounds, air) = match (moment.prim, moment.node.and_then(|node| moment.nodes.get_key_value(&node))) {
+            (Some(prim), None) => (Place::Prim(prim), self.prims.bounds(prim), 0.6),
+            (_, Some((id, node))) => (Place::Node(*id), node.bounds.union(self.chosen(moment)), 0.15),
             _ => return None,
         };
-        small(bounds, self.structure.bounds(), 0.6).map(|bounds| (format!("{place}, from near"), bounds))
+        small(bounds, self.structure.bounds(), air).map(|bounds| (format!("{place}, from near"), bounds))
     }
 
     fn tally(&self, at: &Instant) -> String {

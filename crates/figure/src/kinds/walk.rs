@@ -158,16 +158,13 @@ impl Kind for Walk<'_> {
         Walk::bounds(self, place)
     }
 
-    /// The nearest hit when the walk is over, else the leaf or the cell where it stands.
+    /// The nearest hit when the walk is over, else the node or the cell where it stands.
     fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
         let moment: &Moment = at.state();
         let over = matches!(moment.event, Some(Visit::End { .. }));
         let (title, place) = match (over, moment.best, moment.here) {
             (true, Some(hit), _) => ("the hit, from near".to_owned(), Place::Prim(hit.prim)),
-            (false, _, Some(Place::Node(node))) if !self.structure.leaf_prims(node).is_empty() => {
-                (format!("{}, from near", Place::Node(node)), Place::Node(node))
-            }
-            (false, _, Some(Place::Cell(cell))) => (format!("{}, from near", Place::Cell(cell)), Place::Cell(cell)),
+            (false, _, Some(here @ (Place::Node(_) | Place::Cell(_)))) => (format!("{here}, from near"), here),
             _ => return None,
         };
         // Some of what lies around it shows where it is.
