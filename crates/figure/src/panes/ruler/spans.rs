@@ -50,7 +50,15 @@ pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
     let Some(here) = moment.here else {
         let tested = moment.volumes.iter().map(|tested| box_span(tested.place, tested.interval, tested.verdict));
         let ray = span("ray", None, walk.ray.range(), Role::Ray);
-        return [ray].into_iter().chain(tested).chain(waiting(moment)).collect();
+        // What is dropped says where it began: later than the best hit.
+        let dropped = match moment.event {
+            Some(Visit::Drop { node, t_near, t_far, .. }) => {
+                let place = Place::Node(node);
+                Some(span(&place.to_string(), Some(place), Interval::new(t_near, t_far), Role::Dropped))
+            }
+            _ => None,
+        };
+        return [ray].into_iter().chain(dropped).chain(tested).chain(waiting(moment)).collect();
     };
     let mut spans = vec![span(&here.to_string(), Some(here), moment.entered, Role::Here)];
     if let (Some(Visit::Step { .. }), Some(step)) = (moment.event, moment.stepping) {
