@@ -41,6 +41,9 @@ fn room(events: &[Fit]) -> Aabb {
     if turns { all.padded(TURNS * all.extent().max_element()) } else { all }
 }
 
+/// How far what is drawn within a face keeps from its edges, in parts of the way to its middle.
+const INWARDS: f32 = 0.1;
+
 struct Drawing<'a> {
     moment: &'a FitMoment,
     flat: bool,
@@ -103,9 +106,7 @@ impl Drawing<'_> {
                 self.add(Role::Seen, place, Form::Segment(from, to));
             }
         }
-        for corners in moment.gone.iter().filter_map(|face| moment.corners(*face)) {
-            self.add(Role::Dropped, Place::World, Form::Polygon(corners));
-        }
+        self.gone();
         for face in moment.fresh.iter().filter(|face| moment.faces.contains_key(face)) {
             let corners = moment.faces.get(face).and_then(|face| moment.corners(*face));
             if let Some(corners) = corners {
@@ -114,7 +115,21 @@ impl Drawing<'_> {
         }
     }
 
-    /// A hull as it is seen in a drawing, straight from above: the outline of its corners so far.
+    /// The faces that the newest corner removes, a little smaller: their edges are those of faces that stay.
+    fn gone(&mut self) {
+        let moment = self.moment;
+        for corners in moment.gone.iter().filter_map(|face| moment.corners(*face)) {
+            let middle = corners.iter().sum::<Vec3>() / corners.len() as f32;
+            let inner = corners.iter().map(|corner| self.seen(corner.lerp(middle, INWARDS))).collect();
+            self.add(Role::Dropped, Place::World, Form::Polygon(inner));
+            if let Some(Fit::Hide { face }) = moment.event {
+                self.label(Role::Dropped, Place::World, middle, format!("face {face} goes"));
+            }
+        }
+    }
+
+    /// A hull as it is seen in a drawing, straight from above: the outline of its corners so far. The newest one belongs
+    /// to it from its first face on.
     fn shadow(&mut self) {
         let moment = self.moment;
         let corners: Vec<Vec3> = moment.deciding.iter().filter_map(|point| moment.points.get(point).copied()).collect();
@@ -125,6 +140,15 @@ impl Drawing<'_> {
         let (all, before) = (hull(&corners), hull(&corners[..corners.len().saturating_sub(1)]));
         if moment.faces.is_empty() {
             return;
+        }
+        if moment.fresh.is_empty() && before.len() > 2 {
+            // What of the outline is not one of the hull with the newest corner, goes.
+            for [from, to] in around(&before) {
+                let stays = around(&all).contains(&[from, to]) || moment.gone.is_empty();
+                let role = if stays { Role::Here } else { Role::Dropped };
+                self.add(role, Place::World, Form::Segment(from, to));
+            }
+            return self.gone();
         }
         if before.len() > 2 && before != all {
             self.add(Role::Seen, Place::World, Form::Polygon(before));
