@@ -59,12 +59,15 @@ impl Drawing<'_> {
             }
         }
         let flat = self.build.flat;
+        // What is cut is a list: in a drawing its order along an axis is seen, and no line in space.
+        let listed = flat && matches!(self.build.structure, Structure::Bvh(_));
         let cell = if let Structure::Bsp(tree) = self.build.structure { Some(tree.cell(*id)) } else { None };
         let sheet = |across: Direction, plane: f32, free: Option<FreePlane>| match &cell {
             Some(cell) => convex::sheet(cell, free?, flat),
             None => Some(Form::Sheet(sheet(&node.bounds, across.axis()?, plane))),
         };
-        if let Some(sheet) = node.split.and_then(|taken| sheet(taken.axis, taken.plane, taken.free)) {
+        let taken = node.split.filter(|_| !listed);
+        if let Some(sheet) = taken.and_then(|taken| sheet(taken.axis, taken.plane, taken.free)) {
             self.add(Role::Plane, place, sheet);
         }
         match self.moment.event {
@@ -103,7 +106,10 @@ impl Drawing<'_> {
             }
             Some(Grow::Split { axis, plane, .. }) => {
                 let cut = if VolumeName::of(self.build.structure).cut == "way" { "shared out" } else { "cut" };
-                let text = format!("node {id}: {cut} at {} = {}", coordinate(axis), number(plane));
+                let text = match listed {
+                    true => format!("node {id}: {cut} along {axis}"),
+                    false => format!("node {id}: {cut} at {} = {}", coordinate(axis), number(plane)),
+                };
                 self.title(Role::Here, *id, node.bounds, text);
             }
             _ => {
