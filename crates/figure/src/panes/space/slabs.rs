@@ -79,6 +79,12 @@ impl Drawing<'_> {
         let place = Some(slab.place);
         if let Some(axis) = cut.axis.axis() {
             let mut sheet = self.room(slab);
+            // As much of it as the crossing needs, where that lies in the picture.
+            for crossing in cut.t.into_iter().flatten().map(|t| self.walk.ray.at(t)) {
+                if !self.walk.flat && self.bounds.contains(crossing) {
+                    sheet = sheet.with_point(crossing);
+                }
+            }
             sheet.min[axis] = at;
             sheet.max[axis] = at;
             self.add(role, place, Form::Sheet(sheet));
@@ -162,12 +168,13 @@ impl Drawing<'_> {
         Some(line.at(part.near + (part.far - part.near) * 0.94))
     }
 
-    /// A plane has no end: in a flat scene it runs through the picture, in a solid one beyond the box.
+    /// A plane has no end: in a flat scene it runs through the picture, in a solid one beyond the box, as far as that
+    /// is in the picture.
     fn room(&self, slab: &SlabTest) -> Aabb {
         if self.walk.flat {
             return self.bounds;
         }
-        beyond(&self.walk.bounds(slab.place))
+        beyond(&self.walk.bounds(slab.place)).intersection(self.bounds)
     }
 }
 
