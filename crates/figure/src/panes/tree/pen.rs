@@ -138,7 +138,7 @@ impl Pen<'_> {
         }
     }
 
-    /// From rim to rim; thick on the path.
+    /// From rim to rim; thick on the path. To many children from below to above, so that it runs through none of them.
     fn edge(&self, figure: &mut Figure, path: &[NodeId], from: (&Branch, Vec2), to: (&Branch, Vec2)) {
         let along = (to.1 - from.1).normalize_or_zero();
         let child = to.0.node;
@@ -147,8 +147,12 @@ impl Pen<'_> {
             Role::Guess => Role::Edge,
             role => role,
         };
-        let ends = line(from.1 + along * self.rim(from.0, along), to.1 - along * self.rim(to.0, along));
-        figure.add(role, Some(Place::Node(child)), ends);
+        let below = Vec2::new(0.0, self.sizes.radius() + 1.0);
+        let (begins, ends) = match from.0.children.len() > 2 {
+            true => (below, below),
+            false => (along * self.rim(from.0, along), along * self.rim(to.0, along)),
+        };
+        figure.add(role, Some(Place::Node(child)), line(from.1 + begins, to.1 - ends));
     }
 
     /// How far the rim of a node's mark lies from its middle in a direction, and a point more.
