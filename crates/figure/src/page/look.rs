@@ -99,14 +99,17 @@ pub(crate) fn write(
     );
 }
 
-/// The face, or one that has all letters of the text: of small raised ones, as in 10⁻⁷, a face for numbers lacks some.
+/// The face, or one that has all letters of the text: of small raised ones, as in 10⁻⁷, a face for numbers lacks some, and
+/// those of 10¹² it sets as far apart as large ones.
 fn legible(text: &str, face: Face) -> Face {
     let instead = match face {
         Face::Mono => Face::Regular,
         Face::MonoMedium => Face::Medium,
         face => face,
     };
-    if text.chars().all(|letter| has_glyph(letter, face)) { face } else { instead }
+    let raised = |letter: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".contains(letter);
+    let power = text.match_indices("10").any(|(at, ten)| text[at + ten.len()..].starts_with(raised));
+    if !power && text.chars().all(|letter| has_glyph(letter, face)) { face } else { instead }
 }
 
 /// A straight line.
