@@ -32,8 +32,8 @@ pub(super) fn table(flat: bool, done: &[Visit], hide: bool, size: Vec2, look: &L
     let heads = vec!["face", "plane", "o", "d", "t", "ray comes", "left"];
     let end = Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, size.y - room, look);
     if let (Visit::Clip { t_near, t_far, .. }, true) = (done[last], missed) {
-        let says = format!("Empty: {} > {}. The hull is missed.", number(t_near), number(t_far));
-        verdict(&mut figure, Some(place), end, &says, look);
+        let says = format!("Empty: {} > {}.", number(t_near), number(t_far));
+        verdict(&mut figure, Some(place), end, &says, now.is_none().then_some("hull"), look);
     }
     figure
 }

@@ -75,17 +75,19 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
     let table = Table { heads, rows, current, place: Some(place) };
     let end = table.draw(&mut figure, top, size.y - room, look);
     if let Some((t_near, t_far)) = empty {
-        let what = VolumeName::of(walk.structure).one;
-        let says = format!("Empty: {} > {}. The {what} is missed.", number(t_near), number(t_far));
-        verdict(&mut figure, Some(place), end, &says, look);
+        let says = format!("Empty: {} > {}.", number(t_near), number(t_far));
+        let over = now.is_none_or(|event| slab_of(event).is_none());
+        let missed = over.then(|| VolumeName::of(walk.structure).one);
+        verdict(&mut figure, Some(place), end, &says, missed, look);
     }
     figure
 }
 
-/// What a test that left nothing comes to, below its table.
-fn verdict(figure: &mut Figure, place: Option<Place>, end: f32, says: &str, look: &Look) {
+/// What a test that left nothing comes to, below its table; that the volume is missed only once its test is over.
+fn verdict(figure: &mut Figure, place: Option<Place>, end: f32, says: &str, missed: Option<&str>, look: &Look) {
     let at = Vec2::new(look.margin(), end + look.line() * 0.4);
-    write(figure, Role::Wrong, place, at, says, look.text, Face::Medium, Anchor::Start);
+    let says = missed.map_or_else(|| says.to_owned(), |what| format!("{says} The {what} is missed."));
+    write(figure, Role::Wrong, place, at, &says, look.text, Face::Medium, Anchor::Start);
 }
 
 /// What is left of the ray.

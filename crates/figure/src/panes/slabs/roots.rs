@@ -31,11 +31,12 @@ pub(super) fn table(done: &[Visit], hide: bool, size: Vec2, look: &Look) -> Figu
     let end = Table { heads, rows: vec![row], current, place: Some(place) }.draw(&mut figure, top, size.y - room, look);
     if empty {
         let says = if none {
-            format!("No root of {}. The sphere is missed.", number(discriminant))
+            format!("No root of {}.", number(discriminant))
         } else {
-            format!("Empty: {} > {}. The sphere is missed.", number(t_near), number(t_far))
+            format!("Empty: {} > {}.", number(t_near), number(t_far))
         };
-        verdict(&mut figure, Some(place), end, &says, look);
+        let missed = (role == Role::Text).then_some("sphere");
+        verdict(&mut figure, Some(place), end, &says, missed, look);
     }
     figure
 }
