@@ -139,12 +139,16 @@ fn bars(
         return;
     }
     let parts: Vec<u64> = walk.alone.iter().map(|cost| cost.node_visits).collect();
-    row(1, "one by one", Role::Value, all, &parts);
-    let alone: u64 = walk.alone.iter().map(|cost| cost.prim_tests).sum();
+    // What it comes to one by one is known in the end.
+    let alone = if moment.over {
+        row(1, "one by one", Role::Value, all, &parts);
+        format!("; one by one {}", walk.alone.iter().map(|cost| cost.prim_tests).sum::<u64>())
+    } else {
+        " so far".to_owned()
+    };
     let skipped = if moment.skips > 0 { format!(" · {} skipped", moment.skips) } else { String::new() };
     let tests = moment.tested.len() as u64;
-    let says =
-        format!("{} of primitives so far; one by one {alone} in the end{skipped}", counted(tests, "test", "tests"));
+    let says = format!("{} of primitives{alone}{skipped}", counted(tests, "test", "tests"));
     let at = Vec2::new(look.margin(), y + u * 3.2);
     say(figure, Role::Quiet, at, &says, look.small(), Anchor::Start);
 }
