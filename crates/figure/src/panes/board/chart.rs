@@ -265,7 +265,7 @@ impl Plot<'_> {
         write(figure, Role::Quiet, place, below, &drawn.note, self.look.small(), Face::Regular, Anchor::Start);
     }
 
-    /// Where on a curve its name may stand: at a point, at the end of what was measured, along a law.
+    /// Where on a curve its name may stand: at a point, at the end of what was measured or before it, along a law.
     fn named(&self, drawn: &Drawn) -> Vec<Vec2> {
         let dots = match &drawn.curve {
             Curve::Point(dot) => return vec![self.at(*dot)],
@@ -273,7 +273,7 @@ impl Plot<'_> {
         };
         let inside: Vec<Vec2> = dots.iter().filter(|dot| self.chart.y.shows(dot[1])).map(|dot| self.at(*dot)).collect();
         if inside.len() < LAW {
-            return inside.last().copied().into_iter().collect();
+            return inside.into_iter().rev().collect();
         }
         // In the middle there is most room.
         [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].map(|part| inside[(inside.len() as f32 * part) as usize]).to_vec()
