@@ -75,7 +75,7 @@ struct Set {
 
 /// Most that letters grow where there is room, where nothing else stands there, and where pictures do; and least that
 /// they shrink.
-pub(super) const LARGEST: f32 = 1.3;
+pub(super) const LARGEST: f32 = 1.5;
 pub(super) const ALONE: f32 = 2.0;
 pub(super) const BESIDE: f32 = 1.15;
 pub(super) const SMALLEST: f32 = 0.72;
@@ -117,7 +117,7 @@ impl Table {
         let widths = self.widths(text, narrow);
         let used: f32 = widths.iter().sum();
         // Eyes follow short rows: spare room goes between the columns, up to a point.
-        let gap = ((room.x - 2.0 * look.margin() - used) / widths.len() as f32).clamp(text * 0.8, text * 4.0);
+        let gap = ((room.x - 2.0 * look.margin() - used) / widths.len() as f32).clamp(text * 0.8, text * APART);
         Set { widths, gap }
     }
 
@@ -185,6 +185,9 @@ impl Row {
         self.known == Known::Roughly && column.rays && cell.contains(|letter: char| letter.is_ascii_digit())
     }
 }
+
+/// Most spare room between two columns, in letters.
+const APART: f32 = 8.0;
 
 /// Room between two columns, at least, in letters.
 const GAP: f32 = 1.6;
