@@ -13,14 +13,26 @@ const LENGTH: f32 = 26.0;
 /// Distance of the arrows' foot from the corner, in points.
 const CORNER: f32 = 44.0;
 
+/// Size of the letters in a picture that is not large, in points: all of it grows with what else is written there.
+const LETTERS: f32 = 12.5;
+
+fn grown(size: Vec2) -> f32 {
+    (super::labels::letters(&Figure::new(size)) / LETTERS).max(1.0)
+}
+
 /// An axis that is seen shorter than this, in parts of its length, points at the eye or away from it.
 const SHORT: f32 = 0.2;
 
 /// Where they stand in a picture of this size: its corners.
 pub(super) fn room(size: Vec2) -> [Vec2; 2] {
-    let reach = LENGTH + 22.0;
-    let foot = Vec2::new(CORNER, size.y - CORNER);
+    let reach = (LENGTH + 22.0) * grown(size);
+    let foot = foot(size);
     [foot - reach, foot + reach]
+}
+
+fn foot(size: Vec2) -> Vec2 {
+    let corner = CORNER * grown(size);
+    Vec2::new(corner, size.y - corner)
 }
 
 /// The three axes as this camera sees them; in a flat scene, whose rulers say it, nothing.
@@ -28,19 +40,19 @@ pub fn axes(camera: &Camera, size: Vec2) -> Figure {
     let mut figure = Figure::new(size);
     let Camera::Solid { .. } = camera else { return figure };
     let lens = Lens::new(camera, size);
-    let foot = Vec2::new(CORNER, size.y - CORNER);
+    let (foot, grown) = (foot(size), grown(size));
     for (axis, name) in [(Vec3::X, "x"), (Vec3::Y, "y"), (Vec3::Z, "z")] {
         let along = lens.across(axis);
-        let tip = foot + along * LENGTH;
+        let tip = foot + along * LENGTH * grown;
         figure.add(Role::Edge, None, Ink::Line { points: vec![foot, tip] });
         let away = along.length();
         if away > SHORT {
             let along = along / away;
             figure.add(Role::Edge, None, Ink::Arrowhead { tip: tip + along * 5.0, along, length: 7.0 });
         }
-        let at = foot + (along / away.max(1e-3)) * (LENGTH * away + 14.0);
+        let at = foot + (along / away.max(1e-3)) * (LENGTH * away + 14.0) * grown;
         let text = name.to_owned();
-        let (size, face, anchor) = (12.5, Face::Medium, Anchor::Middle);
+        let (size, face, anchor) = (LETTERS * grown, Face::Medium, Anchor::Middle);
         figure.add(Role::Text, None, Ink::Text { at, text, size, face, anchor, boxed: false });
     }
     figure

@@ -3,10 +3,10 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::Place;
 
-use super::axes;
 use super::crop::polygon;
 use super::lens::Lens;
 use super::spot::Spot;
+use super::{axes, rulers};
 use crate::page::{Figure, Ink};
 use crate::theme::{Role, text_width};
 use crate::world::{Form, Space};
@@ -134,6 +134,7 @@ pub(super) fn obstacles(space: &Space, lens: &Lens, figure: &Figure) -> Obstacle
         let ends = [corner(around.max.x, around.min.y), corner(around.min.x, around.max.y)];
         let origin = corner(around.min.x, around.min.y);
         found.lines.extend(ends.into_iter().filter_map(|end| Some((origin?, end?, 2.0))));
+        found.spots.extend(rulers::names(&around, lens, figure).into_iter().map(|name| (name, HOPELESS)));
     }
     // The axes are drawn afterwards.
     if !space.flat {

@@ -11,6 +11,25 @@ use crate::theme::{Face, Role};
 use crate::words::number;
 use crate::world::{Form, Space};
 
+/// Where the names of the axes stand that a flat space asks for.
+pub(super) fn names(around: &Aabb, lens: &Lens, figure: &Figure) -> Vec<Spot> {
+    let Some([left, right, bottom, top]) = sides(around, lens, figure) else { return Vec::new() };
+    let u = letters(figure);
+    let at = [Vec2::new(right + u * 0.8, bottom + u * 1.2), Vec2::new(left - u * 0.9, top - u * 0.8)];
+    at.map(|at| Spot::around(at, Vec2::splat(u * 0.6))).to_vec()
+}
+
+/// The sides of the axes on the page: however the picture is shifted, they stay in it, with their arrows. Nothing where
+/// there is no room for them.
+fn sides(around: &Aabb, lens: &Lens, figure: &Figure) -> Option<[f32; 4]> {
+    let (low, high) = (corner(lens, around, around.min)?, corner(lens, around, around.max)?);
+    let u = letters(figure);
+    let (left, bottom) = (low.x.max(u * 3.0), low.y.min(figure.size.y - u * 2.0));
+    let (right, top) = (high.x.min(figure.size.x - u * 1.2), high.y.max(u * 1.6));
+    let room = right - left >= u * 4.0 && bottom - top >= u * 4.0;
+    room.then_some([left, right, bottom, top])
+}
+
 /// Draws the axes that a flat space asks for. Where labels stand on an axis, they take the place of its numbers; a number
 /// that a line runs through has a plate.
 pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
@@ -25,12 +44,7 @@ pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
         return;
     };
     let u = letters(figure);
-    // However the picture is shifted, they stay in it, with their arrows.
-    let (left, bottom) = (low.x.max(u * 3.0), low.y.min(figure.size.y - u * 2.0));
-    let (right, top) = (high.x.min(figure.size.x - u * 1.2), high.y.max(u * 1.6));
-    if right - left < u * 4.0 || bottom - top < u * 4.0 {
-        return;
-    }
+    let Some([left, right, bottom, top]) = sides(&around, lens, figure) else { return };
     let origin = Vec2::new(left, bottom);
     let along = |from: f32, to: f32, low: f32, high: f32, at: f32| low + (high - low) * (at - from) / (to - from);
     let x = |at| along(low.x, high.x, around.min.x, around.max.x, at);
