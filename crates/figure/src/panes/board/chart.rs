@@ -72,6 +72,15 @@ pub enum Curve {
 /// Two numbers.
 pub type Dot = [f64; 2];
 
+impl Curve {
+    fn dots(&self) -> &[Dot] {
+        match self {
+            Curve::Point(dot) => std::slice::from_ref(dot),
+            Curve::Line { dots, .. } => dots,
+        }
+    }
+}
+
 impl Chart {
     /// When what is drawn in it comes to be seen.
     pub(super) fn entries(&self) -> Vec<usize> {
@@ -130,6 +139,8 @@ struct Plot<'a> {
     look: &'a Look,
     min: Vec2,
     max: Vec2,
+    /// Where the dots of each curve lie.
+    dots: Vec<Vec<Vec2>>,
     /// Where names stand already.
     taken: Vec<(Vec2, Vec2)>,
 }
@@ -142,7 +153,8 @@ pub(super) fn draw(chart: &Chart, filled: Filled, room: Vec2, look: &Look) -> Fi
     let names = up.iter().map(|(_, text)| text_width(text, Face::Regular, look.small())).fold(0.0, f32::max);
     let min = Vec2::new(look.margin() + names + u * 0.8, top + u * 1.0);
     let max = Vec2::new(room.x - look.margin() - u * 2.0, room.y - look.margin() - u * 3.2);
-    let mut plot = Plot { chart, look, min, max, taken: Vec::new() };
+    let mut plot = Plot { chart, look, min, max, dots: Vec::new(), taken: Vec::new() };
+    plot.dots = chart.drawn.iter().map(|drawn| drawn.curve.dots().iter().map(|dot| plot.at(*dot)).collect()).collect();
     plot.axes(&mut figure, &up);
     // What is new lies on top, and its name finds its room first.
     let mut order: Vec<&Drawn> = chart.drawn.iter().filter(|drawn| filled.shows(drawn.entry)).collect();
@@ -305,12 +317,13 @@ impl Plot<'_> {
         let apart = |(a, b): &(Vec2, Vec2)| max.x < a.x || b.x < min.x || max.y < a.y || b.y < min.y;
         let names = self.taken.iter().filter(|taken| !apart(taken)).count();
         let within = |at: Vec2| at.x > min.x && at.x < max.x && at.y > min.y && at.y < max.y;
-        let crosses = |from: Vec2, to: Vec2| (0..=PARTS).any(|part| within(from.lerp(to, part as f32 / PARTS as f32)));
-        let curves = self.chart.drawn.iter().map(|drawn| match &drawn.curve {
-            Curve::Point(dot) => usize::from(within(self.at(*dot))) * POINT,
-            Curve::Line { dots, .. } => {
-                dots.windows(2).filter(|pair| crosses(self.at(pair[0]), self.at(pair[1]))).count()
-            }
+        let crosses = |from: Vec2, to: Vec2| {
+            !apart(&(from.min(to), from.max(to)))
+                && (0..=PARTS).any(|part| within(from.lerp(to, part as f32 / PARTS as f32)))
+        };
+        let curves = self.chart.drawn.iter().zip(&self.dots).map(|(drawn, dots)| match &drawn.curve {
+            Curve::Point(_) => usize::from(within(dots[0])) * POINT,
+            Curve::Line { .. } => dots.windows(2).filter(|pair| crosses(pair[0], pair[1])).count(),
         });
         names * NAME + curves.sum::<usize>()
     }
