@@ -253,13 +253,18 @@ impl Drawing<'_> {
             // Some builders number their nodes anew in the end: then nobody knows yet where it will lie.
             let known = named.filter(|(parent, node)| build.structure.children(**parent) == node.children);
             let bounds = build.nodes.bounds(id);
-            // Over their parent they would only double what its plane says; a hierarchy has none.
+            // Over their parent their outlines would only double what its plane says; a hierarchy has none.
             let plain = !matches!(build.structure, Structure::Bvh(_));
             let over = plain && known.is_some_and(|(parent, _)| moment.node == Some(*parent));
-            if known.is_none() || over || bounds.is_empty() {
+            if known.is_none() || bounds.is_empty() || over && !build.flat {
                 continue;
             }
             for form in build.nodes.look(build.structure, id, bounds, build.flat) {
+                if over {
+                    // Below all others, for the number to find its part.
+                    self.marks.insert(0, SpaceMark { form, role: Role::Edge, place: Some(Place::Node(id)) });
+                    continue;
+                }
                 let form = if plain && !build.flat { form.apart(&bounds, &moment.bounds) } else { form };
                 self.add(Role::Waiting, Some(Place::Node(id)), form);
             }
