@@ -73,6 +73,7 @@ pub(crate) const OF_CURVE: &[(Role, &str)] = &[
     (Role::Guess, "possible answer"),
     (Role::Line, "Morton curve"),
     (Role::Tick, "middle of a set on it"),
+    (Role::Plane, "where the code leads"),
     (Role::Candidate, "chosen neighbour"),
     (Role::Seen, "a set"),
 ];

@@ -6,7 +6,7 @@ mod cuts;
 use std::collections::BTreeSet;
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Axis, Grow, NodeId, Place, PrimId, Primitives, Structure};
+use raystep_accel::{Aabb, Axis, Grow, Interval, NodeId, Place, PrimId, Primitives, Ray, Structure};
 
 use super::numbers::numbers_of;
 use crate::moments::{Build, GrowMoment, GrowNode};
@@ -27,6 +27,9 @@ const WIRES: usize = 20;
 
 /// Of a finished tree in space, so many levels.
 const UPPER: u32 = 3;
+
+/// On so many levels of a code the quarters have numbers: further down there is no room.
+const NUMBERED: usize = 2;
 
 /// Most sets on a curve that is drawn.
 const CURVE: usize = 400;
@@ -222,18 +225,50 @@ impl Drawing<'_> {
         let middle = |node: NodeId| moment.curve.iter().find(|(own, _)| *own == node).map(|(_, at)| seen(*at));
         for (node, nearest) in &moment.preferred {
             if let (Some(from), Some(to)) = (middle(*node), middle(*nearest)) {
-                // Not quite to the middle: two that chose each other have two heads.
-                self.add(Role::Candidate, Some(Place::Node(*node)), Form::Arrow(from, from.lerp(to, 0.8)));
+                // Up to its box: two that chose each other have two heads.
+                let bounds = moment.nodes.get(nearest).map_or(Aabb::EMPTY, |node| node.bounds);
+                let tip = entry(from, to, &bounds).unwrap_or_else(|| from.lerp(to, 0.8));
+                self.add(Role::Candidate, Some(Place::Node(*node)), Form::Arrow(from, tip));
             }
         }
         for (node, at) in &moment.curve {
             self.add(Role::Tick, Some(Place::Node(*node)), Form::Point(seen(*at)));
         }
         if let Some(Grow::Rank { node, rank, first, second, third, x, y, z }) = moment.event {
+            self.codes([first, second, third]);
             let text = format!("{}: code {first}{second}{third}…", rank + 1);
             let form = Form::Label { at: seen(Vec3::new(x, y, z)), within: None, text };
             self.add(Role::Tick, Some(Place::Node(node)), form);
         }
+    }
+
+    /// The box around the middles of all sets, halved along every axis, and the part where a code leads, again and again.
+    fn codes(&mut self, code: [u32; 3]) {
+        let mut cell = Aabb::around(self.moment.nodes.values().map(|node| node.bounds.center()));
+        for (level, digit) in code.into_iter().enumerate() {
+            let middle = cell.center();
+            let part = |digit: u32| {
+                let mut part = cell;
+                for axis in Axis::ALL {
+                    let side = if digit >> axis.index() & 1 == 0 { &mut part.max } else { &mut part.min };
+                    side[axis] = middle[axis];
+                }
+                part
+            };
+            if self.build.flat {
+                for digit in 0..4 {
+                    let quarter = part(digit);
+                    self.add(Role::Edge, None, Form::Box(quarter));
+                    if level < NUMBERED {
+                        self.add(Role::Edge, None, Form::Number { within: quarter, text: digit.to_string() });
+                    }
+                }
+            } else {
+                self.add(Role::Edge, None, Form::Box(cell));
+            }
+            cell = part(digit);
+        }
+        self.add(Role::Plane, None, Form::Box(cell));
     }
 
     /// The nodes that a split has named and that are still to be built. In space the next few; a kd-tree's are halves.
@@ -318,6 +353,13 @@ impl Drawing<'_> {
             depth => depth,
         }
     }
+}
+
+/// Where the way from one point to another enters a box, if it begins outside.
+fn entry(from: Vec3, to: Vec3, bounds: &Aabb) -> Option<Vec3> {
+    let way = Ray::new(from, to - from).ok()?;
+    let inside = raystep_accel::slab(bounds, &way, Interval::new(0.0, 1.0), Place::World, &mut ());
+    (inside.near > 0.0 && !inside.is_empty()).then(|| way.at(inside.near))
 }
 
 /// The edges of a box; of its rectangle in a flat scene.
