@@ -46,6 +46,7 @@ pub fn space_to(walk: &Walk<'_>, moment: &Moment, depth: Depth) -> Space {
     }
     drawing.split();
     drawing.slabs();
+    drawing.wall();
     drawing.ray();
     drawing.cuts();
     drawing.next_planes();

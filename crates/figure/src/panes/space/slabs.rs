@@ -1,13 +1,16 @@
 //! The planes of the slabs that are cut, and where they meet the line of the ray.
 
 use glam::Vec3;
-use raystep_accel::{Aabb, AnyBvh, Direction, Interval, NodeId, Place, Ray, Structure, Visit};
+use raystep_accel::{Aabb, AnyBvh, Axis, Direction, Interval, NodeId, Place, PrimId, Ray, Structure, Visit};
 
 use super::{Drawing, line};
 use crate::moments::{SlabCut, SlabTest};
 use crate::theme::Role;
 use crate::words::number;
 use crate::world::Form;
+
+/// Half the thickness of a wall that lies on a plane, in parts of the picture's diagonal.
+const WALL: f32 = 0.004;
 
 /// A plane whose normal is so much more upright than level is no line of a flat scene.
 const LEVEL: f32 = 0.05;
@@ -44,6 +47,21 @@ impl Drawing<'_> {
                 }
             }
         }
+    }
+
+    /// Of a flat scene all primitives where its box has no depth: they stand on the plane that was cut, which covers them.
+    pub(super) fn wall(&mut self) {
+        let (walk, bounds) = (self.walk, self.walk.world());
+        let Some(axis) = [Axis::X, Axis::Y].into_iter().find(|axis| bounds.extent()[*axis] == 0.0) else { return };
+        if !walk.flat || !self.is_one_test() {
+            return;
+        }
+        let mut wall = bounds;
+        wall.min[axis] -= WALL * self.bounds.extent().length();
+        wall.max[axis] += WALL * self.bounds.extent().length();
+        let place = Some(Place::Prim(PrimId(0)));
+        self.add(Role::Scene, place, Form::Box(wall));
+        self.add(Role::Scene, place, Form::Label { at: wall.center(), within: Some(wall), text: "wall".to_owned() });
     }
 
     /// The planes that set the two ends of what is left: the latest entry and the earliest exit, and those of a slab
