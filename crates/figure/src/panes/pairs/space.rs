@@ -13,11 +13,13 @@ use crate::world::{Form, Space, SpaceMark};
 pub(crate) fn space_of_pair(tried: &Tried<'_>) -> Space {
     let [first, second] = &tried.lies.bodies;
     let both = bounds(first).union(bounds(second));
-    let mut drawing = Drawing { tried, bounds: both, marks: Vec::new() };
+    let mut drawing = Drawing { tried, bounds: both, marks: Vec::new(), shadows: Vec::new() };
     drawing.objects();
     drawing.step();
     drawing.marks.push(knob(first));
-    Space { marks: drawing.marks, bounds: both.padded(both.extent().length() * 0.04), flat: false, notes: Vec::new() }
+    // Shadows fall beside the two.
+    let seen = drawing.shadows.into_iter().fold(both, Aabb::with_point);
+    Space { marks: drawing.marks, bounds: seen.padded(both.extent().length() * 0.04), flat: false, notes: Vec::new() }
 }
 
 /// Where the first object is taken in the hand.
@@ -29,6 +31,8 @@ struct Drawing<'a> {
     tried: &'a Tried<'a>,
     bounds: Aabb,
     marks: Vec<SpaceMark>,
+    /// The ends of the line on which shadows fall.
+    shadows: Vec<Vec3>,
 }
 
 impl Drawing<'_> {
@@ -59,11 +63,10 @@ impl Drawing<'_> {
         for form in forms(first) {
             self.add(own, form);
         }
-        // The second one's name stands at a corner of it, the first one's where it is taken.
-        for (body, role, within) in [(second, role, Some(bounds(second))), (first, own, None)] {
+        // The second one's name stands at what of it lies furthest from the first, whose name stands where it is taken.
+        for (body, role, at) in [(second, role, furthest(second, first.middle())), (first, own, first.middle())] {
             let Some(kind) = body.kind() else { continue };
-            let at = body.middle();
-            self.add(role, Form::Label { at, within, text: kind.word().to_owned() });
+            self.label(role, at, kind.word().to_owned());
         }
     }
 
@@ -73,7 +76,7 @@ impl Drawing<'_> {
         let [first, second] = &self.tried.lies.bodies;
         match (step, first) {
             (Step::Slab(visit), Body::Ray(ray)) => self.slab(&visit, ray, second),
-            (Step::Probe(probe), Body::Ray(ray)) => self.on_ray(&probe, ray, second),
+            (Step::Probe(probe), Body::Ray(ray)) => self.on_ray(&probe, ray, first, second),
             (Step::Probe(probe), _) => self.between(&probe, first, second),
             (Step::Slab(_), _) => {}
         }
@@ -96,7 +99,7 @@ impl Drawing<'_> {
         }
     }
 
-    fn on_ray(&mut self, probe: &Probe, ray: &Ray, second: &Body<'_>) {
+    fn on_ray(&mut self, probe: &Probe, ray: &Ray, first: &Body<'_>, second: &Body<'_>) {
         let named = |name: &str, t: f32| format!("{name} = {}", number(t));
         match *probe {
             Probe::Cut { t, .. } => self.ring(Role::Tick, ray, t, named("t", t)),
@@ -107,8 +110,41 @@ impl Drawing<'_> {
             Probe::Narrow { t_near, t_far, empty, .. } => self.interval(ray, [t_near, t_far], empty),
             Probe::Met { t, hit: true } => self.ring(Role::Best, ray, t, named("t", t)),
             Probe::Areas { u, v, w, .. } => self.areas([u, v, w], second),
-            Probe::Edge { edge, crossed, .. } => self.edge(edge, crossed, second),
+            Probe::Edge { edge, crossed, .. } => {
+                self.to_the_right(first, second);
+                self.edge(edge, crossed, second);
+            }
+            Probe::Parity { .. } => self.to_the_right(first, second),
             _ => {}
+        }
+    }
+
+    /// From the point that lies in a polygon's plane to its right, with the edges crossed so far: their number decides.
+    fn to_the_right(&mut self, first: &Body<'_>, second: &Body<'_>) {
+        let Body::Shape(Shape::Polygon(own)) = second else { return };
+        let cut = self.tried.done.iter().rev().find_map(|trial| match trial.step {
+            Some(Step::Probe(Probe::Cut { t, .. })) => Some(t),
+            _ => None,
+        });
+        let point = match (first, cut) {
+            (Body::Ray(ray), Some(t)) => ray.at(t),
+            (Body::Ray(_), None) => return,
+            _ => first.middle(),
+        };
+        // The polygon is flattened along the largest component of its normal; right is where the next coordinate grows.
+        let normal = own.normal().as_vec3();
+        let along = normal.abs().max_position();
+        let (mut way, right) = (Vec3::ZERO, (along + 1) % 3);
+        way[right] = 1.0;
+        way[along] = -normal[right] / normal[along];
+        let far = own.corners.iter().map(|corner| corner[right] - point[right]).fold(0.0, f32::max);
+        self.add(Role::Tick, Form::Arrow(point, point + way * (far + 0.15 * self.bounds.extent().length())));
+        self.add(Role::Tick, Form::Point(point));
+        self.label(Role::Tick, point, "point".to_owned());
+        for trial in self.tried.done {
+            if let Some(Step::Probe(Probe::Edge { at, crossed: true, .. })) = trial.step {
+                self.add(Role::Hit, Form::Point(point + way * at));
+            }
         }
     }
 
@@ -194,7 +230,11 @@ impl Drawing<'_> {
                 self.label(role, first.middle(), format!("{} = {}", of.word(), number(value)));
             }
             Probe::Areas { u, v, w, .. } => self.areas([u, v, w], second),
-            Probe::Edge { edge, crossed, .. } => self.edge(edge, crossed, second),
+            Probe::Edge { edge, crossed, .. } => {
+                self.to_the_right(first, second);
+                self.edge(edge, crossed, second);
+            }
+            Probe::Parity { .. } => self.to_the_right(first, second),
             Probe::Side { of, distance, reach, .. } => self.side(of, [distance, reach], first, second),
             _ => {}
         }
@@ -207,13 +247,14 @@ impl Drawing<'_> {
             return;
         }
         // Beside the two, so that they do not hide it.
-        let beside = self.bounds.extent().length() * 0.42;
+        let beside = self.bounds.extent().length() * 0.34;
         let low = Vec3::NEG_Y.reject_from(along);
         let aside = if low.length() > STEEP { low } else { Vec3::NEG_X.reject_from(along) };
         let aside = aside.normalize_or_zero() * beside;
         let at = |value: f32| from + along * (value / square) + aside;
         let (low, high) = (a[0].min(b[0]), a[1].max(b[1]));
         let air = (high - low) * 0.15;
+        self.shadows.extend([at(low - air), at(high + air)]);
         self.add(Role::Edge, Form::Segment(at(low - air), at(high + air)));
         let thin = aside * 0.05;
         for (role, [low, high], shift) in [(Role::Here, b, -thin), (Role::Live, a, thin)] {
@@ -269,6 +310,19 @@ impl Drawing<'_> {
         self.label(Role::Here, middle + way * reach, format!("reach {}", number(reach)));
         self.label(Role::Tick, middle - way * distance, format!("distance {}", number(distance)));
     }
+}
+
+/// What of a body lies furthest from a point, of its corners or of its rim.
+fn furthest(body: &Body<'_>, from: Vec3) -> Vec3 {
+    let corners = forms(body).into_iter().flat_map(|form| match form {
+        Form::Body(edges) => edges.into_iter().flatten().collect(),
+        Form::Polygon(corners) => corners,
+        Form::Segment(from, to) => vec![from, to],
+        Form::Sphere(sphere) => vec![sphere.center + (sphere.center - from).normalize_or(Vec3::Y) * sphere.radius],
+        _ => Vec::new(),
+    });
+    let far = |a: &Vec3, b: &Vec3| a.distance_squared(from).total_cmp(&b.distance_squared(from));
+    corners.max_by(far).unwrap_or_else(|| body.middle())
 }
 
 /// The axis of a box that a slab stands across.
