@@ -58,7 +58,7 @@ impl Drawing<'_> {
         if let Some(here @ Place::Node(node)) = moment.here {
             let role = if moment.inside.is_some() { Role::Seen } else { Role::Here };
             self.outline(role, here);
-            self.titled(role, here, format!("{node} here"));
+            self.titled(role, here, self.here(&node.to_string()));
         }
         self.volumes();
         self.stack_titles();

@@ -33,7 +33,7 @@ impl Drawing<'_> {
         }
         if let Some(here @ Place::Cell(cell)) = self.moment.here {
             self.outline(Role::Here, here);
-            self.title(Role::Here, here, format!("{cell} here"));
+            self.title(Role::Here, here, self.here(&cell.to_string()));
         }
     }
 

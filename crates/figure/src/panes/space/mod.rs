@@ -12,7 +12,7 @@ mod rays;
 mod slabs;
 
 use glam::Vec3;
-use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, Structure};
+use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, Structure, Visit};
 
 pub use build::{space_of_build, space_of_build_to};
 pub use ghost::{ghost, ghost_of_build};
@@ -88,6 +88,14 @@ impl Drawing<'_> {
         let bounds = self.walk.bounds(place);
         if !bounds.is_empty() {
             self.add(role, Some(place), Form::Label { at: bounds.center(), within: Some(bounds), text });
+        }
+    }
+
+    /// What is said of the current place: a primitive that is skipped there may reach into many others.
+    fn here(&self, name: &str) -> String {
+        match self.moment.event {
+            Some(Visit::Skip { prim }) => format!("{name}: {prim} skipped"),
+            _ => format!("{name} here"),
         }
     }
 

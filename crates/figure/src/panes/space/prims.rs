@@ -119,9 +119,6 @@ impl Drawing<'_> {
             Some(Visit::Test { prim, hit: false, .. }) => {
                 self.title(Role::Missed, Place::Prim(prim), format!("{prim} missed"));
             }
-            Some(Visit::Skip { prim }) => {
-                self.title(Role::Missed, Place::Prim(prim), format!("{prim} skipped"));
-            }
             _ => {}
         }
     }
