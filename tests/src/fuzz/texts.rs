@@ -112,15 +112,15 @@ pub fn texts(bytes: &[u8]) {
     }
     let figure = prose(&text, 320.0, 16.0, Face::Regular, Role::Text);
     assert!(figure.size.is_finite() && figure.size.y >= 0.0, "{}", figure.size);
-    // Outlines of letters take most of the time, and are the same every time.
-    if bytes.len().is_multiple_of(16) {
-        assert!(svg(&figure, &Theme::LIGHT).len() < 50_000_000, "the picture is too large");
-    }
     let room = extent(&text, 16.0);
     let sizes = [room.width, room.height + room.depth];
     assert!(sizes.iter().all(|size| (0.0..=1e5).contains(size)), "{room:?}");
     if let Ok(letters) = letters(&text) {
         assert!(letters.iter().all(|part| !part.text.is_empty()));
     }
-    assert!(formula(&text, 16.0, Theme::LIGHT.style(Role::Text).text).starts_with("<svg"));
+    // Outlines of letters take most of the time, and are the same every time.
+    if bytes.len().is_multiple_of(16) {
+        assert!(svg(&figure, &Theme::LIGHT).len() < 50_000_000, "the picture is too large");
+        assert!(formula(&text, 16.0, Theme::LIGHT.style(Role::Text).text).starts_with("<svg"));
+    }
 }

@@ -57,17 +57,17 @@ pub fn pens(text: &str, face: Face, size: f32) -> impl Iterator<Item = (usize, c
 
 /// How far the pen moves on for a letter, in units of its face.
 fn units(letter: char, face: Face) -> u32 {
-    let face = parsed(face);
-    u32::from(face.glyph_hor_advance(face.glyph_index(letter).unwrap_or_default()).unwrap_or(0))
+    let Shipped { parsed, latin } = shipped(face);
+    u32::from(latin.get(letter as usize).copied().unwrap_or_else(|| advance(parsed, letter)))
 }
 
 fn points(units: u32, face: Face, size: f32) -> f32 {
-    units as f32 * size / f32::from(parsed(face).units_per_em())
+    units as f32 * size / f32::from(shipped(face).parsed.units_per_em())
 }
 
 /// Whether a face has a glyph for a letter.
 pub fn has_glyph(letter: char, face: Face) -> bool {
-    parsed(face).glyph_index(letter).is_some()
+    shipped(face).parsed.glyph_index(letter).is_some()
 }
 
 /// The text in lines of at most `width` points, as far as its words allow.
@@ -108,12 +108,26 @@ pub fn elided(text: &str, face: Face, size: f32, width: f32) -> String {
     kept.map_or_else(String::new, |end| format!("{}…", &text[..end]))
 }
 
-fn parsed(face: Face) -> &'static ttf_parser::Face<'static> {
-    static FACES: OnceLock<Vec<ttf_parser::Face<'static>>> = OnceLock::new();
-    let faces = FACES.get_or_init(|| {
-        Face::ALL.iter().map(|&face| ttf_parser::Face::parse(bytes(face), 0).expect("a shipped face parses")).collect()
-    });
-    &faces[face as usize]
+/// A face that was read, and how far the pen moves on for the letters that most texts are made of.
+struct Shipped {
+    parsed: ttf_parser::Face<'static>,
+    latin: Vec<u16>,
+}
+
+/// The letters before this one: Latin ones, digits and the common signs.
+const LATIN: char = '\u{180}';
+
+fn shipped(face: Face) -> &'static Shipped {
+    static FACES: OnceLock<Vec<Shipped>> = OnceLock::new();
+    let read = |&face: &Face| {
+        let parsed = ttf_parser::Face::parse(bytes(face), 0).expect("a shipped face parses");
+        Shipped { latin: ('\0'..LATIN).map(|letter| advance(&parsed, letter)).collect(), parsed }
+    };
+    &FACES.get_or_init(|| Face::ALL.iter().map(read).collect())[face as usize]
+}
+
+fn advance(face: &ttf_parser::Face<'_>, letter: char) -> u16 {
+    face.glyph_hor_advance(face.glyph_index(letter).unwrap_or_default()).unwrap_or(0)
 }
 
 #[cfg(test)]
