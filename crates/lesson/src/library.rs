@@ -165,7 +165,11 @@ impl Library {
     pub fn numbered(&self, typed: &str) -> Option<usize> {
         let (section, number) =
             typed.split_once('/').map_or((None, typed), |(section, number)| (Some(section), number));
-        let value = |text: &str| text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic()).parse::<u32>().ok();
+        let digits = |text: &&str| text.bytes().all(|byte| byte.is_ascii_digit());
+        let value = |text: &str| {
+            let text = Some(text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic()));
+            text.filter(digits)?.parse::<u32>().ok()
+        };
         let here = |slide: &Slide| section.is_none_or(|section| slide.id().split('/').next() == Some(section));
         let exact = |slide: &Slide| slide.numbers.iter().any(|known| known == number);
         let between = |slide: &Slide| {

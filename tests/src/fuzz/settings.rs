@@ -113,10 +113,12 @@ pub fn settings(bytes: &[u8]) {
     link(word);
     LIBRARY.with(|library| {
         if let Some(slide) = library.slide(word) {
-            assert!(
-                [slide.id(), slide.name.clone(), format!("{}/{}", slide.section, slide.name)]
-                    .contains(&word.to_owned())
-            );
+            let names = [slide.id(), slide.name.clone(), format!("{}/{}", slide.section, slide.name)];
+            // Or its number alone, or one between those that it stands for.
+            let value = |text: &str| text.trim_end_matches(char::is_alphabetic).parse::<u32>().ok();
+            let ends = [slide.numbers.first(), slide.numbers.last()].map(|end| end.and_then(|end| value(end)));
+            let between = (ends[0]..=ends[1]).contains(&word.rsplit('/').next().and_then(value));
+            assert!(names.contains(&word.to_owned()) || between, "{word} is {}", slide.id());
         }
     });
     if let Ok(size) = word.parse::<Size>() {
