@@ -126,7 +126,9 @@ fn draw(
     let says = says.unwrap_or("at the very beginning".into());
     let (above, below) = (Vec2::new(look.margin(), track.y - 0.65 * u), Vec2::new(look.margin(), track.y + 0.75 * u));
     write(&mut figure, Role::Text, None, above, &count, u, Face::Bold, Anchor::Start);
-    write(&mut figure, Role::Quiet, None, below, &says, small, Face::Regular, Anchor::Start);
+    // In smaller letters rather than into the track.
+    let fits = (track.left - look.margin() - u) / text_width(&says, Face::Regular, 1.0).max(0.01);
+    write(&mut figure, Role::Quiet, None, below, &says, small.min(fits), Face::Regular, Anchor::Start);
 
     // The track, its part played so far, and the handle.
     let now = Vec2::new(track.x(step), track.y);

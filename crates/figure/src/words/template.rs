@@ -53,7 +53,7 @@ pub fn fill(template: &str, event: &(impl Fact + ?Sized)) -> String {
     }
     pieces.push(Piece::Text(filled + rest));
     // An interval that nothing was left of from the start has no numbers.
-    come_out(&pieces).replace("[∞, −∞]", "empty")
+    come_out(&pieces).replace("[∞, −∞]", "empty").replace("∞ ≤ −∞ ?", "empty:")
 }
 
 /// The template filled as prose: a place that begins a sentence begins with a capital letter.

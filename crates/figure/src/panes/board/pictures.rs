@@ -109,8 +109,7 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
     };
     let longest = pictures.pictures.iter().map(words).fold(wide, f32::max);
     let step = (longest + gap).min((room.x - 2.0 * left + gap) / columns as f32).max(wide + gap);
-    let fitted =
-        |words: &str, face: Face, size: f32| size * ((step - gap * 0.5) / text_width(words, face, size)).min(1.0);
+    let fitted = |words: &str, face: Face, size: f32| size * ((step - gap) / text_width(words, face, size)).min(1.0);
     for (index, picture) in pictures.pictures.iter().enumerate() {
         let (column, row) = ((index % columns) as f32, (index / columns) as f32);
         let min = Vec2::new(left + step * column, top + (high + below) * row);
@@ -136,7 +135,9 @@ pub(super) fn draw(pictures: &Pictures, filled: Filled, room: Vec2, look: &Look)
         write(&mut figure, role, place, at, &picture.name, size, Face::Bold, Anchor::Start);
         if shown {
             let below = at + Vec2::new(0.0, u * 1.6);
-            let size = fitted(&picture.says, Face::Regular, u);
+            // They keep their size when a time takes the place of what stands for it.
+            let size = [&picture.says, &picture.room].map(|words| fitted(words, Face::Regular, u));
+            let size = size[0].min(size[1]);
             write(&mut figure, Role::Quiet, place, below, &picture.says, size, Face::Regular, Anchor::Start);
         }
     }

@@ -43,7 +43,8 @@ pub(super) fn loud(figure: &mut Figure, count: u64, says: &str, top: f32, look: 
 pub(super) fn rest(figure: &mut Figure, parts: &[String], top: f32, look: &Look) {
     let (left, room) = (look.margin(), figure.size.y - top - look.text * 0.4);
     let width = figure.size.x - 2.0 * left;
-    let fits = |u: &f32| wrapped(parts, width, *u).len() as f32 * u * LINE <= room;
+    // The last line needs its letters alone.
+    let fits = |u: &f32| (wrapped(parts, width, *u).len() as f32 - 1.0) * u * LINE + u <= room;
     let u = SIZES.iter().map(|size| look.text * size).find(fits).unwrap_or(look.text * SIZES[SIZES.len() - 1]);
     for (line, says) in wrapped(parts, width, u).iter().enumerate() {
         let y = top + u * (0.4 + LINE * line as f32);
