@@ -4,6 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::Camera;
 use super::lens::Lens;
+use super::spot::letters;
 use crate::page::{Anchor, Figure, Ink};
 use crate::theme::{Face, Role};
 
@@ -17,7 +18,7 @@ const CORNER: f32 = 44.0;
 const LETTERS: f32 = 12.5;
 
 fn grown(size: Vec2) -> f32 {
-    (super::labels::letters(&Figure::new(size)) / LETTERS).max(1.0)
+    (letters(size) / LETTERS).max(1.0)
 }
 
 /// An axis that is seen shorter than this, in parts of its length, points at the eye or away from it.

@@ -4,10 +4,10 @@ use glam::{Vec2, Vec3};
 
 use super::HEAD;
 use super::beside::beside_point;
-use super::labels::{letters, outside};
+use super::labels::outside;
 use super::lens::Lens;
 use super::obstacles::{HOPELESS, Obstacles};
-use super::spot::{ASIDE, HALF, Spot};
+use super::spot::{ASIDE, HALF, Spot, letters};
 use crate::page::{Anchor, Figure, Ink};
 use crate::theme::{Face, Role, text_width};
 use crate::world::{Form, Space};
@@ -31,7 +31,7 @@ pub(super) fn set(space: &Space, lens: &Lens, figure: &mut Figure, obstacles: &m
     let tip = outer + along * HEAD * 1.5;
     figure.add(Role::Live, None, Ink::Arrowhead { tip, along, length: HEAD });
     obstacles.spots.push((Spot::around(tip - along * HEAD * 0.5, Vec2::splat(HEAD * 0.5)), HOPELESS));
-    let (size, face) = (letters(figure), Face::Medium);
+    let (size, face) = (letters(figure.size), Face::Medium);
     // In a small picture, one of several with the same ray, the arrow says enough.
     if text_width(SAYS, face, size) * WIDER > figure.size.x {
         return;

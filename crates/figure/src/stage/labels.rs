@@ -1,26 +1,21 @@
 //! Where labels go: near what they label, inside the picture, off the ray and off each other.
 
 use glam::Vec2;
-use raystep_accel::Place;
+use raystep_accel::{Aabb, Place};
 
 use super::beside::{GAP, beside_box, beside_line, beside_point, beside_shape, further, is_line, is_sheet, outline};
 use super::lens::Lens;
 use super::obstacles::{HOPELESS, Obstacles, obstacles};
-use super::spot::{ASIDE, HALF, Spot};
+use super::spot::{ASIDE, HALF, Spot, letters};
 use crate::page::{Anchor, Figure, Ink, line};
 use crate::theme::{Face, Role, text_width};
 use crate::world::{Form, Space};
-
-/// Size of the letters in a picture.
-pub(super) fn letters(figure: &Figure) -> f32 {
-    (figure.size.y / 42.0).clamp(11.0, 22.0)
-}
 
 /// What the pointer is on, in a picture of this size: its name in a label beside the pointer.
 pub fn pointed_at(place: Place, pointer: Vec2, size: Vec2) -> Figure {
     let mut figure = Figure::new(size);
     let text = place.to_string();
-    let (letters, face) = (letters(&figure).min(13.0), Face::Medium);
+    let (letters, face) = (letters(size).min(13.0), Face::Medium);
     let half = Vec2::new(text_width(&text, face, letters) * 0.5 + letters * ASIDE, letters * HALF);
     // Above and to the right of the pointer; below it at the upper edge, inside the picture.
     let up = pointer.y > half.y * 2.0 + 16.0;
@@ -37,7 +32,7 @@ pub fn pointed_at(place: Place, pointer: Vec2, size: Vec2) -> Figure {
 /// Sets the labels of a space, the most important first; one that fits nowhere is left out. Returns what is not to be
 /// covered any more. `kept` are the corners of a rectangle in which something else will stand.
 pub(super) fn place(kept: Option<[Vec2; 2]>, space: &Space, lens: &Lens, figure: &mut Figure) -> Obstacles {
-    let size = letters(figure);
+    let size = letters(figure.size);
     let mut obstacles = obstacles(space, lens, figure);
     obstacles.spots.extend(kept.map(|[min, max]| (Spot { min, max }, HOPELESS)));
     let mut wanted: Vec<_> = space
@@ -48,7 +43,10 @@ pub(super) fn place(kept: Option<[Vec2; 2]>, space: &Space, lens: &Lens, figure:
             _ => None,
         })
         .collect();
-    wanted.sort_by_key(|(role, ..)| rank(*role));
+    // Where there are axes, a line is named at its end on them, and nothing else stands there.
+    let axes = space.marks.iter().any(|mark| matches!(mark.form, Form::Axes(_)));
+    let on_axis = |within: &Option<Aabb>| axes && within.is_some_and(|bounds| is_line(&bounds));
+    wanted.sort_by_key(|(role, _, _, within, _)| if on_axis(within) { 0 } else { rank(*role) });
     let mut set = Vec::new();
     for (role, place, at, within, text) in wanted {
         let half = Vec2::new(text_width(text, Face::Medium, size) * 0.5 + size * ASIDE, size * HALF);

@@ -157,7 +157,7 @@ impl Stage<'_> {
     /// What of much is drawn, in the lower right corner.
     fn notes(&mut self, notes: &[String]) {
         let page = self.figure.size;
-        let size = (labels::letters(&self.figure) * 0.92).min(13.0);
+        let size = (spot::letters(page) * 0.92).min(13.0);
         // One that is wider than the picture, or than what the axes leave of it, takes two lines; where it took more it
         // would cover the scene.
         let axes = if self.flat { 0.0 } else { axes::room(page)[1].x };

@@ -4,10 +4,9 @@ use glam::{Vec2, Vec3};
 use raystep_accel::{Place, PrimId, Primitives, Prims, Shape};
 
 use super::beside::{AROUND, outline, within_shape};
-use super::labels::letters;
 use super::lens::Lens;
 use super::obstacles::{HOPELESS, Obstacles, covered};
-use super::spot::{ASIDE, HALF, Spot};
+use super::spot::{ASIDE, HALF, Spot, letters};
 use crate::page::{Anchor, Figure, Ink, write};
 use crate::theme::{Face, Role, text_width};
 use crate::world::{Form, Space};
@@ -20,7 +19,7 @@ const FEW: usize = 24;
 
 /// Writes each number of a space where there is room for it beside what is drawn and labelled already.
 pub(super) fn set(space: &Space, prims: &Prims, lens: &Lens, figure: &mut Figure, obstacles: &mut Obstacles) {
-    let usual = letters(figure) * 0.9;
+    let usual = letters(figure.size) * 0.9;
     for mark in &space.marks {
         let Form::Number { within, text } = &mark.form else { continue };
         let boxed = mark.role == Role::Best;

@@ -3,9 +3,8 @@
 use glam::{Vec2, Vec3};
 use raystep_accel::Aabb;
 
-use super::labels::letters;
 use super::lens::Lens;
-use super::spot::Spot;
+use super::spot::{Spot, letters};
 use crate::page::{Anchor, Figure, Ink, Ticks, line, write};
 use crate::theme::{Face, Role};
 use crate::words::number;
@@ -14,7 +13,7 @@ use crate::world::{Form, Space};
 /// Where the names of the axes stand that a flat space asks for.
 pub(super) fn names(around: &Aabb, lens: &Lens, figure: &Figure) -> Vec<Spot> {
     let Some([left, right, bottom, top]) = sides(around, lens, figure) else { return Vec::new() };
-    let u = letters(figure);
+    let u = letters(figure.size);
     let at = [Vec2::new(right + u * 0.8, bottom + u * 1.2), Vec2::new(left - u * 0.9, top - u * 0.8)];
     at.map(|at| Spot::around(at, Vec2::splat(u * 0.6))).to_vec()
 }
@@ -23,7 +22,7 @@ pub(super) fn names(around: &Aabb, lens: &Lens, figure: &Figure) -> Vec<Spot> {
 /// there is no room for them.
 fn sides(around: &Aabb, lens: &Lens, figure: &Figure) -> Option<[f32; 4]> {
     let (low, high) = (corner(lens, around, around.min)?, corner(lens, around, around.max)?);
-    let u = letters(figure);
+    let u = letters(figure.size);
     let (left, bottom) = (low.x.max(u * 3.0), low.y.min(figure.size.y - u * 2.0));
     let (right, top) = (high.x.min(figure.size.x - u * 1.2), high.y.max(u * 1.6));
     let room = right - left >= u * 4.0 && bottom - top >= u * 4.0;
@@ -43,7 +42,7 @@ pub(super) fn draw(space: &Space, lens: &Lens, figure: &mut Figure) {
     let (Some(low), Some(high)) = (corner(lens, &around, around.min), corner(lens, &around, around.max)) else {
         return;
     };
-    let u = letters(figure);
+    let u = letters(figure.size);
     let Some([left, right, bottom, top]) = sides(&around, lens, figure) else { return };
     let origin = Vec2::new(left, bottom);
     let along = |from: f32, to: f32, low: f32, high: f32, at: f32| low + (high - low) * (at - from) / (to - from);

@@ -9,6 +9,11 @@ use crate::theme::{Face, text_width};
 pub(super) const ASIDE: f32 = 0.5;
 pub(super) const HALF: f32 = 0.8;
 
+/// Size of the letters in a picture of this size.
+pub(super) fn letters(page: Vec2) -> f32 {
+    (page.y / 42.0).clamp(11.0, 22.0)
+}
+
 /// A rectangle of the page.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spot {
