@@ -58,7 +58,7 @@ vocabulary! {
         /// The smallest of what was tried: it is taken, or, where none was smaller, the angle is halved.
         Choose ["choose.taken", "choose.halved"] { surface: f32, least: f32, tangent: f32, taken: bool }
         /// Two planes across a direction were pushed out until they hold the first `points` points: so far they lie, seen
-        /// from the middle of the box.
+        /// from the middle of the box around everything.
         Push ["push"] { axis: Direction, x: f32, y: f32, z: f32, low: f32, high: f32, points: u32 }
         /// A corner of the first tetrahedron: the `count`th. `far` is its distance from the corners before it, from their
         /// line or from their plane.

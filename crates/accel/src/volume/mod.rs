@@ -151,9 +151,15 @@ fn spans_told<W: Observer<Fit>>(
     Ok(spans)
 }
 
+/// A place or a direction as it is told of something of this `size`: of coordinates so small that single precision does not
+/// see them beside it, nothing is left but rounding, and they are told as 0.
+fn told(at: DVec3, size: f64) -> Vec3 {
+    at.as_vec3().map(|x| if f64::from(x).abs() <= f64::from(f32::EPSILON) * size { 0.0 } else { x })
+}
+
 /// Tells of two planes across a direction that were pushed out.
 fn push(watch: &mut impl Observer<Fit>, axis: Direction, normal: DVec3, [low, high]: [f64; 2], points: u32) {
-    let Vec3 { x, y, z } = normal.as_vec3();
+    let Vec3 { x, y, z } = told(normal, 1.0);
     watch.on(Fit::Push { axis, x, y, z, low: low as f32, high: high as f32, points });
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::{Outline, Spans, Volume, corners, push, slack, span, spans, spans_told};
+use super::{Outline, Spans, Volume, corners, push, slack, span, spans, spans_told, told};
 use crate::common::bars_projection;
 use crate::events::patiently;
 use crate::{
@@ -79,7 +79,10 @@ impl Obb {
             .fold(near.as_dvec3(), |middle, (axis, [low, high])| middle + axis * ((low + high) * 0.5));
         // Single precision moves the centre: as large as it then must be.
         let center = middle.as_vec3();
+        // They are told as seen from where everything is.
+        let moved = normals.map(|axis| axis.dot(center.as_dvec3() - near.as_dvec3()));
         let across = spans_told(corners, center, &normals, watch, |watch, i, span, points| {
+            let span = span.map(|end| end + moved[i]);
             push(watch, Direction::Own([Axis::X, Axis::Y, Axis::Z][i]), normals[i], span, points);
         })?;
         let half = [0, 1, 2].map(|i| (across[i][1].max(-across[i][0]) as f32).next_up());
@@ -124,7 +127,8 @@ fn outermost(corners: &[Corner], center: Vec3, watch: &mut impl Observer<Fit>) -
 fn principal(corners: &[Corner], center: Vec3, axes: Axes, watch: &mut impl Observer<Fit>) -> DMat3 {
     let seen: Vec<DVec3> = corners.iter().map(|corner| corner.at.as_dvec3() - center.as_dvec3()).collect();
     let mean = seen.iter().sum::<DVec3>() / seen.len() as f64;
-    let Vec3 { x, y, z } = (mean + center.as_dvec3()).as_vec3();
+    let size = seen.iter().map(|at| at.length()).fold(0.0, f64::max);
+    let Vec3 { x, y, z } = told(mean + center.as_dvec3(), size);
     watch.on(Fit::Mean { x, y, z, points: seen.len() as u32 });
     let mut spread = DMat3::ZERO;
     for p in &seen {
@@ -202,8 +206,8 @@ impl Turned {
         let middle = (0..3).fold(self.center.as_dvec3(), |middle, i| {
             middle + self.frame.col(i) * ((self.spans[i][0] + self.spans[i][1]) * 0.5)
         });
-        let Vec3 { x, y, z } = middle.as_vec3();
-        let [u, v, w] = [self.frame.x_axis, self.frame.y_axis, self.frame.z_axis].map(DVec3::as_vec3);
+        let Vec3 { x, y, z } = told(middle, self.sides().max_element());
+        let [u, v, w] = [self.frame.x_axis, self.frame.y_axis, self.frame.z_axis].map(|axis| told(axis, 1.0));
         let Vec3 { x: wide_u, y: wide_v, z: wide_w } = self.sides().as_vec3();
         watch.on(Fit::Frame {
             from,

@@ -4,7 +4,7 @@ use std::f32::consts::PI;
 
 use glam::{DMat3, DVec3, Vec3};
 
-use super::{Outline, Volume, corners, slack};
+use super::{Outline, Volume, corners, slack, told};
 use crate::common::bars_origin;
 use crate::events::patiently;
 use crate::geometry::digits::length;
@@ -111,7 +111,7 @@ impl Sphere {
             few.push(seen(&corners[furthest]));
             let count = few.len();
             ball = smallest(&mut few, count, &mut Vec::new(), base, watch);
-            let Vec3 { x, y, z } = (base + ball.center).as_vec3();
+            let Vec3 { x, y, z } = told(base + ball.center, ball.radius());
             watch.on(Fit::Ball { x, y, z, radius: ball.radius() as f32, few: count as u32 });
         }
         let mut center = ball.center;
@@ -122,7 +122,8 @@ impl Sphere {
         let center = (base + center).as_vec3();
         let (radius, _) = reach(corners, |corner| far_side(corner, center.as_dvec3()), watch)?;
         let radius = (radius as f32).next_up();
-        watch.on(Fit::Sphere { x: center.x, y: center.y, z: center.z, radius });
+        let Vec3 { x, y, z } = told(center.as_dvec3(), radius.into());
+        watch.on(Fit::Sphere { x, y, z, radius });
         Ok(Sphere { center, radius })
     }
 
@@ -178,7 +179,7 @@ fn shrunk(corners: &[Corner], base: DVec3, start: DVec3, watch: &mut impl Observ
             (best, least) = (center, radius);
         }
         center += (corners[furthest].at.as_dvec3() - base - center) / (step + 2) as f64;
-        let Vec3 { x, y, z } = (base + center).as_vec3();
+        let Vec3 { x, y, z } = told(base + center, radius);
         watch.on(Fit::Shift { x, y, z, radius: radius as f32, part: ((step + 2) as f32).recip() });
     }
     Ok(best)
@@ -213,7 +214,7 @@ fn smallest(
 ) -> Ball {
     let mut ball = through(edge);
     if !edge.is_empty() {
-        let Vec3 { x, y, z } = (base + ball.center).as_vec3();
+        let Vec3 { x, y, z } = told(base + ball.center, ball.radius());
         watch.on(Fit::Try { x, y, z, radius: ball.radius() as f32, on: edge.len() as u32 });
     }
     if edge.len() == 4 {
