@@ -176,7 +176,7 @@ fn places_and_primitives_carry_their_numbers() {
         let named = |place: Place, text: &str| {
             let names = |mark: &&Mark| {
                 mark.place == Some(place)
-                    && matches!(&mark.ink, Ink::Text { text: own, .. } if own.split(' ').any(|word| word == text))
+                    && matches!(&mark.ink, Ink::Text { text: own, .. } if own.split([' ', ':']).any(|word| word == text))
             };
             figure.marks.iter().find(names)
         };

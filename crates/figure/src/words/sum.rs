@@ -1,4 +1,4 @@
-//! Sums in a text: they come out as they stand there, with as many digits as that takes.
+//! Sums and comparisons in a text: they come out as they stand there, with as many digits as that takes.
 
 use std::ops::Range;
 
@@ -6,6 +6,22 @@ use super::number::{digits, number};
 
 /// The most digits that a number of a sum has. One that does not come out even so is said to come out nearly: `≈`.
 const MOST: usize = 6;
+
+/// What stands between two numbers that are compared.
+const COMPARES: [&str; 12] = [
+    "less than",
+    "smaller than",
+    "more than",
+    "larger than",
+    "nearer than",
+    "further than",
+    ", not ",
+    " < ",
+    " > ",
+    " ≤ ",
+    " ≥ ",
+    " comes ",
+];
 
 /// A piece of a text.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +43,7 @@ impl Piece {
 }
 
 /// The pieces as one text. Where `0.51 · 9 = 4.61` stands in it and does not come out in the digits that are shown, the
-/// numbers before the sign get more of them.
+/// numbers before the sign get more of them; so do two that are compared and look alike.
 pub(crate) fn come_out(pieces: &[Piece]) -> String {
     let mut counts = vec![3; pieces.len()];
     let mut signs = Vec::new();
@@ -56,6 +72,7 @@ pub(crate) fn come_out(pieces: &[Piece]) -> String {
             None => signs.push(nth),
         }
     }
+    tell_apart(pieces, &mut counts);
     let (text, _) = written(pieces, &counts);
     let mut nearly = text.clone();
     for (nth, (at, sign)) in text.match_indices(" = ").enumerate().collect::<Vec<_>>().into_iter().rev() {
@@ -64,6 +81,20 @@ pub(crate) fn come_out(pieces: &[Piece]) -> String {
         }
     }
     nearly
+}
+
+/// More digits for two numbers that are compared, differ, and look alike.
+fn tell_apart(pieces: &[Piece], counts: &mut [usize]) {
+    for (i, three) in pieces.windows(3).enumerate() {
+        let [Piece::Number { x, .. }, Piece::Text(between), Piece::Number { x: other, .. }] = three else { continue };
+        let alike = |count: usize| digits(*x, count) == digits(*other, count);
+        if x == other || !COMPARES.iter().any(|word| between.contains(word)) || !alike(counts[i].max(counts[i + 2])) {
+            continue;
+        }
+        if let Some(count) = (4..=MOST).find(|count| !alike(*count)) {
+            (counts[i], counts[i + 2]) = (count, count);
+        }
+    }
 }
 
 /// The text, and where each piece lies in it.
@@ -231,6 +262,15 @@ mod tests {
         assert_eq!(come_out(&behind), "2562 = 5000 · 0.5123 primitives");
         // What was computed in another order of roundings comes out nearly.
         assert_eq!(chance("2 · ", 0.5, 1.25), "2 · 0.5 ≈ 1.25");
+    }
+
+    #[test]
+    fn what_is_compared_has_the_digits_that_tell_it_apart() {
+        let compared = |a: f32, between: &str, b: f32| come_out(&[exact(a), text(between), exact(b), text(".")]);
+        assert_eq!(compared(25.5914, " is less than ", 25.6023), "25.59 is less than 25.6.");
+        assert_eq!(compared(25.6, " ≥ ", 25.6), "25.6 ≥ 25.6.");
+        assert_eq!(compared(25.5914, " and ", 25.6023), "25.6 and 25.6.");
+        assert_eq!(compared(3.0, " < ", 3.000_000_2), "3 < 3.");
     }
 
     #[test]
