@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use raystep_accel::{Mistake, Rule};
-use raystep_lesson::{Stage, StageKind};
+use raystep_lesson::{Plays, Stage, StageKind};
 use raystep_scene::Scene;
 
 use super::{Landing, State, opening_stage};
@@ -41,11 +41,11 @@ impl State {
             self.wished = stage;
             self.heat = None;
             self.keep();
-            let own = self.own_stage.take().filter(|own| (own.slide, own.stage) == (slide, stage));
-            // A mesh of one's own waits until its stage is shown again.
-            self.own_stage = Some(self.target().clone()).filter(|view| view.mesh.is_some());
-            match own {
-                Some(own) => self.want(own, Landing::Named),
+            let other = self.other_stage.take().filter(|other| (other.slide, other.stage) == (slide, stage));
+            // A mesh of one's own, too, waits until its stage is shown again.
+            self.other_stage = Some(self.target().clone());
+            match other {
+                Some(other) => self.want(other, Landing::Named),
                 None => self.want(View::of_slide(slide, stage), Landing::Opening),
             }
         }
@@ -104,6 +104,11 @@ impl State {
         view.settings.retain(|(known, _)| known != key);
         view.settings.push((key.to_owned(), value.to_owned()));
         self.want(view, landing);
+    }
+
+    /// Whether the slide can show a mesh of one's own instead of its scene: what it has on a board or in pairs is its own.
+    pub fn shows_meshes(&self) -> bool {
+        self.slide().is_some_and(|slide| !matches!(slide.plays, Plays::Board | Plays::Pairs))
     }
 
     /// A mesh instead of the slide's scene, with a ray through it.

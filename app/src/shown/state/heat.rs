@@ -23,15 +23,20 @@ impl State {
         })
     }
 
-    /// Shows a heat map, or space again. A slide that stands on its flat stage goes to its solid one.
+    /// Shows a heat map, or space again. A slide that stands on its flat stage goes to its solid one, and back to where it
+    /// was.
     pub(super) fn toggle_heat(&mut self) {
         if self.heat.is_some() {
             self.heat = None;
+            if std::mem::take(&mut self.led_to_heat) {
+                self.show_stage(StageKind::Flat);
+            }
             return;
         }
         let solid =
             self.slide().is_some_and(|slide| slide.plays != Plays::Board && slide.stage(StageKind::Solid).is_some());
-        if !self.can_heat() && solid {
+        self.led_to_heat = !self.can_heat() && solid;
+        if self.led_to_heat {
             self.show_stage(StageKind::Solid);
             self.heat = Some(Column::Tests);
         }

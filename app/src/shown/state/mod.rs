@@ -57,8 +57,10 @@ pub struct State {
     pub pace: Pace,
     /// What a heat map counts that is shown instead of space, where space is solid.
     heat: Option<Column>,
-    /// The stage of a mesh of one's own that was left for the slide's other one.
-    own_stage: Option<View>,
+    /// Whether a slide was led to its solid stage for the heat map alone.
+    led_to_heat: bool,
+    /// Where one was on the stage that was left for the slide's other one.
+    other_stage: Option<View>,
     /// Which structure at full speed a heat map shows beside, where the scene is made of triangles.
     pub quick: Option<FastKind>,
     /// Whether what can be set by hand stands below the lesson.
@@ -179,7 +181,8 @@ impl State {
             rivals: Rivals::of(["list"]),
             pace: Pace::Event,
             heat: None,
-            own_stage: None,
+            led_to_heat: false,
+            other_stage: None,
             quick: None,
             by_hand: false,
             present: false,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use egui::{Ui, ViewportCommand, ViewportId};
 use raystep_figure::Theme;
+use raystep_lesson::Slide;
 use raystep_scene::Scene;
 
 use super::App;
@@ -107,7 +108,25 @@ impl App {
                 let on = matches!(self.state.beside, Beside::Mistake(_));
                 self.break_it(ui, (!on).then_some(0));
             }
-            other => self.state.apply(other),
+            other => self.go(ui, other),
+        }
+    }
+
+    /// Does what changes the state alone, and says what is not where it was expected.
+    fn go(&mut self, ui: &Ui, command: Command) {
+        let typed = if command == Command::Skip { self.state.lecture.typed.clone() } else { String::new() };
+        let stood = self.state.target().clone();
+        let left = self.state.slide().map(Slide::id);
+        self.state.apply(command);
+        if !typed.is_empty() && self.state.library.numbered(&typed).is_none() {
+            self.say(ui, format!("There is no slide {typed}."));
+        }
+        let now = self.state.target();
+        if let (Some(mesh), Some(left), None) = (stood.mesh, left, &now.mesh)
+            && now.slide != stood.slide
+            && !self.state.present
+        {
+            self.say(ui, format!("{} stays on slide {left}; Ctrl+O opens it here.", mesh.title));
         }
     }
 

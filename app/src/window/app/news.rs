@@ -3,6 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use egui::Ui;
+use raystep_accel::Primitives;
+use raystep_figure::counted;
+use raystep_scene::Scene;
 
 use super::App;
 use crate::files;
@@ -55,15 +58,16 @@ impl App {
                 }
             }
             News::Mesh(scene, ray, path) => {
-                if !scene.note.is_empty() {
-                    self.say(ui, scene.note.clone());
-                }
                 let wanted = self.reopens.take().filter(|link| link.mesh.as_ref().map(Path::new) == Some(&path));
                 self.mesh = Some((scene.clone(), path));
+                if !scene.note.is_empty() && (wanted.is_some() || self.state.shows_meshes()) {
+                    self.say(ui, scene.note.clone());
+                }
                 self.first_mesh = false;
                 match wanted {
                     Some(link) => _ = link.open(&mut self.state, Some(scene)),
-                    None => self.state.show_mesh(scene, ray),
+                    None if self.state.shows_meshes() => self.state.show_mesh(scene, ray),
+                    None => self.say(ui, kept_aside(&scene)),
                 }
             }
             News::Folder(folder) => self.overlay.chose_folder(&folder),
@@ -91,4 +95,11 @@ impl App {
             }
         }
     }
+}
+
+/// What is said of a mesh that is opened over a slide which has scenes of its own.
+fn kept_aside(mesh: &Scene) -> String {
+    let triangles = counted(mesh.prims.len() as u64, "triangle", "triangles");
+    let says = "is open. This slide keeps its own scenes: “Which structure is best?” measures yours.";
+    format!("{}\n{}, {triangles}, {says}", mesh.note, mesh.title).trim_start().to_owned()
 }
