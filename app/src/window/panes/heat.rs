@@ -30,6 +30,8 @@ use crate::window::work::heating::Level;
 /// The height of the strip with what is counted; where it is narrower than this it has two rows.
 const STRIP: f32 = 38.0;
 const ONE_ROW: f32 = 640.0;
+/// In a narrower strip the way back has one word.
+const FEW_WORDS: f32 = 400.0;
 
 /// Shows the map in a rectangle, with what is counted above it unless a class is shown it.
 pub(super) fn show(
@@ -120,11 +122,21 @@ fn choices(ui: &mut Ui, page: Page<'_>, strip: Rect, of: Column, asked: &mut Vec
         let inner = row.shrink2(vec2(12.0, 3.0));
         UiBuilder::new().max_rect(inner).layout(Layout::right_to_left(Align::Center))
     };
+    let note = |ui: &mut Ui| {
+        if let Some(level) = page.heat {
+            let says = RichText::new(so_far(level, page.counting)).small().color(ink(page.theme, Role::Quiet));
+            ui.add(Label::new(says).truncate());
+        }
+    };
     if narrow {
-        ui.scope_builder(set(second), |ui| beside(ui, page, asked));
+        ui.scope_builder(set(second), |ui| {
+            beside(ui, page, asked);
+            ui.with_layout(Layout::left_to_right(Align::Center), note);
+        });
     }
     ui.scope_builder(set(first), |ui| {
-        let back = ui.button("Back to the picture").on_hover_text(Command::Heat.tip());
+        let back = if strip.width() < FEW_WORDS { "Back" } else { "Back to the picture" };
+        let back = ui.button(back).on_hover_text(Command::Heat.tip());
         if back.clicked() {
             asked.push(Asked::Command(Command::Heat));
         }
@@ -141,9 +153,8 @@ fn choices(ui: &mut Ui, page: Page<'_>, strip: Rect, of: Column, asked: &mut Vec
                 }
             });
             controls::name(&combo.response, "What is counted");
-            if let Some(level) = page.heat {
-                let says = RichText::new(so_far(level, page.counting)).small().color(ink(page.theme, Role::Quiet));
-                ui.add(Label::new(says).truncate());
+            if !narrow {
+                note(ui);
             }
         });
     });

@@ -34,6 +34,8 @@ pub(super) struct Dialog {
     open: bool,
     /// Why it could not be done.
     wrong: Option<String>,
+    /// In so many frames it still finds its size.
+    settles: u8,
 }
 
 /// How wide it is where there is room, and how much of the window is left around what it holds.
@@ -47,6 +49,7 @@ impl Dialog {
         self.form = Some(form.fitting(state));
         self.wrong = None;
         self.open = true;
+        self.settles = 3;
     }
 
     /// Whether it has the keys.
@@ -75,6 +78,11 @@ impl Dialog {
     pub(super) fn show(&mut self, ui: &Ui, state: &State, theme: &Theme) -> Option<Asked> {
         let form = self.form.as_mut().filter(|_| self.open)?;
         form.keep_to(state);
+        // Its rows wrap as its width says, which the first frame does not know.
+        if self.settles > 0 {
+            self.settles -= 1;
+            ui.ctx().request_repaint();
+        }
         let (mut asked, mut write, mut close) = (None, false, false);
         // Enter in a field writes; on a button it presses that.
         let typing = ui.ctx().text_edit_focused();
