@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 use raystep_figure::{
-    Ask, Camera, Figure, ListingLine, Look, Pane, Reel, Scenery, Space, Still, Theme, TreeView, close_up, crop,
+    Ask, Camera, Detail, Figure, ListingLine, Look, Pane, Reel, Scenery, Space, Still, Theme, TreeView, close_up, crop,
     inset_at, inset_size, is_nearer, set_inset, stage_around as picture_of,
 };
 use raystep_lesson::Tape;
@@ -127,9 +127,9 @@ impl Sheet<'_> {
         let mut figure = self.seen(None, &shown, &camera, size);
         // What is but a dot there is seen from near in a corner.
         let inset = (!self.still.flat()).then(|| Some((self.still.detail()?, inset_size(size)?))).flatten();
-        let framed = inset.map(|((title, bounds), inset)| {
+        let framed = inset.map(|(Detail { title, bounds, focus }, inset)| {
             let near = eye::framed(&camera, &bounds, inset);
-            (title, is_nearer(bounds.center(), (&near, inset), (&camera, size)).then_some((near, inset)))
+            (title, is_nearer(focus, (&near, inset), (&camera, size)).then_some((near, inset)))
         });
         if let Some((title, Some((near, inset)))) = framed {
             let shaded = ground.scenery(&near, inset * self.fineness(), self.order.theme);

@@ -25,7 +25,7 @@ mod theme;
 mod words;
 mod world;
 
-pub use kinds::{Board, Film, Fitting, Guess, Instant, Kind, Pairs, Reel, Still, Walks};
+pub use kinds::{Board, Detail, Film, Fitting, Guess, Instant, Kind, Pairs, Reel, Still, Walks};
 pub use moments::{
     Build, Changed, Cut, Fate, GrowMoment, GrowNode, Inside, Moment, PacketMoment, PacketWalk, PrimTest, SlabCut,
     SlabTest, Stepping, Taken, Tally, Tested, Waiting, Walk, Weighed,

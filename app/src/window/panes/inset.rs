@@ -1,7 +1,7 @@
 //! A small picture in a corner of a solid stage: the leaf, the cell or the hit that is a dot in the large one.
 
 use egui::{Align2, Rect, StrokeKind, Ui, pos2, vec2};
-use raystep_figure::{Camera, Face, Role, Scenery, close_up, inset_size, is_nearer};
+use raystep_figure::{Camera, Detail, Face, Role, Scenery, close_up, inset_size, is_nearer};
 
 use super::page::Page;
 use super::sight::Sight;
@@ -22,11 +22,11 @@ pub(super) struct Inset {
 pub(super) fn of(sight: &Sight, pictures: &Pictures, rect: Rect, camera: &Camera) -> Option<Inset> {
     let size = inset_size(glam_size(rect)).filter(|_| sight.solid_inset.is_there())?;
     let reel = pictures.playback.reel();
-    let (title, bounds) = reel.still(&pictures.instant).detail()?;
+    let Detail { title, bounds, focus } = reel.still(&pictures.instant).detail()?;
     let size = vec2(size.x, size.y);
     let inset = Rect::from_min_size(rect.right_top() + vec2(-size.x - 12.0, 12.0), size);
     let near = eye::framed(camera, &bounds, glam_size(inset));
-    let nearer = is_nearer(bounds.center(), (&near, glam_size(inset)), (camera, glam_size(rect)));
+    let nearer = is_nearer(focus, (&near, glam_size(inset)), (camera, glam_size(rect)));
     nearer.then_some(Inset { rect: inset, title, near })
 }
 

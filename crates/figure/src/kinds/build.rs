@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Grow, HandCut, Place, Primitives, Prims, Structure};
 
-use super::detail::small;
+use super::detail::{Detail, small};
 use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
@@ -17,9 +17,11 @@ use crate::words::{Fact, Symbol, VolumeName, counted};
 use crate::world::{Depth, Form, Space};
 
 impl Build<'_> {
-    /// Whether anything is weighed: an octree has no choice, and sets that are joined are compared otherwise.
+    /// Whether ways to divide a node are weighed against each other: an octree has no choice, a cut in the middle is the
+    /// only one, and sets that are joined are compared otherwise.
     fn weighs(&self) -> bool {
-        self.events.iter().any(|event| matches!(event, Grow::Weigh { .. }))
+        let node = |event: &Grow| matches!(event, Grow::Weigh { .. }).then(|| event.place());
+        self.events.windows(2).any(|two| node(&two[0]).is_some() && node(&two[0]) == node(&two[1]))
     }
 
     /// Whether sets are joined along a curve.
@@ -188,7 +190,7 @@ impl Kind for Build<'_> {
     }
 
     /// The primitive that is put somewhere, or the node under consideration, with what it has chosen.
-    fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
+    fn detail(&self, at: &Instant) -> Option<Detail> {
         let moment: &GrowMoment = at.state();
         // Some of what lies around a primitive shows where it is; a node has its neighbours.
         let (place, bounds, air) = match (moment.prim, moment.node.and_then(|node| moment.nodes.get_key_value(&node))) {
@@ -196,7 +198,8 @@ impl Kind for Build<'_> {
             (_, Some((id, node))) => (Place::Node(*id), node.bounds.union(self.chosen(moment)), 0.15),
             _ => return None,
         };
-        small(bounds, self.structure.bounds(), air).map(|bounds| (format!("{place}, from near"), bounds))
+        let bounds = small(bounds, self.structure.bounds(), air)?;
+        Some(Detail { title: format!("{place}, from near"), bounds, focus: bounds.center() })
     }
 
     fn tally(&self, at: &Instant) -> String {

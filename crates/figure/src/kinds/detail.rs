@@ -1,6 +1,18 @@
 //! What is but a dot in a picture of everything.
 
+use glam::Vec3;
 use raystep_accel::Aabb;
+
+/// What a small picture from near shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Detail {
+    /// What it is called.
+    pub title: String,
+    /// A box with some of what lies around it.
+    pub bounds: Aabb,
+    /// The point that must be seen better in it than in the large picture.
+    pub focus: Vec3,
+}
 
 /// What is larger than this part of the scene is seen well enough in the picture of all of it.
 const SMALL: f32 = 0.3;

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Cost, Direction, HandCut, Place, Prims};
 
-use super::Instant;
+use super::{Detail, Instant};
 use crate::page::{Figure, Look};
 use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, Pixel, RulerScale, symbol_on_track};
 use crate::theme::Role;
@@ -136,7 +136,7 @@ pub trait Kind {
     }
 
     /// What is but a dot in the whole picture of space and worth seeing from near: its name and its box.
-    fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
+    fn detail(&self, at: &Instant) -> Option<Detail> {
         let _ = at;
         None
     }

@@ -15,6 +15,7 @@ mod walk;
 mod walks;
 
 pub use board::Board;
+pub use detail::Detail;
 pub use film::Film;
 pub use fit::Fitting;
 pub use instant::Instant;

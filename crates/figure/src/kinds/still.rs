@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use glam::Vec2;
 use raystep_accel::{Aabb, Cost, HandCut, Place};
 
-use super::{Instant, Kind};
+use super::{Detail, Instant, Kind};
 use crate::page::{Figure, Look};
 use crate::panes::{Ask, CutLine, Grip, KnobLine, Pane, Pixel, RulerScale, legend, line_at, track};
 use crate::theme::Role;
@@ -205,7 +205,7 @@ impl<'a> Still<'a> {
     }
 
     /// What is but a dot in the whole picture of space and worth seeing from near: its name and its box.
-    pub fn detail(&self) -> Option<(String, Aabb)> {
+    pub fn detail(&self) -> Option<Detail> {
         self.kind.detail(self.at)
     }
 

@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Structure, Visit};
 
-use super::detail::small;
+use super::detail::{Detail, small};
 use super::{Guess, Instant, Kind};
 use crate::moments::{Moment, Walk};
 use crate::page::{Figure, Look};
@@ -125,7 +125,7 @@ impl Kind for Walk<'_> {
     }
 
     fn signs(&self) -> &'static [(Role, &'static str)] {
-        legend::OF_WALK
+        if self.flat { &legend::OF_WALK } else { legend::OF_SOLID_WALK }
     }
 
     fn best(&self) -> Option<Pane> {
@@ -159,7 +159,7 @@ impl Kind for Walk<'_> {
     }
 
     /// The nearest hit when the walk is over, else the node or the cell where it stands.
-    fn detail(&self, at: &Instant) -> Option<(String, Aabb)> {
+    fn detail(&self, at: &Instant) -> Option<Detail> {
         let moment: &Moment = at.state();
         let over = matches!(moment.event, Some(Visit::End { .. }));
         let (title, place) = match (over, moment.best, moment.here) {
@@ -168,7 +168,10 @@ impl Kind for Walk<'_> {
             _ => return None,
         };
         // Some of what lies around it shows where it is.
-        small(Walk::bounds(self, place), self.world(), if over { 0.4 } else { 0.1 }).map(|bounds| (title, bounds))
+        let bounds = small(Walk::bounds(self, place), self.world(), if over { 0.4 } else { 0.1 })?;
+        // A large triangle may be hit where it is seen well enough.
+        let hit = moment.best.filter(|_| over).map(|hit| self.ray.at(hit.t));
+        Some(Detail { title, bounds, focus: hit.unwrap_or(bounds.center()) })
     }
 
     fn cost(&self, at: &Instant) -> Option<Cost> {
