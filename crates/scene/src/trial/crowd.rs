@@ -13,7 +13,9 @@ const MANY: usize = 100_000;
 
 /// The scene called [`NAME`].
 pub(super) fn named(name: &str) -> Option<Case> {
-    let corners = vec![Vec3::ZERO, Vec3::new(1.0, 0.3, 0.2), Vec3::new(0.2, 1.0, 0.7)];
-    let mesh = Mesh { corners, triangles: vec![[0, 1, 2]; MANY] };
-    (name == NAME).then(|| Case { name: name.to_owned(), prims: Prims::Mesh(mesh), flat: false })
+    (name == NAME).then(|| {
+        let corners = vec![Vec3::ZERO, Vec3::new(1.0, 0.3, 0.2), Vec3::new(0.2, 1.0, 0.7)];
+        let mesh = Mesh { corners, triangles: vec![[0, 1, 2]; MANY] };
+        Case { name: name.to_owned(), prims: Prims::Mesh(mesh), flat: false }
+    })
 }
