@@ -22,7 +22,14 @@ impl Sphere {
             let (center, low, high) = (self.center[axis], bounds.min[axis], bounds.max[axis]);
             let nearest = center.max(low).min(high);
             gap[i] = f64::from(nearest) - f64::from(center);
-            watch.on(Probe::Nearest { of: Part::along(axis), value: center, low, high, nearest, gap: gap[i] as f32 });
+            watch.on(Probe::Nearest {
+                of: Part::along(axis),
+                value: center,
+                low,
+                high,
+                nearest,
+                gap: gap[i].abs() as f32,
+            });
         }
         gap
     }

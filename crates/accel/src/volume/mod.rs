@@ -153,6 +153,7 @@ fn spans_told<W: Observer<Fit>>(
 
 /// A place or a direction as it is told of something of this `size`: of coordinates so small that single precision does not
 /// see them beside it, nothing is left but rounding, and they are told as 0.
+#[inline]
 fn told(at: DVec3, size: f64) -> Vec3 {
     at.as_vec3().map(|x| if f64::from(x).abs() <= f64::from(f32::EPSILON) * size { 0.0 } else { x })
 }

@@ -24,7 +24,8 @@ pub(crate) fn space_of_pair(tried: &Tried<'_>) -> Space {
 
 /// Where the first object is taken in the hand.
 fn knob(first: &Body<'_>) -> SpaceMark {
-    SpaceMark { form: Form::Point(first.middle()), role: Role::Tick, place: None }
+    let role = if matches!(first, Body::Ray(_)) { Role::Ray } else { Role::Value };
+    SpaceMark { form: Form::Point(first.middle()), role, place: None }
 }
 
 struct Drawing<'a> {
@@ -283,9 +284,9 @@ impl Drawing<'_> {
                 }
             }
         }
-        self.add(Role::Live, Form::Segment(center, point));
-        self.add(Role::Best, Form::Point(point));
-        self.label(Role::Best, point, "nearest".to_owned());
+        self.add(Role::Here, Form::Segment(center, point));
+        self.add(Role::Tick, Form::Point(point));
+        self.label(Role::Tick, point, "nearest".to_owned());
     }
 
     /// The plane that is compared with, and how far the box reaches along its normal.

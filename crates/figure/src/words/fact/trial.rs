@@ -113,7 +113,9 @@ impl Fact for Trial {
             Some(Step::Probe(probe)) => probe,
         };
         let template = match probe {
-            Probe::Cut { .. } => "The plane is {{height}} away and comes nearer by {{slant}} a unit of t: t = {{t}}.",
+            Probe::Cut { .. } => {
+                "Along its normal the plane is at {{height}} from the start, and a unit of t goes {{slant}}: t = {{t}}."
+            }
             Probe::Parallel { .. } => {
                 "One unit of t brings the ray nearer by {{slant}} only: it runs along the surface."
             }
