@@ -7,7 +7,7 @@ use crate::theme::{Face, Role, text_width};
 use crate::world::{Form, Space};
 
 /// What the marks of a walk mean, in the order of the story they tell.
-pub(crate) const OF_WALK: &[(Role, &str)] = &[
+pub(crate) const OF_WALK: [(Role, &str); 19] = [
     (Role::Scene, "primitive"),
     (Role::Ray, "ray"),
     (Role::Line, "its line, behind its start"),
@@ -28,6 +28,16 @@ pub(crate) const OF_WALK: &[(Role, &str)] = &[
     (Role::Best, "nearest hit so far"),
     (Role::Wrong, "goes wrong here"),
 ];
+
+/// Which of them is that of what was visited.
+const VISITED: usize = 10;
+
+/// What they mean in a solid scene, where the primitives of the current leaf or cell stand out from the mesh.
+pub(crate) const OF_SOLID_WALK: &[(Role, &str)] = &{
+    let mut signs = OF_WALK;
+    signs[VISITED].1 = "visited, or held by the leaf or cell";
+    signs
+};
 
 /// What the marks of a packet mean.
 pub(crate) const OF_PACKET: &[(Role, &str)] = &[
@@ -101,6 +111,7 @@ pub(crate) const OF_GRID: &[(Role, &str)] = &[
     (Role::Best, "sets a side of the box"),
     (Role::Guess, "possible answer"),
     (Role::Waiting, "still to be decided"),
+    (Role::Filled, "cell with a reference"),
     (Role::Seen, "cell with a reference"),
     (Role::Dropped, "not reached"),
 ];

@@ -132,10 +132,19 @@ fn rows(lines: &[ListingLine<'_>], event: Option<&dyn Fact>, flat: bool, size: V
     Rows { current, values, shown: first..lines.len().min(first + room), row, top }
 }
 
-/// A template without what it says of the z axis: `x {{next_x}}  y {{next_y}}  z {{next_z}}`.
+/// How what a template says of the z axis begins, after what it says of the others: `x {{next_x}}  y {{next_y}}  z {{next_z}}`,
+/// `{{nx}} × {{ny}} × {{nz}}`, `({{x}}, {{y}}, {{z}})`.
+const OF_Z: [&str; 5] = ["  z {{", " × {{nz", ", {{z", ", {{normal_z", ", {{d_z"];
+
+/// A template without what it says of the z axis.
 fn without_z(template: &str) -> String {
-    let named = template.find("  z {{").and_then(|from| Some((from, from + template[from..].find("}}")? + 2)));
-    named.map_or_else(|| template.to_owned(), |(from, to)| [&template[..from], &template[to..]].concat())
+    OF_Z.iter().fold(template.to_owned(), |mut left, begins| {
+        let named = left.find(begins).and_then(|from| Some((from, from + left[from..].find("}}")? + 2)));
+        if let Some((from, to)) = named {
+            left.replace_range(from..to, "");
+        }
+        left
+    })
 }
 
 /// The ground of the current line, with a bar at its left.

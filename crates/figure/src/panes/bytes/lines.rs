@@ -6,6 +6,7 @@ use raystep_accel::{CacheLines, NodeId, Observer, Visit};
 use crate::moments::Walk;
 use crate::page::{Anchor, Figure, block, line, write};
 use crate::theme::{Face, Role, text_width};
+use crate::words::counted;
 
 /// The lines that a walk has touched after `step` events, where nodes have so many bytes each. What happens within an
 /// instance happens in another tree.
@@ -63,11 +64,12 @@ impl Strip {
             let left = self.corner.x + (first as f32 + before as f32 * GAP) * side;
             figure.add(Role::Here, None, block(Vec2::new(left, self.corner.y), Vec2::new(wide, self.size.y), 0.0));
         }
-        let lines = if all == 1 { "line" } else { "lines" };
-        let says = if whole { format!("of {all} {lines} of 64 bytes") } else { "lines of 64 bytes".to_owned() };
+        let says = format!("of {} of 64 bytes", counted(all as u64, "line", "lines"));
+        let others = if whole { "" } else { ", the others not drawn" };
         let size = self.size.y * 0.95;
         let left = x + self.size.y * 0.6;
-        if left + text_width(&says, Face::Regular, size) <= self.corner.x + self.size.x {
+        let fits = |says: &String| left + text_width(says, Face::Regular, size) <= self.corner.x + self.size.x;
+        if let Some(says) = [format!("{says}{others}"), says].into_iter().find(fits) {
             let at = Vec2::new(left, self.corner.y + self.size.y / 2.0);
             write(figure, Role::Quiet, None, at, &says, size, Face::Regular, Anchor::Start);
         }

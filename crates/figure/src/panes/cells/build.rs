@@ -48,6 +48,7 @@ pub fn cells_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: 
     let decided = moment.rasterised.iter().rposition(|(_, fate)| *fate != Fate::Open).unwrap_or(0);
     let first_row =
         (decided / columns + 2).saturating_sub(rows).min((moment.rasterised.len() / columns + 1).saturating_sub(rows));
+    let rest = moment.rasterised.len().saturating_sub(first_row * columns);
     let shown = moment.rasterised.iter().skip(first_row * columns).take(rows * columns);
     for (index, &(cell, fate)) in shown.enumerate() {
         let (role, word) = match fate {
@@ -59,6 +60,12 @@ pub fn cells_of_build(build: &Build<'_>, moment: &GrowMoment, size: Vec2, look: 
             look.margin() + chip * (index % columns) as f32,
             top + look.line() * ((index / columns) as f32 + 0.6),
         );
+        // The last place says how many have none.
+        if index + 1 == rows * columns && index + 1 < rest {
+            let text = format!("and {} more", rest - index);
+            write(&mut figure, Role::Quiet, None, at, &text, u, Face::Medium, Anchor::Start);
+            break;
+        }
         let text = format!("cell {cell}: {word}");
         write(&mut figure, role, Some(Place::Cell(cell)), at, &text, u, Face::Medium, Anchor::Start);
     }

@@ -49,7 +49,9 @@ pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
     }
     let Some(here) = moment.here else {
         let tested = moment.volumes.iter().map(|tested| box_span(tested.place, tested.interval, tested.verdict));
-        let ray = span("ray", None, walk.ray.range(), Role::Ray);
+        // The part under consideration, as in space, or all of it.
+        let part = if moment.live.is_empty() { (walk.ray.range(), Role::Ray) } else { (moment.live, Role::Live) };
+        let ray = span("ray", None, part.0, part.1);
         // What is dropped says where it began: later than the best hit.
         let dropped = match moment.event {
             Some(Visit::Drop { node, t_near, t_far, .. }) => {

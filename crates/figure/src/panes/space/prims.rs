@@ -27,10 +27,10 @@ impl Drawing<'_> {
         let mut roles = BTreeMap::new();
         // A cell that holds thousands of primitives is no news.
         let crowded = self.held().len() > SPECKLES;
-        // What the current leaf or cell holds stands out from a mesh.
+        // What the current leaf or cell holds stands out from a mesh; a floor does so anyway.
         if !self.walk.flat {
-            let held = self.held();
-            roles.extend(held.iter().take(TRAIL).map(|&prim| (prim, Role::Seen)));
+            let held = self.held().iter().filter(|prim| !self.is_large(**prim));
+            roles.extend(held.take(TRAIL).map(|&prim| (prim, Role::Seen)));
         }
         let first = moment.tested.len().saturating_sub(TRAIL);
         let speckled = self.speckled();
