@@ -161,7 +161,11 @@ fn content(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, f
     if fresh && state.question().is_some() {
         // A question that has just opened is seen whole, and why an answer is wrong.
         let foot = egui::Rect::from_x_y_ranges(ui.max_rect().x_range(), top..=ui.min_rect().bottom() + 14.0);
-        ui.scroll_to_rect(foot, None);
+        let seen = ui.clip_rect();
+        // One that is higher than the column stays where it begins in sight, below the slide's title.
+        if foot.height() <= seen.height() || foot.top() > seen.center().y {
+            ui.scroll_to_rect(foot, None);
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The rows of the dialog. What makes no sense is greyed, and says why when it is pointed at.
 
 use clap::ValueEnum;
-use egui::{Button, Stroke, StrokeKind, TextEdit, Ui, vec2};
+use egui::{Button, Response, Stroke, StrokeKind, TextEdit, Ui, vec2};
 use raystep_accel::Grain;
 use raystep_figure::Theme;
 use raystep_print::Lettering;
@@ -118,9 +118,12 @@ fn steps(ui: &mut Ui, form: &mut Form, now: usize) {
     if pick(ui, chosen == Which::Steps, "steps", "steps", many, None) {
         form.which = Which::Steps;
     }
-    let unnamed = (chosen != Which::Steps).then_some("Choose steps to name them.");
     let wrong = form.wrong(Field::Steps);
-    field(ui, &mut form.steps, 100.0, "First and last step", many.or(unnamed), wrong);
+    // Whoever writes which steps means them.
+    let named = field(ui, &mut form.steps, 100.0, "First and last step", many, wrong);
+    if named.clicked() || named.changed() {
+        form.which = Which::Steps;
+    }
     ui.add_enabled(many.is_none(), egui::Label::new(format!("of 0..{}", form.last())));
 }
 
@@ -178,13 +181,14 @@ fn toggle(ui: &mut Ui, on: &mut bool, text: &str, why: Option<&str>) {
 }
 
 /// A field; around what is `wrong` there is a frame.
-fn field(ui: &mut Ui, text: &mut String, width: f32, name: &str, why: Option<&str>, wrong: Option<String>) {
+fn field(ui: &mut Ui, text: &mut String, width: f32, name: &str, why: Option<&str>, wrong: Option<String>) -> Response {
     let field = ui.add_enabled(why.is_none(), TextEdit::singleline(text).desired_width(width));
     field.widget_info(|| egui::WidgetInfo::labeled(egui::Role::TextInput, why.is_none(), name));
     let field = field.on_disabled_hover_text(why.unwrap_or_default());
     if let Some(wrong) = wrong {
         let stroke = Stroke::new(2.0, ui.visuals().error_fg_color);
         ui.painter().rect_stroke(field.rect, 5.0, stroke, StrokeKind::Inside);
-        field.on_hover_text(wrong);
+        return field.on_hover_text(wrong);
     }
+    field
 }
