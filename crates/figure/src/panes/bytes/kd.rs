@@ -18,14 +18,20 @@ pub(super) fn node(tree: &Kd, walk: &Walk<'_>, moment: &Moment, hide: bool, size
         look.nothing(&mut figure, "Bytes", "No node has been entered yet.");
         return figure;
     }
-    let node = match moment.here.or(moment.event.map(|event| event.place())) {
+    // When the walk is over, the node that it came to last.
+    let at_hand = match moment.ending {
+        Some(_) => moment.seen.last().copied(),
+        None => moment.here.or(moment.event.map(|event| event.place())),
+    };
+    let node = match at_hand {
         Some(Place::Node(node)) => node,
         _ => NodeId::ROOT,
     };
+    let last = if moment.ending.is_some() { ", the last of the walk" } else { "" };
     let leaf = walk.structure.split(node).is_none();
     let kind = if leaf { "a leaf" } else { "an inner node" };
     let remark = format!("{kind} \u{b7} pointers of 32 bits, addresses in bytes from the root");
-    let top = look.heading(&mut figure, &format!("Bytes of node {node}"), &remark);
+    let top = look.heading(&mut figure, &format!("Bytes of node {node}{last}"), &remark);
 
     let shown = layouts(walk.layout);
     let rows: Vec<_> = shown.iter().filter_map(|&layout| Some((layout, layout.node(tree, node)?))).collect();

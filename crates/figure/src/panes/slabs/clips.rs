@@ -3,12 +3,13 @@
 use glam::Vec2;
 use raystep_accel::Visit;
 
+use super::kept::Kept;
 use super::{left, verdict};
 use crate::page::{Entry, Figure, Look, Table};
 use crate::theme::Role;
 use crate::words::number;
 
-/// A row for each face of the last hull tested, the latest at the end; of many, the last that there is room for.
+/// A row for each face of the last hull tested, the latest at the end; of many, those that there is room for.
 pub(super) fn table(flat: bool, done: &[Visit], hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let Some(last) = done.iter().rposition(|event| matches!(event, Visit::Clip { .. })) else { return figure };
@@ -24,18 +25,28 @@ pub(super) fn table(flat: bool, done: &[Visit], hide: bool, size: Vec2, look: &L
     let top = look.heading(&mut figure, &format!("Faces of {place}"), "");
     let now = (last + 1 == done.len()).then(|| done[last]);
     let missed = !hide && matches!(done[last], Visit::Clip { empty: true, .. });
-    let room = if missed { look.line() } else { 0.0 };
-    let fit = ((size.y - room - top) / (look.text * 1.9)).max(3.0) as usize - 1;
-    let shown = &clips[clips.len().saturating_sub(fit)..];
-    let rows: Vec<_> = shown.iter().map(|event| row(event, now == Some(*event), hide)).collect();
-    let current = shown.iter().position(|event| now == Some(*event));
+    let lines = if missed { 1.0 } else { 0.0 };
+    let ends: Vec<_> = clips.iter().map(ends).collect();
+    let kept = Kept::of(&ends, top, lines, size, look);
+    let rows = kept.table(clips.iter().map(|event| row(event, now == Some(*event), hide)).collect());
+    let current = clips.iter().position(|event| now == Some(*event)).and_then(|row| kept.position(row));
     let heads = vec!["face", "plane", "o", "d", "t", "ray comes", "left"];
-    let end = Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, size.y - room, look);
+    let end =
+        Table { heads, rows, current, place: Some(place) }.draw(&mut figure, top, size.y - lines * look.line(), look);
     if let (Visit::Clip { t_near, t_far, .. }, true) = (done[last], missed) {
         let says = format!("Empty: {} > {}.", number(t_near), number(t_far));
         verdict(&mut figure, Some(place), end, &says, now.is_none().then_some("hull"), look);
     }
     figure
+}
+
+/// Where the ray comes in or goes out through the plane of a face.
+fn ends(event: &Visit) -> [Option<f32>; 2] {
+    match *event {
+        Visit::Clip { d, t, entering: true, .. } if d != 0.0 => [Some(t), None],
+        Visit::Clip { d, t, .. } if d != 0.0 => [None, Some(t)],
+        _ => [None; 2],
+    }
 }
 
 fn row(event: &Visit, now: bool, hide: bool) -> Vec<Entry> {

@@ -1,18 +1,18 @@
 //! The test of a volume as a table: each number appears when the walk has it.
 
 mod clips;
+mod kept;
 mod roots;
 
 use glam::Vec2;
 use raystep_accel::{AnyBvh, Axis, Direction, Place, Structure, Visit};
 
 use crate::moments::{Moment, Walk};
-use crate::page::{Anchor, CLOSE, Entry, Figure, Look, Table, write};
+use crate::page::{Anchor, Entry, Figure, Look, Table, write};
 use crate::theme::{Face, Role};
 use crate::words::{VolumeName, number};
 
-/// Letters of a long table are so small, in parts of the text; with smaller ones its first rows are left out.
-const SMALL: f32 = 0.8;
+use kept::Kept;
 
 /// The events of one direction of a slab test, as far as they have happened.
 #[derive(Clone, Copy, Debug)]
@@ -27,13 +27,25 @@ impl Slab {
     fn across(axis: Direction) -> Slab {
         Slab { axis, cut: None, order: None, narrow: None }
     }
+
+    /// Where the line of the ray comes in and goes out, if it runs across.
+    fn ends(&self) -> [Option<f32>; 2] {
+        match self.cut {
+            Some(Visit::Divide { t1, t2, .. }) => [Some(t1.min(t2)), Some(t1.max(t2))],
+            _ => [None; 2],
+        }
+    }
 }
 
 /// Of the volume that was tested last, a row for each of its slabs: its planes, where they cut the ray, and what
-/// is left of the ray. Of a sphere, its equation; of a hull, a row for each face. While a question is open, `hide`
-/// leaves the numbers without what they come to.
+/// is left of the ray. Of a sphere, its equation; of a hull, a row for each face. After a walk through many volumes
+/// none of them is told of. While a question is open, `hide` leaves the numbers without what they come to.
 pub fn slabs(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
+    if moment.ending.is_some() && !matches!(walk.structure, Structure::Slab(_)) {
+        look.nothing(&mut figure, title(walk), "The walk is over.");
+        return figure;
+    }
     let done = &walk.events[..moment.step.min(walk.events.len())];
     match done
         .iter()
@@ -52,20 +64,19 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
             _ if ever => "No slab has been cut yet.".to_owned(),
             _ => "This walk cuts no slabs.".to_owned(),
         };
-        look.nothing(&mut figure, "Slabs", &says);
+        look.nothing(&mut figure, title(walk), &says);
         return figure;
     };
 
     let top = look.heading(&mut figure, &format!("Slabs of {place}"), "");
     let now = moment.event.as_ref();
     slabs.retain(|slab| !walk.leaves_out(slab.axis));
-    // Of more than there is room for, the latest.
-    let room =
-        if slabs.iter().any(|slab| matches!(slab.narrow, Some(Visit::Narrow { empty: true, .. }))) { 1.0 } else { 0.0 };
-    let fit = ((size.y - top - room * look.line()) / (look.text * CLOSE * SMALL)).max(4.0) as usize - 1;
-    slabs.drain(..slabs.len().saturating_sub(fit));
-    let rows = slabs.iter().map(|slab| row(slab, now, hide)).collect();
+    let nothing_left = slabs.iter().any(|slab| matches!(slab.narrow, Some(Visit::Narrow { empty: true, .. })));
+    let ends: Vec<_> = slabs.iter().map(Slab::ends).collect();
+    let kept = Kept::of(&ends, top, if nothing_left { 1.0 } else { 0.0 }, size, look);
+    let rows = kept.table(slabs.iter().map(|slab| row(slab, now, hide)).collect());
     let current = now.and_then(slab_of).and_then(|(_, axis)| slabs.iter().position(|slab| slab.axis == axis));
+    let current = current.and_then(|row| kept.position(row));
     let heads = vec!["", "low", "high", "o", "d", "t1", "t2", "swap", "so far"];
     let empty = slabs.iter().rev().find_map(|slab| match slab.narrow {
         Some(Visit::Narrow { empty: true, t_near, t_far, .. }) if !hide => Some((t_near, t_far)),
@@ -81,6 +92,15 @@ pub fn slabs(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Lo
         verdict(&mut figure, Some(place), end, &says, missed, look);
     }
     figure
+}
+
+/// What the pane is called while it has no volume to tell of.
+fn title(walk: &Walk<'_>) -> &'static str {
+    match walk.structure {
+        Structure::Bvh(AnyBvh::Sphere(_)) => "Spheres",
+        Structure::Bvh(AnyBvh::Hull(_)) => "Faces",
+        _ => "Slabs",
+    }
 }
 
 /// What a test that left nothing comes to, below its table; that the volume is missed only once its test is over.
