@@ -36,8 +36,9 @@ vocabulary! {
         Shift ["shift"] { x: f32, y: f32, z: f32, radius: f32, part: f32 }
         /// The sphere is found: around this centre, as far as the furthest point.
         Sphere ["sphere"] { x: f32, y: f32, z: f32, radius: f32 }
-        /// A point that lies furthest in some direction: these few choose the directions of the box.
-        Keep ["keep"] { point: u32, x: f32, y: f32, z: f32 }
+        /// A point that lies furthest in some direction, or any one where there are `few` to begin with: these choose the
+        /// directions of the box.
+        Keep ["keep"] { point: u32, x: f32, y: f32, z: f32, few: bool }
         /// The mean of the points.
         Mean ["mean"] { x: f32, y: f32, z: f32, points: u32 }
         /// Two directions were turned towards each other, until the set's spread along them has nothing in common: how far

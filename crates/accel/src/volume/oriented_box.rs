@@ -94,7 +94,8 @@ impl Obb {
 /// box's directions by (Larsson and Källberg, "Fast computation of tight-fitting oriented bounding boxes", 2011).
 fn outermost(corners: &[Corner], center: Vec3, watch: &mut impl Observer<Fit>) -> Result<Vec<Corner>, Cancelled> {
     const FEW: usize = 32;
-    let found = if corners.len() <= FEW {
+    let all = corners.len() <= FEW;
+    let found = if all {
         corners.to_vec()
     } else {
         let lines = Vec3::AXES.into_iter().chain(Direction::SLANTED_VECTORS).map(|n| n.as_dvec3().normalize());
@@ -117,7 +118,7 @@ fn outermost(corners: &[Corner], center: Vec3, watch: &mut impl Observer<Fit>) -
         if !few.contains(&corner) {
             few.push(corner);
             let Vec3 { x, y, z } = corner.at;
-            watch.on(Fit::Keep { point: few.len() as u32 - 1, x, y, z });
+            watch.on(Fit::Keep { point: few.len() as u32 - 1, x, y, z, few: all });
         }
     }
     Ok(few)
@@ -149,7 +150,10 @@ fn principal(corners: &[Corner], center: Vec3, axes: Axes, watch: &mut impl Obse
         let [first, second] = [i, j].map(|index| Direction::Own([Axis::X, Axis::Y, Axis::Z][index]));
         let [along_first, along_second] = [i, j].map(|index| spread.col(index)[index] as f32);
         let (together, tangent) = (beside as f32, tangent as f32);
-        watch.on(Fit::Align { first, second, along_first, along_second, together, tangent });
+        // What rounding leaves turns nothing.
+        if together.abs() > f32::EPSILON * (along_first + along_second) {
+            watch.on(Fit::Align { first, second, along_first, along_second, together, tangent });
+        }
         spread = turn.transpose() * spread * turn;
         frame *= turn;
     }

@@ -117,7 +117,7 @@ impl FitMoment {
                 (self.tried, self.volume) = (None, Some(sphere([x, y, z], radius)));
                 self.middle = Some(Vec3::new(x, y, z));
             }
-            Fit::Keep { point, x, y, z } => self.decide(point, [x, y, z]),
+            Fit::Keep { point, x, y, z, .. } => self.decide(point, [x, y, z]),
             Fit::Mean { x, y, z, .. } => self.middle = Some(Vec3::new(x, y, z)),
             Fit::Frame { .. } => self.frame(&event),
             Fit::Choose { surface, taken, .. } => {

@@ -66,6 +66,7 @@ impl Fact for Fit {
             Fit::Ball { .. } => "the smallest sphere so far",
             Fit::Shift { .. } => "the centre moves",
             Fit::Sphere { .. } => "the sphere is found",
+            Fit::Keep { few: true, .. } => "a point is kept",
             Fit::Keep { .. } => "a point far out is kept",
             Fit::Mean { .. } => "the mean of the points",
             Fit::Align { .. } => "two directions turn",
@@ -79,6 +80,7 @@ impl Fact for Fit {
             Fit::Apex { .. } => "the point furthest outside",
             Fit::Hide { .. } => "a face goes",
             Fit::Make { .. } => "a face comes to be",
+            Fit::Enough { far, .. } if *far > 0.0 => "there are corners enough",
             Fit::Enough { .. } => "nothing lies outside",
             Fit::Plane { .. } => "the plane of a face",
             Fit::End { .. } => "the volume is fitted",
@@ -99,11 +101,12 @@ impl Fact for Fit {
             }
             Fit::Try { on: 1, .. } => "A sphere with one point on it has no size yet.",
             Fit::Try { .. } => "The smallest sphere with these {{on point}} on it: radius {{radius}}.",
-            Fit::Ball { .. } => "The smallest sphere around the {{few point}} that decide so far: radius {{radius}}.",
+            Fit::Ball { .. } => "The smallest sphere so far, decided by {{few point}}: radius {{radius}}.",
             Fit::Shift { .. } => {
                 "From a centre that reached {{radius}} it moves by {{part}} of the way to the furthest."
             }
             Fit::Sphere { .. } => "Centre ({{x}}, {{y}}, {{z}}), radius {{radius}}.",
+            Fit::Keep { few: true, .. } => "The points are few, and all of them are kept: point {{point}}.",
             Fit::Keep { .. } => "Point {{point}} lies furthest in one of 26 directions.",
             Fit::Mean { .. } => "The mean of {{points point}} lies at ({{x}}, {{y}}, {{z}}).",
             Fit::Align { .. } => {
@@ -130,7 +133,10 @@ impl Fact for Fit {
             Fit::Apex { .. } => "Point {{point}} lies furthest outside, {{far}} before a face: corner {{count}}.",
             Fit::Hide { .. } => "Face {{face}} sees the new corner from outside, and goes.",
             Fit::Make { .. } => "Face {{face}}, between points {{a}}, {{b}} and {{c}}: {{before point}} before it.",
-            Fit::Enough { .. } => "{{faces triangle}} with {{corners corner}}; nothing lies further out than {{far}}.",
+            Fit::Enough { far, .. } if *far > 0.0 => {
+                "{{faces triangle}} with {{corners corner}} are enough: points still lie outside, by {{far}} at most."
+            }
+            Fit::Enough { .. } => "{{faces triangle}} with {{corners corner}}; nothing lies outside.",
             Fit::Plane { .. } => "Face {{face}} has its plane at {{plane}} from the middle: no point lies before it.",
             Fit::End { planes: 0, .. } => "No plane bounds it. It takes {{bytes}} bytes.",
             Fit::End { .. } => "{{planes plane}} bound it, and it takes {{bytes}} bytes.",
