@@ -69,13 +69,13 @@ impl Kind for Fitting<'_> {
         Some(match pane {
             Pane::Listing => listing("Fit", ask.lines, self.fact(moment.step), self.flat, size, look),
             Pane::Work => {
-                let done: Vec<&dyn Fact> = self.events[..moment.step.min(self.events.len())]
-                    .iter()
-                    .filter(|event| self.is_seen(event))
-                    .map(|event| -> &dyn Fact { event })
+                let done: Vec<(usize, &dyn Fact)> = (1..)
+                    .zip(&self.events[..moment.step.min(self.events.len())])
+                    .filter(|(_, event)| self.is_seen(event))
+                    .map(|(step, event)| -> (usize, &dyn Fact) { (step, event) })
                     .collect();
                 let first = done.len().saturating_sub(TOLD);
-                steps("The fitting so far", first + 1, &done[first..], size, look)
+                steps("The fitting so far", &done[first..], size, look)
             }
             _ => return None,
         })

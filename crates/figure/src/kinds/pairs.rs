@@ -80,8 +80,10 @@ impl Kind for Pairs<'_> {
             Pane::Listing => listing("Test", ask.lines, self.fact(step), false, size, look),
             Pane::Work => {
                 let tried = self.tried(step)?;
-                let done: Vec<&dyn Fact> = tried.done.iter().skip(1).map(|trial| -> &dyn Fact { trial }).collect();
-                steps("The test so far", 1, &done, size, look)
+                let tried = tried.done.iter().enumerate().skip(1);
+                let done: Vec<(usize, &dyn Fact)> =
+                    tried.map(|(index, trial)| -> (usize, &dyn Fact) { (index, trial) }).collect();
+                steps("The test so far", &done, size, look)
             }
             _ => return None,
         })

@@ -7,16 +7,15 @@ use crate::theme::fonts::broken;
 use crate::theme::{Face, Role};
 use crate::words::{Fact, VolumeName};
 
-/// What was computed so far; of many steps the last that there is room for. The first of them has the number `first`.
-/// What answers an open question is not among them.
-pub(crate) fn steps(title: &str, first: usize, steps: &[&dyn Fact], size: Vec2, look: &Look) -> Figure {
+/// What was computed so far, each step with its number; of many the last that there is room for. What answers an open
+/// question is not among them.
+pub(crate) fn steps(title: &str, steps: &[(usize, &dyn Fact)], size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     // Whole points: rows of the same height stand in the same places, whichever comes first.
     let top = (look.heading(&mut figure, title, "") + look.margin() * 0.4).round();
     let (line, small, width) = (look.line(), look.small(), size.x - 2.0 * look.margin());
-    let number = first;
     let said: Vec<Vec<String>> =
-        steps.iter().map(|step| broken(&step.sentence(VolumeName::BOX), Face::Regular, small, width)).collect();
+        steps.iter().map(|(_, step)| broken(&step.sentence(VolumeName::BOX), Face::Regular, small, width)).collect();
     let high = |said: &Vec<String>| (line * (1.15 + 0.8 * said.len() as f32)).round();
     // From the last one up, as many as there is room for.
     let mut room = size.y - top;
@@ -26,14 +25,14 @@ pub(crate) fn steps(title: &str, first: usize, steps: &[&dyn Fact], size: Vec2, 
     });
     let first = steps.len() - fitting.count().max(1).min(steps.len());
     let mut y = top;
-    for (index, (step, said)) in steps.iter().zip(&said).enumerate().skip(first) {
+    for (index, ((number, step), said)) in steps.iter().zip(&said).enumerate().skip(first) {
         let now = index + 1 == steps.len();
         if now {
             let corner = Vec2::new(look.margin() * 0.5, y);
             let room = Vec2::new(size.x - look.margin(), high(said));
             figure.add(Role::Ground, None, block(corner, room, look.text * 0.2));
         }
-        let short = format!("{}  {}", index + number, step.short(VolumeName::BOX));
+        let short = format!("{number}  {}", step.short(VolumeName::BOX));
         let at = Vec2::new(look.margin(), y + line * 0.55);
         let role = if now { Role::Here } else { Role::Text };
         write(&mut figure, role, None, at, &short, look.text, Face::Medium, Anchor::Start);
