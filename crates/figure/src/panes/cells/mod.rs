@@ -7,7 +7,7 @@ use raystep_accel::{AnyGrid, Axis, CellId, Lattice, Place, PrimId, Visit};
 
 pub use build::cells_of_build;
 
-use crate::moments::{Moment, Walk};
+use crate::moments::{Moment, Stepping, Walk};
 use crate::page::{Anchor, Entry, Figure, Look, Table, write};
 use crate::theme::{Face, Role, text_width};
 use crate::words::number;
@@ -28,10 +28,7 @@ pub fn cells(walk: &Walk<'_>, moment: &Moment, hide_next: bool, size: Vec2, look
     let place = Some(Place::Cell(cell));
     let top = look.heading(&mut figure, &format!("Cell {cell}"), &coordinates(grid, cell, walk.flat));
 
-    let stepped = match moment.event {
-        Some(Visit::Step { axis, .. }) if !hide_next => Some(axis),
-        _ => None,
-    };
+    let stepped = left(moment, cell).filter(|_| !hide_next).map(|step| step.axis);
     let axes = Axis::ALL.iter().copied().filter(|axis| !(walk.flat && *axis == Axis::Z));
     let numbers = next_planes(walk, grid, moment, cell);
     let rows = axes.clone().map(|axis| {
@@ -87,6 +84,11 @@ fn size_of_grid(lattice: &Lattice, flat: bool) -> String {
     if flat { format!("{nx} × {ny}") } else { format!("{nx} × {ny} × {nz}") }
 }
 
+/// The step out of the cell, once it is taken: the next one may still be looked up.
+fn left(moment: &Moment, cell: CellId) -> Option<Stepping> {
+    moment.stepping.filter(|step| step.cell == cell)
+}
+
 /// The next t and the delta of each axis, as the walk compares them when it leaves the cell.
 fn next_planes(walk: &Walk<'_>, grid: &dyn AnyGrid, moment: &Moment, cell: CellId) -> Option<([f32; 3], [f32; 3])> {
     // The cell that is left tells them; they are settled as soon as it is entered.
@@ -98,7 +100,8 @@ fn next_planes(walk: &Walk<'_>, grid: &dyn AnyGrid, moment: &Moment, cell: CellI
     });
     // The last cell is never left: what the step before it left over, if that was in the same grid.
     let before = || moment.stepping.filter(|step| grid.around(step.cell).1 == grid.around(cell).1);
-    ahead.or_else(|| {
+    let taken = left(moment, cell).map(|step| (step.next, step.delta));
+    taken.or(ahead).or_else(|| {
         before().map(|step| {
             let mut next = step.next;
             next[step.axis.index()] += step.delta[step.axis.index()];
@@ -123,6 +126,7 @@ fn prims(figure: &mut Figure, prims: &[PrimId], moment: &Moment, start: Vec2, lo
     let mut entries: Vec<(usize, Role, Place, String)> = Vec::with_capacity(prims.len());
     for &prim in prims {
         let (rank, role, word) = match moment.test_of(prim) {
+            _ if moment.event == Some(Visit::Skip { prim }) => (0, Role::Dropped, ": skipped"),
             _ if moment.best.is_some_and(|best| best.prim == prim) => (0, Role::Best, ": hit"),
             _ if moment.skipped.contains(&prim) => (2, Role::Dropped, ": skipped"),
             Some(test) if test.t.is_some() => (1, Role::Hit, ": hit"),
