@@ -24,7 +24,7 @@ struct Face {
 
 impl ConvexCell {
     /// All of a box.
-    pub(crate) fn of(bounds: &Aabb) -> ConvexCell {
+    pub fn of(bounds: &Aabb) -> ConvexCell {
         if bounds.is_empty() {
             return ConvexCell { faces: Vec::new() };
         }

@@ -1,19 +1,20 @@
 //! The volume so far around its set, and where in space the step happens.
 
 use glam::{DVec2, Vec3};
-use raystep_accel::{Aabb, CellId, Fit, NodeId, Outline, Place, outline};
+use raystep_accel::{Aabb, CellId, Direction, Fit, NodeId, Outline, Place, outline};
 
 use crate::moments::FitMoment;
 use crate::theme::Role;
-use crate::words::number;
+use crate::words::{number, whole};
 use crate::world::{Form, Space, SpaceMark, forms_of_volume};
 
-/// Around an oriented box there is so much more room, in parts of the set: it turns.
+/// Around an oriented box there is so much more room, in parts of the set: it turns. In a drawing also around planes
+/// that lean: out there they are not covered by the volume that they bound.
 const TURNS: f32 = 0.16;
 
 /// Space at a moment of the fitting that these events tell of.
 pub(crate) fn space_of_fit(events: &[Fit], moment: &FitMoment, flat: bool) -> Space {
-    let bounds = room(events);
+    let bounds = room(events, flat);
     let mut drawing = Drawing { moment, flat, bounds, marks: Vec::new() };
     if moment.step > 0 {
         drawing.volume();
@@ -28,7 +29,7 @@ pub(crate) fn space_of_fit(events: &[Fit], moment: &FitMoment, flat: bool) -> Sp
 }
 
 /// What every picture of the fitting shows: the set, and all spheres that it comes to.
-fn room(events: &[Fit]) -> Aabb {
+fn room(events: &[Fit], flat: bool) -> Aabb {
     let around = |all: Aabb, event: &Fit| match *event {
         Fit::Begin { bounds, .. } | Fit::Widen { bounds, .. } => all.union(bounds),
         Fit::Ball { x, y, z, radius, .. } | Fit::Sphere { x, y, z, radius } => {
@@ -37,8 +38,13 @@ fn room(events: &[Fit]) -> Aabb {
         _ => all,
     };
     let all = events.iter().fold(Aabb::EMPTY, around);
-    let turns = events.iter().any(|event| matches!(event, Fit::Frame { .. }));
-    if turns { all.padded(TURNS * all.extent().max_element()) } else { all }
+    let turns = |event: &Fit| matches!(event, Fit::Frame { .. });
+    let leans = |event: &Fit| flat && matches!(event, Fit::Push { axis: Direction::Slanted(_), .. });
+    if events.iter().any(|event| turns(event) || leans(event)) {
+        all.padded(TURNS * all.extent().max_element())
+    } else {
+        all
+    }
 }
 
 /// How far what is drawn within a face keeps from its edges, in parts of the way to its middle.
@@ -224,7 +230,7 @@ impl Drawing<'_> {
             self.add(Role::Tick, Place::World, Form::Point(middle));
         }
         self.add(Role::Tick, place, Form::Point(at));
-        self.label(Role::Tick, place, at, format!("point {point}: {} away", number(far)));
+        self.label(Role::Tick, place, at, format!("point {}: {} away", whole(point.into()), number(far)));
     }
 
     /// How large a sphere is, where it stands.

@@ -1,19 +1,25 @@
 //! The planes of the slabs that are cut, and where they meet the line of the ray.
 
 use glam::Vec3;
-use raystep_accel::{Aabb, AnyBvh, Axis, Direction, Interval, NodeId, Place, PrimId, Ray, Structure, Visit};
+use raystep_accel::{
+    Aabb, AnyBvh, Axis, ConvexCell, Direction, FreePlane, Interval, NodeId, Outline, Place, PrimId, Ray, Structure,
+    Visit,
+};
 
 use super::{Drawing, line};
 use crate::moments::{SlabCut, SlabTest};
 use crate::theme::Role;
 use crate::words::number;
-use crate::world::Form;
+use crate::world::{Form, convex};
 
 /// Half the thickness of a wall that lies on a plane, in parts of the picture's diagonal.
 const WALL: f32 = 0.004;
 
 /// A plane whose normal is so much more upright than level is no line of a flat scene.
 const LEVEL: f32 = 0.05;
+
+/// Corners so near to the plane of a face, in parts of the hull's size, are its own.
+const NEAR: f32 = 1e-5;
 
 impl Drawing<'_> {
     /// Whether the walk is one slab test and nothing else: then all of it stays in the picture.
@@ -96,13 +102,7 @@ impl Drawing<'_> {
         let text = format!("{} = {}{both}", cut.axis, number(at));
         let place = Some(slab.place);
         if let Some(axis) = cut.axis.axis() {
-            let mut sheet = self.room(slab);
-            // As much of it as the crossing needs, where that lies in the picture.
-            for crossing in cut.t.into_iter().flatten().map(|t| self.walk.ray.at(t)) {
-                if !self.walk.flat && self.bounds.contains(crossing) {
-                    sheet = sheet.with_point(crossing);
-                }
-            }
+            let mut sheet = self.reach(slab, cut);
             sheet.min[axis] = at;
             sheet.max[axis] = at;
             self.add(role, place, Form::Sheet(sheet));
@@ -110,11 +110,31 @@ impl Drawing<'_> {
         } else if let (Place::Node(node), Structure::Bvh(tree)) = (slab.place, self.walk.structure)
             && let Some((normal, center)) = slanted(tree, node, cut.axis)
         {
-            let end = self.line_of(role, slab.place, normal, at + normal.dot(center));
+            let at = at + normal.dot(center);
+            let end = if self.walk.flat {
+                self.line_of(role, slab.place, normal, at)
+            } else {
+                self.sheet_of(role, slab.place, &self.reach(slab, cut), FreePlane { normal, at })
+            };
             if let Some(end) = end {
                 self.note(role, place, end, text);
             }
         }
+    }
+
+    /// As much of space as the planes of a slab are drawn in, with where the ray crosses them.
+    fn reach(&self, slab: &SlabTest, cut: &SlabCut) -> Aabb {
+        let crossings = cut.t.into_iter().flatten().map(|t| self.walk.ray.at(t));
+        let shown = crossings.filter(|at| !self.walk.flat && self.bounds.contains(*at));
+        shown.fold(self.room(slab), Aabb::with_point)
+    }
+
+    /// In a solid scene, what of a plane that leans lies in a room. Returns its uppermost corner.
+    fn sheet_of(&mut self, role: Role, place: Place, room: &Aabb, plane: FreePlane) -> Option<Vec3> {
+        let Some(Form::Polygon(corners)) = convex::sheet(&ConvexCell::of(room), plane, false) else { return None };
+        let upper = corners.iter().copied().max_by(|a, b| a.z.total_cmp(&b.z));
+        self.add(role, Some(place), Form::Polygon(corners));
+        upper
     }
 
     /// Where the ray, or the line that it lies on, meets what is cut.
@@ -156,12 +176,25 @@ impl Drawing<'_> {
         }
     }
 
-    /// The plane of a face of a hull.
+    /// A face of a hull; in a flat scene, the line of its plane.
     fn face(&mut self, place: Place, face: u32) {
-        let (Place::Node(node), Structure::Bvh(AnyBvh::Hull(tree))) = (place, self.walk.structure) else { return };
+        let (Place::Node(node), Structure::Bvh(bvh @ AnyBvh::Hull(tree))) = (place, self.walk.structure) else {
+            return;
+        };
         let hull = tree.volume(node);
-        if let Some(&(normal, offset)) = hull.planes.get(face as usize) {
-            self.line_of(Role::Plane, place, normal, offset + normal.dot(hull.bounds.center()));
+        let Some(&(normal, offset)) = hull.planes.get(face as usize) else { return };
+        let center = hull.bounds.center();
+        if self.walk.flat {
+            self.line_of(Role::Plane, place, normal, offset + normal.dot(center));
+            return;
+        }
+        let Outline::Faces(faces) = bvh.outline(node) else { return };
+        let near = NEAR * hull.bounds.extent().length();
+        let lies = |corner: &Vec3| (normal.dot(*corner - center) - offset).abs() <= near;
+        if let Some(corners) = faces.into_iter().find(|corners| corners.iter().all(lies)) {
+            let middle = corners.iter().sum::<Vec3>() / corners.len() as f32;
+            self.add(Role::Plane, Some(place), Form::Polygon(corners));
+            self.note(Role::Plane, Some(place), middle, format!("face {face}"));
         }
     }
 
