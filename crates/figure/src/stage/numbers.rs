@@ -19,9 +19,9 @@ const FEW: usize = 24;
 
 /// Writes each number of a space where there is room for it beside what is drawn and labelled already.
 pub(super) fn set(space: &Space, prims: &Prims, lens: &Lens, figure: &mut Figure, obstacles: &mut Obstacles) {
-    let usual = letters(figure.size) * 0.9;
     for mark in &space.marks {
-        let Form::Number { within, text } = &mark.form else { continue };
+        let Form::Number { within, text, scale } = &mark.form else { continue };
+        let usual = letters(figure.size) * 0.9 * scale;
         let boxed = mark.role == Role::Best;
         let room = |size: f32| {
             let aside = if boxed { Vec2::new(size * ASIDE, size * (HALF - 0.5)) } else { Vec2::ONE };

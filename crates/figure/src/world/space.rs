@@ -76,6 +76,8 @@ pub enum Form {
         within: Aabb,
         /// The number.
         text: String,
+        /// How large it is, in parts of the usual.
+        scale: f32,
     },
     /// A label in a rounded box.
     Label {

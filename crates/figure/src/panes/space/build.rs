@@ -28,8 +28,8 @@ const WIRES: usize = 20;
 /// Of a finished tree in space, so many levels.
 const UPPER: u32 = 3;
 
-/// On so many levels of a code the quarters have numbers: further down there is no room.
-const NUMBERED: usize = 2;
+/// How large the numbers of the quarters are, on those levels of a code that have some: further down there is no room.
+const NUMBERED: [f32; 2] = [1.5, 0.85];
 
 /// Most sets on a curve that is drawn.
 const CURVE: usize = 400;
@@ -215,7 +215,7 @@ impl Drawing<'_> {
             if !moment.curve.is_empty() {
                 self.notes.push(format!("a curve through {} sets, not drawn", moment.curve.len()));
             }
-            return;
+            return self.chosen();
         }
         let seen = |at: Vec3| if flat { at.with_z(0.0) } else { at };
         for pair in moment.curve.windows(2) {
@@ -234,12 +234,23 @@ impl Drawing<'_> {
         for (node, at) in &moment.curve {
             self.add(Role::Tick, Some(Place::Node(*node)), Form::Point(seen(*at)));
         }
-        if let Some(Grow::Rank { node, rank, first, second, third, x, y, z }) = moment.event {
+        if let Some(Grow::Rank { node, first, second, third, x, y, z, .. }) = moment.event {
             self.codes([first, second, third]);
-            let text = format!("{}: code {first}{second}{third}…", rank + 1);
+            let text = format!("code {first}{second}{third}…");
             let form = Form::Label { at: seen(Vec3::new(x, y, z)), within: None, text };
             self.add(Role::Tick, Some(Place::Node(node)), form);
         }
+    }
+
+    /// Of a curve that is not drawn, the neighbour that a set has just chosen.
+    fn chosen(&mut self) {
+        let Some(Grow::Prefer { node, nearest }) = self.moment.event else { return };
+        let bounds = |id| self.moment.nodes.get(&id).map(|node: &GrowNode| node.bounds);
+        let (Some(from), Some(to)) = (bounds(node), bounds(nearest)) else { return };
+        let tip = entry(from.center(), to.center(), &to).unwrap_or(to.center());
+        self.add(Role::Candidate, Some(Place::Node(nearest)), Form::Box(to));
+        self.add(Role::Candidate, Some(Place::Node(node)), Form::Arrow(from.center(), tip));
+        self.title(Role::Candidate, nearest, to, format!("node {nearest}"));
     }
 
     /// The box around the middles of all sets, halved along every axis, and the part where a code leads, again and again.
@@ -259,8 +270,8 @@ impl Drawing<'_> {
                 for digit in 0..4 {
                     let quarter = part(digit);
                     self.add(Role::Edge, None, Form::Box(quarter));
-                    if level < NUMBERED {
-                        self.add(Role::Edge, None, Form::Number { within: quarter, text: digit.to_string() });
+                    if let Some(&scale) = NUMBERED.get(level) {
+                        self.add(Role::Edge, None, Form::Number { within: quarter, text: digit.to_string(), scale });
                     }
                 }
             } else {
@@ -304,7 +315,11 @@ impl Drawing<'_> {
                 self.add(Role::Waiting, Some(Place::Node(id)), form);
             }
             if build.flat {
-                self.add(Role::Waiting, Some(Place::Node(id)), Form::Number { within: bounds, text: id.to_string() });
+                self.add(
+                    Role::Waiting,
+                    Some(Place::Node(id)),
+                    Form::Number { within: bounds, text: id.to_string(), scale: 1.0 },
+                );
             }
         }
     }

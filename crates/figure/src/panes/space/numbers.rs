@@ -41,7 +41,7 @@ impl Drawing<'_> {
             };
             let within = self.walk.bounds(place);
             if !within.is_empty() {
-                self.add(role, Some(place), Form::Number { within, text });
+                self.add(role, Some(place), Form::Number { within, text, scale: 1.0 });
             }
         }
     }
@@ -72,7 +72,7 @@ impl Drawing<'_> {
 pub(super) fn numbers_of(prims: &impl Primitives, role: impl Fn(PrimId) -> Role) -> Vec<SpaceMark> {
     let count = prims.len() as u32;
     let number = |prim: PrimId| {
-        let form = Form::Number { within: prims.bounds(prim), text: prim.to_string() };
+        let form = Form::Number { within: prims.bounds(prim), text: prim.to_string(), scale: 1.0 };
         SpaceMark { form, role: role(prim), place: Some(Place::Prim(prim)) }
     };
     (0..count).map(PrimId).filter(|_| count <= FEW).map(number).collect()

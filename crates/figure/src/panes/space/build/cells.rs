@@ -60,7 +60,7 @@ impl Drawing<'_> {
             };
             self.marks.push(outline(role, cell));
             if self.build.flat {
-                let form = Form::Number { within: grid.cell_bounds(cell), text: cell.to_string() };
+                let form = Form::Number { within: grid.cell_bounds(cell), text: cell.to_string(), scale: 1.0 };
                 let role = if role == Role::Dropped { Role::Quiet } else { role };
                 self.marks.push(SpaceMark { form, role, place: Some(Place::Cell(cell)) });
             }
