@@ -80,7 +80,7 @@ impl<'a> Facts<'a> {
             Place::Cell(entry) => board.care_of_number(entry.0 as usize, name) == Care::Bare,
             _ => false,
         };
-        event.field(name).or_else(|| match self.tape {
+        reveal.told(name).or_else(|| match self.tape {
             Tape::Board(board) if waits(board) => Some(Value::Word(WAITS, &[])),
             _ => None,
         })

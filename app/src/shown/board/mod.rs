@@ -108,12 +108,11 @@ impl Fact for Shown<'_> {
 
     fn field(&self, name: &str) -> Option<Value> {
         let moved = || self.filled.numbers.get(name).map(|number| Value::Number(number as f32));
-        match self.event.field(name).or_else(moved)? {
-            Value::Number(number) if number.is_nan() => {
-                (self.filled.care_of_number(self.entry, name) == Care::Bare).then_some(Value::Word(WAITS, &[]))
-            }
-            value => Some(value),
-        }
+        let waits = || {
+            let bare = self.filled.care_of_number(self.entry, name) == Care::Bare;
+            bare.then_some(Value::Word(WAITS, &[]))
+        };
+        self.event.told(name).or_else(moved).or_else(waits)
     }
 
     fn is_rough(&self, name: &str) -> bool {
@@ -323,7 +322,7 @@ fn of_pictures(pictures: &raystep_lesson::Pictures, panel: usize, filled: &Board
             picture_says(rendered, known == Known::Roughly, timing, pictures.times, filled.is_clocked)
         });
         let room = match picture.volume {
-            Some(_) => "volume 00.00 · area 00.00".to_owned(),
+            Some(_) => "room inside 00.00 · surface 00.00".to_owned(),
             None if pictures.times => format!("{ROOM} · its time: {ELSEWHERE}"),
             None => ROOM.to_owned(),
         };
@@ -340,7 +339,7 @@ const ROOM: &str = "000,000,000 triangles · ≈00.0 tests per ray";
 fn picture_says(rendered: &Rendered, rough: bool, timing: Option<&Timing>, times: bool, clocked: bool) -> String {
     if let Some(outline) = &rendered.outline {
         let area = f64::from(outline.measure(Measure::Area));
-        return format!("volume {} · area {}", digits(outline.content()), digits(area));
+        return format!("room inside {} · surface {}", digits(outline.content()), digits(area));
     }
     let sign = if rough { ROUGH } else { "" };
     let counts = format!("{} triangles · {sign}{} tests per ray", whole(rendered.triangles), digits(rendered.tests));

@@ -1,6 +1,6 @@
 //! The vocabulary of boards: tables and charts, whose rows, points and lines come to be seen one after the other.
 
-use super::{CellId, Grain, Place, vocabulary};
+use super::{CellId, Grain, Place, Value, vocabulary};
 
 vocabulary! {
     /// One thing of a board that came to be seen. `entry` counts what came before it. A number that a row lacks is
@@ -9,8 +9,8 @@ vocabulary! {
         /// A row of a table: tests per ray as printed, their printed total, what follows from other printed numbers,
         /// and what was measured here, a ray: tests of primitives, nodes or cells entered, volumes tested; then how
         /// many nodes or cells the structure has, and how many bytes. Of a single volume around everything: how much room
-        /// it encloses, its surface, how many planes bound it, how many cuts a test of it takes, its bytes, and the share of the rays
-        /// that meet it and nothing in it. Of packets how many lanes took part in a visit. What differs from machine to machine:
+        /// it encloses, its surface, how many planes bound it, how many cuts a test of it takes, its bytes, and of the rays that
+        /// meet it the share in percent that meet nothing in it. Of packets how many lanes took part in a visit. What differs from machine to machine:
         /// millions of rays a second, microseconds of a ray, milliseconds of the building, the part of a picture's time in
         /// which rays are intersected in percent, and the seconds of a picture of a million rays; and whether any was timed.
         Row ["row"] {
@@ -48,7 +48,20 @@ vocabulary! {
     }
 }
 
+/// What counts things, as far as a count goes. Of more than sixteen million single precision may round the last digit.
+const WHOLE: [&str; 5] = ["nodes", "bytes", "planes", "triangles", "rays"];
+const LAST: f32 = u32::MAX as f32;
+
 impl Reveal {
+    /// The value of one of its fields as it is told: a count where it counts things, nothing where it is no number.
+    pub fn told(&self, name: &str) -> Option<Value> {
+        match self.field(name)? {
+            Value::Number(x) if x.is_nan() => None,
+            Value::Number(x) if WHOLE.contains(&name) && (0.0..LAST).contains(&x) => Some(Value::Count(x as u32)),
+            value => Some(value),
+        }
+    }
+
     /// What slides, listings and questions call it.
     pub fn name(&self) -> &'static str {
         match self {

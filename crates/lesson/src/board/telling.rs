@@ -90,7 +90,7 @@ impl BoardTape {
                     area: around(|appraised| f64::from(appraised.area)),
                     cuts: around(|appraised| appraised.cuts),
                     planes: around(|appraised| f64::from(appraised.planes)),
-                    vain: around(|appraised| f64::from(appraised.vain_share())),
+                    vain: around(|appraised| f64::from(appraised.vain_share()) * 100.0),
                     speed: time(|timed| timed.speed),
                     time: time(Timed::time),
                     build: time(|timed| timed.build),

@@ -24,7 +24,7 @@ impl Fact for Reveal {
     }
 
     fn field(&self, name: &str) -> Option<Value> {
-        self.field(name).filter(|value| !matches!(value, Value::Number(number) if number.is_nan()))
+        self.told(name)
     }
 
     fn symbol(&self) -> Option<Symbol> {
