@@ -32,9 +32,9 @@ pub use moments::{
 };
 pub use page::{Anchor, Figure, Image, Ink, Look, Mark, Motion, nothing};
 pub use panes::{
-    Ask, Bar, Bars, Chart, Column, Curve, CutLine, Dot, Drawn, Given, Grip, Knob, KnobLine, Known, ListingLine, Map,
-    Maps, Meter, Pane, Panel, Picture, Pictures, Pixel, Row, RulerScale, Scale, Table, Track, TreeView, bin,
-    bin_of_build, bytes, cells, cells_of_build, changed, changed_height, changed_of_build, costs, ghost,
+    Ask, Bar, Bars, Chart, Column, Curve, CutLine, Dot, Drawn, ELSEWHERE, Given, Grip, Knob, KnobLine, Known,
+    ListingLine, Map, Maps, Meter, Pane, Panel, Picture, Pictures, Pixel, Row, RulerScale, Scale, Table, Track,
+    TreeView, bin, bin_of_build, bytes, cells, cells_of_build, changed, changed_height, changed_of_build, costs, ghost,
     ghost_of_build, line_at, listing, listing_height, ruler, ruler_height, ruler_line, ruler_line_height, slabs, space,
     space_of_build, space_of_build_to, space_to, stack, stack_height, stack_of_build, tested, timeline,
     timeline_of_build, tree, tree_height, tree_of_build, work, work_of_build,

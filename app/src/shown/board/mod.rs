@@ -6,8 +6,8 @@ use std::borrow::Cow;
 
 use raystep_accel::{Measure, Place, Reveal, Value};
 use raystep_figure::{
-    Board, Camera, Chart, Curve, Drawn, Fact, Given, Image, Knob, Known, Map, Maps, Meter, Panel, Picture, Pictures,
-    ROUGH, Role, Row, Scale, Symbol, Table, VolumeName, forms_of, number, told, whole,
+    Board, Camera, Chart, Curve, Drawn, ELSEWHERE, Fact, Given, Image, Knob, Known, Map, Maps, Meter, Panel, Picture,
+    Pictures, ROUGH, Role, Row, Scale, Symbol, Table, VolumeName, forms_of, number, told, whole,
 };
 use raystep_lesson::{BoardTape, Care, Cell, Column, Rendered, Stroke, Timing};
 use raystep_scene::View;
@@ -180,7 +180,6 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
         let timing = filled.timed.get(entry).and_then(Option::as_ref);
         let known = known(filled, entry);
         let is_built = row.plan.is_some() || row.fast.is_some();
-        let first = table.columns.iter().map(|(column, _)| *column).find(|column| column.is_timed());
         let cell = |(column, _): &(Column, String)| match row.cells.iter().find(|(own, _)| own == column) {
             Some((_, Cell::Text(text))) => text.clone(),
             Some((_, Cell::Value(formula, unit))) => {
@@ -192,8 +191,7 @@ fn of_table(table: &raystep_lesson::Table, panel: usize, filled: &BoardTape) -> 
                 Some(Err(_)) => "\u{2013}".to_owned(),
                 None if !is_built => String::new(),
                 None if filled.is_clocked => WAITS.to_owned(),
-                None if first == Some(*column) => ELSEWHERE.to_owned(),
-                None => "\u{2013}".to_owned(),
+                None => ELSEWHERE.to_owned(),
             },
             None => match filled.appraised.get(entry).and_then(Option::as_ref) {
                 Some(appraised) => around(*column, appraised),
@@ -227,9 +225,6 @@ fn room(column: Column) -> usize {
         _ => 0,
     }
 }
-
-/// What stands instead of times where none are told.
-const ELSEWHERE: &str = "in the window";
 
 fn of_chart(chart: &raystep_lesson::Chart, panel: usize, filled: &BoardTape) -> Chart {
     let scale = |scale: &raystep_lesson::Scale| Scale {

@@ -28,8 +28,8 @@ pub use bars::{Bar, Bars};
 pub(crate) use bin::bin_of_packet;
 pub use bin::{bin, bin_of_build};
 pub use board::{
-    Chart, Column, Curve, Dot, Drawn, Given, Knob, KnobLine, Known, Map, Maps, Meter, Panel, Picture, Pictures, Pixel,
-    Row, Scale, Table,
+    Chart, Column, Curve, Dot, Drawn, ELSEWHERE, Given, Knob, KnobLine, Known, Map, Maps, Meter, Panel, Picture,
+    Pictures, Pixel, Row, Scale, Table,
 };
 pub(crate) use board::{board, knobs, pixel_at, probe, worth};
 pub use bytes::bytes;

@@ -21,7 +21,7 @@ pub use maps::{Maps, Pixel};
 pub use meter::{Given, Knob, KnobLine, Meter};
 pub use pictures::{Picture, Pictures};
 use table::Lines;
-pub use table::{Column, Row, Table};
+pub use table::{Column, ELSEWHERE, Row, Table};
 
 use super::{Ask, Pane};
 use crate::page::{Figure, Look};

@@ -55,6 +55,9 @@ pub struct Row {
     pub known: Known,
 }
 
+/// What stands in columns of times where none are told; beside each other they say it once.
+pub const ELSEWHERE: &str = "in the window";
+
 /// How the rows of a board's tables are set.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Lines {
@@ -155,7 +158,7 @@ impl Table {
 
     /// The most room that the numbers of a column need before and behind their points.
     fn around_points(&self, column: usize, text: f32) -> (f32, f32) {
-        let cells = self.rows.iter().filter_map(|row| row.cells.get(column));
+        let cells = self.rows.iter().filter(|row| row.across(column) == 1).filter_map(|row| row.cells.get(column));
         let parts = cells.map(|cell| {
             let (before, behind) = self.at_point(column, cell);
             (text_width(before, Face::Mono, text), text_width(behind, Face::Mono, text))
@@ -180,6 +183,16 @@ impl Table {
 }
 
 impl Row {
+    /// Across how many columns the words in this one stand; across none where they stand further left already.
+    fn across(&self, column: usize) -> usize {
+        let same = |column: usize| self.cells.get(column).is_some_and(|cell| cell == ELSEWHERE);
+        match () {
+            () if !same(column) => 1,
+            () if column > 0 && same(column - 1) => 0,
+            () => (column..).take_while(|&column| same(column)).count(),
+        }
+    }
+
     /// Whether a number of it is told by few rays.
     fn is_rough(&self, column: &Column, cell: &str) -> bool {
         self.known == Known::Roughly && column.rays && cell.contains(|letter: char| letter.is_ascii_digit())
@@ -264,12 +277,19 @@ pub(super) fn draw(table: &Table, filled: Filled, room: Vec2, lines: Lines, look
         write(&mut figure, Role::Quiet, place, at, &row.note, small, Face::Regular, Anchor::Start);
         for (index, (column, end)) in table.columns.iter().zip(&ends[1..]).enumerate() {
             let Some(cell) = row.cells.get(index).filter(|cell| !cell.is_empty()) else { continue };
+            let across = row.across(index);
             if asked && !column.given {
-                let width = text_width(cell, Face::Mono, text).max(text * 2.2);
+                let width = if across == 1 { text_width(cell, Face::Mono, text) } else { 0.0 }.max(text * 2.2);
                 let corner = Vec2::new(end - width, y - text * 0.75);
                 figure.add(Role::Guess, None, block(corner, Vec2::new(width, text * 1.5), text * 0.3));
                 let at = Vec2::new(end - width * 0.5, y);
                 write(&mut figure, Role::Guess, None, at, "?", text, Face::Bold, Anchor::Middle);
+            } else if across != 1 {
+                let (from, to) = (end - widths[index + 1], ends[index + across]);
+                let at = Vec2::new((from + to) * 0.5, y);
+                if (shown || asked) && across > 1 {
+                    write(&mut figure, Role::Quiet, place, at, cell, text, Face::Mono, Anchor::Middle);
+                }
             } else if (shown || asked) && column.words {
                 let at = Vec2::new(end - widths[index + 1], y);
                 write(&mut figure, column.role, place, at, cell, text, Face::Mono, Anchor::Start);
