@@ -174,6 +174,11 @@ impl Drawing<'_> {
         }
     }
 
+    /// Whether nodes are missed as primitives are.
+    pub(super) fn names_both(&self) -> bool {
+        matches!(self.walk.structure, Structure::Bvh(_))
+    }
+
     /// What has just been thrown away says why.
     fn farewell(&mut self) {
         let (node, why) = match self.moment.event {
@@ -183,7 +188,9 @@ impl Drawing<'_> {
             _ => return,
         };
         self.outline(Role::Dropped, Place::Node(node));
-        self.titled(Role::Dropped, Place::Node(node), format!("{node} {why}"));
+        // Where primitives are missed, too, it says which.
+        let name = if self.names_both() { Place::Node(node).to_string() } else { node.to_string() };
+        self.titled(Role::Dropped, Place::Node(node), format!("{name} {why}"));
     }
 
     /// A label, unless the open question labels the place.

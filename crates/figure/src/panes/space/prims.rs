@@ -117,7 +117,8 @@ impl Drawing<'_> {
                 self.ring(Role::Hit, Some(Place::Prim(prim)), t, Some(format!("t = {}", number(t))));
             }
             Some(Visit::Test { prim, hit: false, .. }) => {
-                self.title(Role::Missed, Place::Prim(prim), format!("{prim} missed"));
+                let name = if self.names_both() { Place::Prim(prim).to_string() } else { prim.to_string() };
+                self.title(Role::Missed, Place::Prim(prim), format!("{name} missed"));
             }
             _ => {}
         }
