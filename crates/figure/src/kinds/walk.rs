@@ -1,7 +1,7 @@
 //! A ray's walk.
 
 use glam::Vec2;
-use raystep_accel::{Aabb, Cost, Place, Primitives, Prims, Structure, Visit};
+use raystep_accel::{Aabb, AnyBvh, Cost, Place, Primitives, Prims, Structure, Visit};
 
 use super::detail::{Detail, small};
 use super::{Guess, Instant, Kind};
@@ -125,7 +125,12 @@ impl Kind for Walk<'_> {
     }
 
     fn signs(&self) -> &'static [(Role, &'static str)] {
-        if self.flat { &legend::OF_WALK } else { legend::OF_SOLID_WALK }
+        match (self.structure, self.flat) {
+            (Structure::Bvh(AnyBvh::Sphere(_)), true) => &legend::OF_SPHERES,
+            (Structure::Bvh(AnyBvh::Sphere(_)), false) => &legend::OF_SOLID_SPHERES,
+            (_, true) => &legend::OF_WALK,
+            (_, false) => &legend::OF_SOLID_WALK,
+        }
     }
 
     fn best(&self) -> Option<Pane> {

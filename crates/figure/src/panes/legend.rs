@@ -6,8 +6,11 @@ use crate::page::{Anchor, Figure, Ink, Look, block, line, write};
 use crate::theme::{Face, Role, text_width};
 use crate::world::{Form, Space};
 
+/// The marks of a walk, each with its meaning.
+type Signs = [(Role, &'static str); 19];
+
 /// What the marks of a walk mean, in the order of the story they tell.
-pub(crate) const OF_WALK: [(Role, &str); 19] = [
+pub(crate) const OF_WALK: Signs = [
     (Role::Scene, "primitive"),
     (Role::Ray, "ray"),
     (Role::Line, "its line, behind its start"),
@@ -29,15 +32,18 @@ pub(crate) const OF_WALK: [(Role, &str); 19] = [
     (Role::Wrong, "goes wrong here"),
 ];
 
-/// Which of them is that of what was visited.
-const VISITED: usize = 10;
-
 /// What they mean in a solid scene, where the primitives of the current leaf or cell stand out from the mesh.
-pub(crate) const OF_SOLID_WALK: &[(Role, &str)] = &{
-    let mut signs = OF_WALK;
-    signs[VISITED].1 = "visited, or held by the leaf or cell";
+pub(crate) const OF_SOLID_WALK: Signs = saying(OF_WALK, 10, "visited, or held by the leaf or cell");
+
+/// What they mean where spheres are tested, which have no planes.
+pub(crate) const OF_SPHERES: Signs = saying(OF_WALK, 12, "sphere tested");
+pub(crate) const OF_SOLID_SPHERES: Signs = saying(OF_SOLID_WALK, 12, "sphere tested");
+
+/// The same, but for one that means something else.
+const fn saying(mut signs: Signs, at: usize, says: &'static str) -> Signs {
+    signs[at].1 = says;
     signs
-};
+}
 
 /// What the marks of a packet mean.
 pub(crate) const OF_PACKET: &[(Role, &str)] = &[
