@@ -66,10 +66,13 @@ pub fn stage_around(
     figure
 }
 
-/// The same without axes and notes, for a small picture with a title at its foot.
+/// The same without axes and notes, for a small picture with a title at its foot, which names where the step is.
 pub fn close_up(space: &Space, prims: &Prims, camera: &Camera, size: Vec2, scenery: Scenery<'_>) -> Figure {
     let foot = [Vec2::new(0.0, size.y - inset::FOOT), size];
-    let mut figure = drawn(Some(foot), space, prims, camera, size, scenery, &[]);
+    let named = |mark: &&SpaceMark| mark.role == Role::Here && matches!(mark.form, Form::Label { .. });
+    let marks = space.marks.iter().filter(|mark| !named(mark)).cloned().collect();
+    let space = Space { marks, bounds: space.bounds, flat: space.flat, notes: Vec::new() };
+    let mut figure = drawn(Some(foot), &space, prims, camera, size, scenery, &[]);
     // What has no room for all of its words says none.
     figure.marks.retain(|mark| labels::is_whole(&mark.ink, size));
     figure
