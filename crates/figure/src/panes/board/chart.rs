@@ -257,8 +257,10 @@ impl Plot<'_> {
         let wide =
             text_width(&drawn.name, Face::Bold, u).max(text_width(&drawn.note, Face::Regular, self.look.small()));
         let size = Vec2::new(wide, if drawn.note.is_empty() { u * 1.3 } else { u * 2.6 });
-        let corners = self.named(drawn).into_iter().flat_map(|at| self.around(at, size));
-        let corner = corners.min_by_key(|corner| self.hidden(*corner, *corner + size))?;
+        let named = self.named(drawn).into_iter();
+        let corners = named.flat_map(|at| self.around(at, size).into_iter().map(move |corner| (at, corner)));
+        let hidden = |(at, corner): &(Vec2, Vec2)| self.hidden(*corner, *corner + size) + self.taken_from(drawn, *at);
+        let (_, corner) = corners.min_by_key(hidden)?;
         self.taken.push((corner, corner + size));
         Some(corner)
     }
@@ -289,6 +291,16 @@ impl Plot<'_> {
         }
         // In the middle there is most room.
         [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8].map(|part| inside[(inside.len() as f32 * part) as usize]).to_vec()
+    }
+
+    /// What it counts to name something where another line ends, which is named there.
+    fn taken_from(&self, drawn: &Drawn, at: Vec2) -> usize {
+        let curves = || self.chart.drawn.iter().zip(&self.dots);
+        let ends = |own: bool| {
+            let some = curves().filter(move |(other, _)| (other.entry == drawn.entry) == own);
+            some.filter_map(|(_, dots)| dots.last()).any(|end| end.distance(at) < self.look.text)
+        };
+        if ends(false) && !ends(true) { POINT } else { 0 }
     }
 
     /// The corners of a name beside a point, right of it first, and of one moved into the chart.
