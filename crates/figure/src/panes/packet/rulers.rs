@@ -17,14 +17,14 @@ const FEW: usize = 8;
 /// How high the rulers of so many rays are.
 pub(crate) fn rulers_height(rays: usize, look: &Look) -> f32 {
     let rows = rays.min(FEW) as f32 + rays.saturating_sub(FEW) as f32 * 0.5;
-    look.heading(&mut Figure::default(), "", "") + look.text * (ROW * rows + 3.4)
+    look.heading(&mut Figure::default(), "", "") + look.text * (ROW * rows + 3.8)
 }
 
 /// A row for each ray over one axis.
 pub(crate) fn rulers(walk: &PacketWalk<'_>, moment: &PacketMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     let u = look.text;
-    let top = look.heading(&mut figure, "t along each ray", "") + u * 0.9;
+    let top = look.heading(&mut figure, "t along each ray", "") + u * 1.3;
     let bottom = size.y - look.margin() - u * 1.1;
     let row = ((bottom - top - u * 0.2) / walk.rays.len().max(1) as f32).clamp(u * 0.3, u * ROW);
     let letters = (u * 0.9).min(row * 0.62);
@@ -39,7 +39,7 @@ pub(crate) fn rulers(walk: &PacketWalk<'_>, moment: &PacketMoment, hide: bool, s
         numbered(&mut figure, role, None, lane, at, letters);
         sample(&mut figure, Role::thread(lane), Vec2::new(look.margin() + cell(letters) * 1.3, y), u * 2.4);
         of_lane(&mut figure, &axis, walk, moment, lane, y, letters);
-        why_not(&mut figure, &axis, moment, lane, hide, y, letters);
+        why_not(&mut figure, &axis, moment, lane, hide, [y, row], letters);
         if let Some(hit) = moment.best.get(lane).copied().flatten().filter(|hit| axis.shows(hit.t)) {
             let (center, place) = (Vec2::new(axis.x(hit.t), y), Some(Place::Prim(hit.prim)));
             figure.add(Role::Best, place, Ink::Circle { center, radius: letters * 0.38 });
@@ -55,7 +55,7 @@ pub(crate) fn rulers(walk: &PacketWalk<'_>, moment: &PacketMoment, hide: bool, s
             let x = (axis.x(part.near) + axis.x(part.far)) * 0.5;
             let name = format!("{node} here");
             let half = text_width(&name, Face::Bold, u * 0.9) * 0.5;
-            let at = Vec2::new(x.clamp(axis.left + half, axis.right - half), top - u * 0.55);
+            let at = Vec2::new(x.clamp(axis.left + half, axis.right - half), top - u * 0.95);
             write(&mut figure, Role::Here, Some(Place::Node(node)), at, &name, u * 0.9, Face::Bold, Anchor::Middle);
         }
     }
@@ -103,8 +103,17 @@ fn of_lane(
     }
 }
 
-/// Why a ray takes no part in what has just been taken from the stack: it has a nearer hit.
-fn why_not(figure: &mut Figure, axis: &Ticks, moment: &PacketMoment, lane: usize, hide: bool, y: f32, u: f32) {
+/// Why a ray takes no part in what has just been taken from the stack: it has a nearer hit. It stands between its row, at
+/// a height and so high, and the one above.
+fn why_not(
+    figure: &mut Figure,
+    axis: &Ticks,
+    moment: &PacketMoment,
+    lane: usize,
+    hide: bool,
+    [y, row]: [f32; 2],
+    u: f32,
+) {
     let Some((node, waited, opened)) = moment.taken.filter(|_| !hide) else { return };
     // What is dropped is told with the lanes for which it is opened: none.
     let stays = moment.here.is_none_or(|_| !opened.has(lane));
@@ -112,7 +121,7 @@ fn why_not(figure: &mut Figure, axis: &Ticks, moment: &PacketMoment, lane: usize
     bar(figure, axis, Role::Dropped, node, part, y, u);
     let says = format!("begins at {}, behind its hit", number(part.near));
     let width = text_width(&says, Face::Regular, u * 0.85);
-    let at = Vec2::new(axis.x(part.near).min(axis.right - width), y - u * 0.75);
+    let at = Vec2::new(axis.x(part.near).min(axis.right - width), y - row * 0.5);
     say(figure, Role::Quiet, at, &says, u * 0.85, Anchor::Start);
 }
 
