@@ -165,7 +165,7 @@ fn pick(ui: &mut Ui, chosen: bool, text: &str, name: &str, why: Option<&str>, ab
         egui::WidgetInfo::selected(egui::Role::Button, why.is_none(), chosen, name)
     });
     let response = response.on_disabled_hover_text(why.unwrap_or_default());
-    let response = about.into_iter().fold(response, egui::Response::on_hover_text);
+    let response = about.into_iter().fold(response, Response::on_hover_text);
     response.clicked()
 }
 

@@ -112,16 +112,16 @@ impl Drawing<'_> {
             Probe::Met { t, hit: true } => self.ring(Role::Best, ray, t, named("t", t)),
             Probe::Areas { u, v, w, .. } => self.areas([u, v, w], second),
             Probe::Edge { edge, crossed, .. } => {
-                self.to_the_right(first, second);
+                self.rightwards(first, second);
                 self.edge(edge, crossed, second);
             }
-            Probe::Parity { .. } => self.to_the_right(first, second),
+            Probe::Parity { .. } => self.rightwards(first, second),
             _ => {}
         }
     }
 
     /// From the point that lies in a polygon's plane to its right, with the edges crossed so far: their number decides.
-    fn to_the_right(&mut self, first: &Body<'_>, second: &Body<'_>) {
+    fn rightwards(&mut self, first: &Body<'_>, second: &Body<'_>) {
         let Body::Shape(Shape::Polygon(own)) = second else { return };
         let cut = self.tried.done.iter().rev().find_map(|trial| match trial.step {
             Some(Step::Probe(Probe::Cut { t, .. })) => Some(t),
@@ -232,10 +232,10 @@ impl Drawing<'_> {
             }
             Probe::Areas { u, v, w, .. } => self.areas([u, v, w], second),
             Probe::Edge { edge, crossed, .. } => {
-                self.to_the_right(first, second);
+                self.rightwards(first, second);
                 self.edge(edge, crossed, second);
             }
-            Probe::Parity { .. } => self.to_the_right(first, second),
+            Probe::Parity { .. } => self.rightwards(first, second),
             Probe::Side { of, distance, reach, .. } => self.side(of, [distance, reach], first, second),
             _ => {}
         }
