@@ -33,6 +33,8 @@ pub struct Moment {
     pub slab: Option<SlabTest>,
     /// The split of the current node, once its plane has met the ray.
     pub cut: Option<Cut>,
+    /// The planes of the current node that the walk has met the ray with.
+    pub(crate) planes: Vec<Cut>,
     /// The cells in whose grids the walk is, the coarse one first.
     pub within: Vec<CellId>,
     /// How the grid walk steps, as of its last step.
@@ -172,6 +174,7 @@ impl Moment {
             volumes: Vec::new(),
             slab: None,
             cut: None,
+            planes: Vec::new(),
             within: Vec::new(),
             stepping: None,
             tested: Vec::new(),
@@ -259,7 +262,9 @@ impl Moment {
             Visit::Enter { place, t_near, t_far, .. } => self.enter(place, Interval::new(t_near, t_far)),
             Visit::Plane { node, axis, plane, t, .. } => {
                 self.rest();
-                self.cut = Some(Cut { node, axis, plane, t, children: None });
+                let cut = Cut { node, axis, plane, t, children: None };
+                self.cut = Some(cut);
+                self.planes.push(cut);
             }
             Visit::Split { node, near, far, side, .. } => {
                 self.rest();
@@ -274,6 +279,7 @@ impl Moment {
             }
             Visit::Push { node, t_near, t_far, .. } => {
                 self.rest();
+                self.turn_to(t_near);
                 self.stack.push(Waiting { node, near: t_near, far: t_far });
             }
             Visit::Pop { node, t_near, t_far, .. } => {
@@ -349,10 +355,18 @@ impl Moment {
         self.live = self.entered;
     }
 
+    /// Of several planes of the current node, the one at which a child begins.
+    fn turn_to(&mut self, t_near: f32) {
+        if self.cut.is_some_and(|cut| cut.t != t_near) {
+            self.cut = self.planes.iter().find(|cut| cut.t == t_near).copied().or(self.cut);
+        }
+    }
+
     /// The walk leaves where it is.
     fn leave(&mut self) {
         self.slab = None;
         self.cut = None;
+        self.planes.clear();
         self.volumes.clear();
         self.skipped.clear();
         // A cell is not left while the walk is in its grid.
