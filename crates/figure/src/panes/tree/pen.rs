@@ -138,7 +138,8 @@ impl Pen<'_> {
         }
     }
 
-    /// From rim to rim; thick on the path. To many children from below to above, so that it runs through none of them.
+    /// From rim to rim; thick on the path. To many children from below to above, so that it runs through none of them, and
+    /// first down along one stem, below the dots of the leaves beside.
     fn edge(&self, figure: &mut Figure, path: &[NodeId], from: (&Branch, Vec2), to: (&Branch, Vec2)) {
         let along = (to.1 - from.1).normalize_or_zero();
         let child = to.0.node;
@@ -147,12 +148,16 @@ impl Pen<'_> {
             Role::Guess => Role::Edge,
             role => role,
         };
-        let below = Vec2::new(0.0, self.sizes.radius() + 1.0);
-        let (begins, ends) = match from.0.children.len() > 2 {
-            true => (below, below),
-            false => (along * self.rim(from.0, along), along * self.rim(to.0, along)),
-        };
-        figure.add(role, Some(Place::Node(child)), line(from.1 + begins, to.1 - ends));
+        let place = Some(Place::Node(child));
+        if from.0.children.len() > 2 {
+            let below = Vec2::new(0.0, self.sizes.radius() + 1.0);
+            let (begins, ends) = (from.1 + below, to.1 - below);
+            let stem = (self.sizes.digits * 0.75).min((ends.y - begins.y) * 0.75);
+            figure.add(role, place, Ink::Line { points: vec![begins, begins + Vec2::new(0.0, stem), ends] });
+            return;
+        }
+        let (begins, ends) = (along * self.rim(from.0, along), along * self.rim(to.0, along));
+        figure.add(role, place, line(from.1 + begins, to.1 - ends));
     }
 
     /// How far the rim of a node's mark lies from its middle in a direction, and a point more.
@@ -215,7 +220,7 @@ impl Pen<'_> {
             numbered(
                 figure,
                 Some(Place::Node(node)),
-                Vec2::new(first, at.y),
+                Vec2::new(first, at.y + self.sizes.digits * 0.17),
                 &prims.len().to_string(),
                 self.sizes.small(),
             );
