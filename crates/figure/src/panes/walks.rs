@@ -176,8 +176,9 @@ fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, pictur
     figure.marks.extend(part.marks.into_iter().map(|mark| mark.moved(Vec2::new(left, top))));
     let y = top + picture.y + u * 1.6;
     let counts = counts(walk, moment);
-    let share = picture.x / counts.len() as f32;
-    for (index, (count, what, role)) in counts.into_iter().enumerate() {
+    let share = picture.x / COUNTS as f32;
+    let first = COUNTS - counts.len();
+    for (index, (count, what, role)) in (first..).zip(counts) {
         let at = Vec2::new(left + share * index as f32, y);
         write(figure, role, None, at, &whole(count), u * 1.9, Face::Bold, Anchor::Start);
         for (row, what) in lines_of(what, share, look).into_iter().enumerate() {
@@ -186,6 +187,9 @@ fn picture_and_counts(figure: &mut Figure, walker: &Walker<'_>, top: f32, pictur
         }
     }
 }
+
+/// Most that is counted of a walk.
+const COUNTS: usize = 3;
 
 /// From line to line of what is counted, in letters.
 const COUNTED: f32 = 1.15;
@@ -203,8 +207,8 @@ fn lines_of<'a>(what: &'a str, share: f32, look: &Look) -> Vec<&'a str> {
 
 /// How high the counts of all walks are, below pictures of this width.
 fn counts_height(walkers: &[Walker<'_>], wide: f32, look: &Look) -> f32 {
-    let counts = walkers.iter().flat_map(|walker| counts(walker.walk, walker.moment).map(|(_, what, _)| what));
-    let lines = counts.map(|what| lines_of(what, wide / 3.0, look).len()).max().unwrap_or(1);
+    let counts = walkers.iter().flat_map(|walker| counts(walker.walk, walker.moment)).map(|(_, what, _)| what);
+    let lines = counts.map(|what| lines_of(what, wide / COUNTS as f32, look).len()).max().unwrap_or(1);
     look.text * (4.6 + COUNTED * (lines - 1) as f32)
 }
 
@@ -242,19 +246,26 @@ fn column(walker: &Walker<'_>, top: f32, waits: bool, counters: f32, size: Vec2,
 }
 
 /// What a walk has paid so far, in the same order for every structure: what it entered, what it tested on the way,
-/// and primitives.
-fn counts(walk: &Walk<'_>, moment: &Moment) -> [(u64, &'static str, Role); 3] {
+/// and primitives last.
+fn counts(walk: &Walk<'_>, moment: &Moment) -> Vec<(u64, &'static str, Role)> {
     let cost = &moment.cost;
     let tests = (cost.prim_tests, "primitives tested", Role::Missed);
     match walk.structure {
-        Structure::List(_) => [(0, "nodes entered", Role::Text), (0, "planes tested", Role::Text), tests],
+        // There is nothing but primitives.
+        Structure::List(_) => vec![tests],
         Structure::Bvh(_) => {
-            [(cost.node_visits, "nodes entered", Role::Text), (cost.box_tests, "volumes tested", Role::Text), tests]
+            vec![(cost.node_visits, "nodes entered", Role::Text), (cost.box_tests, "volumes tested", Role::Text), tests]
         }
         structure if structure.grid().is_some() => {
-            [(cost.cell_steps, "steps to a cell", Role::Text), (cost.skips, "skipped", Role::Text), tests]
+            vec![(cost.cell_steps, "steps to a cell", Role::Text), (cost.skips, "skipped", Role::Text), tests]
         }
-        _ => [(cost.node_visits, "nodes entered", Role::Text), (cost.plane_tests, "planes tested", Role::Text), tests],
+        _ => {
+            vec![
+                (cost.node_visits, "nodes entered", Role::Text),
+                (cost.plane_tests, "planes tested", Role::Text),
+                tests,
+            ]
+        }
     }
 }
 
