@@ -135,11 +135,8 @@ impl Drawing<'_> {
                 let (near, far) = (number(tested.interval.near), number(tested.interval.far));
                 // In space, where there is less room, not twice: the ends of the interval have labels of their own.
                 let now = matches!(self.moment.event, Some(Visit::Volume { place, .. }) if place == tested.place);
-                let says = if now && !self.walk.flat {
-                    format!("{node} met")
-                } else {
-                    format!("{node} met: {near} – {far}")
-                };
+                let says =
+                    if now && !self.walk.flat { format!("{node} met") } else { format!("{node} met: [{near}, {far}]") };
                 // Nor beside a test that is under way: its planes and their t need the room.
                 let under_way = self.moment.under_test().is_some();
                 let others = (under_way || matches!(self.moment.event, Some(Visit::Volume { .. }))) && !now;

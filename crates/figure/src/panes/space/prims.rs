@@ -45,7 +45,7 @@ impl Drawing<'_> {
         }
         let missed = moment.tested.iter().filter(|test| test.t.is_none()).count();
         if speckled && missed > 1 {
-            self.notes.push(format!("{missed} tested and missed, not all marked"));
+            self.notes.push(format!("{missed} tests missed, not all marked"));
         }
         if let Some(hit) = moment.best {
             roles.insert(hit.prim, Role::Best);
