@@ -167,7 +167,12 @@ impl Kind for Walk<'_> {
     fn detail(&self, at: &Instant) -> Option<Detail> {
         let moment: &Moment = at.state();
         let over = matches!(moment.event, Some(Visit::End { .. }));
-        let (title, place) = match (over, moment.best, moment.here) {
+        // What is thrown away is seen once more.
+        let dropped = match moment.event {
+            Some(Visit::Drop { node, .. }) => Some(Place::Node(node)),
+            _ => None,
+        };
+        let (title, place) = match (over, moment.best, moment.here.or(dropped)) {
             (true, Some(hit), _) => ("the hit, from near".to_owned(), Place::Prim(hit.prim)),
             (false, _, Some(here @ (Place::Node(_) | Place::Cell(_)))) => (format!("{here}, from near"), here),
             _ => return None,
