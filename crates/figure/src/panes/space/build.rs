@@ -339,8 +339,13 @@ impl Drawing<'_> {
         way.extend(moment.waiting.iter().rev().take(NEXT));
         way.extend(lowest);
         let deepest = self.build.nodes.levels().deepest();
+        let reached = moment.nodes.values().map(|node| node.depth).max().unwrap_or(0);
         if deepest > 0 && !moment.nodes.is_empty() {
-            self.notes.push(drawn(VolumeName::drawn(self.build.structure), self.depth(), deepest));
+            let depth = match self.depth() {
+                Depth::Down(level) => Depth::Down(level.min(reached)),
+                path => path,
+            };
+            self.notes.push(drawn(VolumeName::drawn(self.build.structure), depth, deepest));
         }
         way
     }
