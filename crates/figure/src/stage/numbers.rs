@@ -14,6 +14,9 @@ use crate::world::{Form, Space};
 /// What it may cost to set a number somewhere: more, and it could not be read, or would hide something.
 const MOST: f32 = 25.0;
 
+/// What it costs to stand beside words: less than not to be written.
+const BESIDE_WORDS: f32 = 10.0;
+
 /// Of so many primitives one that is too small for its number, or crossed by the ray, has it beside it. Among more it could be another one's.
 const FEW: usize = 24;
 
@@ -30,7 +33,7 @@ pub(super) fn set(space: &Space, prims: &Prims, lens: &Lens, figure: &mut Figure
                 Some(Place::Prim(prim)) if prim.index() < prims.len() => within_prim(prims, prim, lens, half),
                 place => match outline(space, place, lens) {
                     shape if shape.is_empty() => within_corners(lens, within.min, within.max, half),
-                    shape => within_shape(&shape, half),
+                    shape => within_shape(&shape, half).into_iter().chain(towards_middle(&shape, half)).collect(),
                 },
             };
             let on_page = |spot: &Spot| spot.min.cmpge(Vec2::ZERO).all() && spot.max.cmple(figure.size).all();
@@ -64,15 +67,27 @@ fn is_hatched(figure: &Figure, place: Option<Place>) -> bool {
 }
 
 impl Obstacles {
-    /// What it costs to set a number somewhere: what lies under it may show, lines and words may not.
+    /// What it costs to set a number somewhere: what lies under it may show, lines and words may not, and beside words it
+    /// would be read with them.
     fn crossed(&self, spot: Spot, place: Option<Place>) -> f32 {
         let lines: f32 = self.lines.iter().map(|&(from, to, weight)| spot.length_of(from, to) * weight.max(0.2)).sum();
         let spots = self.spots.iter().filter(|(other, weight)| *weight > 1000.0 && spot.shared(*other) > 0.0);
+        let beside = Spot::around(spot.center(), spot.half() * Vec2::new(3.0, 1.0));
+        let by_words = self.spots.iter().any(|(other, weight)| *weight >= HOPELESS && beside.shared(*other) > 0.0);
         let full = spot.shared(spot).max(1.0);
         let others = self.shapes.iter().filter(|(other, _)| place.is_none() || *other != place);
         let shapes = others.map(|(_, shape)| covered(shape, spot) / full * 40.0);
-        lines + spots.map(|(_, weight)| weight).sum::<f32>() + shapes.sum::<f32>()
+        let words = if by_words { BESIDE_WORDS } else { 0.0 };
+        lines + spots.map(|(_, weight)| weight).sum::<f32>() + shapes.sum::<f32>() + words
     }
+}
+
+/// Within a flat shape, from its corners on towards its middle.
+fn towards_middle(shape: &[Vec2], half: Vec2) -> Vec<Spot> {
+    let middle = shape.iter().sum::<Vec2>() / shape.len().max(1) as f32;
+    let on_the_way = |share: f32| shape.iter().map(move |corner| Spot::around(corner.lerp(middle, share), half));
+    let spots = [0.25, 0.5, 0.75, 1.0].into_iter().flat_map(on_the_way);
+    spots.filter(|spot| spot.is_within(shape)).collect()
 }
 
 /// Inside a primitive where it is large enough; beside a segment, which has no inside, and beside a disc that has no room.

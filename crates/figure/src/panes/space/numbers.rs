@@ -26,12 +26,17 @@ impl Drawing<'_> {
             let of_place = |mark: &SpaceMark| mark.place == Some(place) && matches!(mark.form, Form::Label { .. });
             self.marks.iter().any(of_place)
         };
+        // A number without an outline would name nothing.
+        let outlined = |place: Place| {
+            let of_place = |mark: &SpaceMark| mark.place == Some(place) && !matches!(mark.form, Form::Label { .. });
+            self.marks.iter().any(of_place)
+        };
         let trail = |places: &[Place]| places[places.len().saturating_sub(TRAIL)..].to_vec();
         let seen = trail(&self.moment.seen).into_iter().map(|place| (Role::Seen, place));
         let within = self.moment.within.iter().map(|cell| (Role::Seen, Place::Cell(*cell)));
         let dropped = trail(&self.moment.dropped).into_iter().map(|place| (Role::Quiet, place));
         let met: Vec<(Role, Place)> =
-            seen.chain(within).chain(dropped).filter(|(_, place)| !labelled(*place)).collect();
+            seen.chain(within).chain(dropped).filter(|(_, place)| !labelled(*place) && outlined(*place)).collect();
         for (role, place) in met {
             let text = match place {
                 Place::Cell(cell) => cell.to_string(),
