@@ -6,7 +6,7 @@ use raystep_accel::{Aabb, Place};
 use super::lens::Lens;
 use super::spot::Spot;
 use crate::theme::Role;
-use crate::world::{Form, Space, contour, corners};
+use crate::world::{Form, Space, contour, corners, edges};
 
 /// Space between a label and what it labels, in points.
 pub(super) const GAP: f32 = 7.0;
@@ -72,6 +72,18 @@ pub(super) fn beside_box(bounds: &Aabb, lens: &Lens, half: Vec2, flat: bool, ins
         spots.push(Spot::around(middle + Vec2::new(beyond.x * x, inner.y * y), half));
     }
     spots
+}
+
+/// The point on the edges of a box in space that lies nearest to its label.
+pub(super) fn on_edges(bounds: &Aabb, lens: &Lens, spot: Spot) -> Option<Vec2> {
+    let nearest = |[from, to]: [Vec3; 2]| {
+        let [(from, _), (to, _)] = lens.segment(from, to)?;
+        let along = to - from;
+        let share = (spot.center() - from).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
+        Some(from + along * share.clamp(0.0, 1.0))
+    };
+    let away = |at: &Vec2| spot.nearest(*at).distance(*at);
+    edges(bounds).into_iter().filter_map(nearest).min_by(|a, b| away(a).total_cmp(&away(b)))
 }
 
 /// All around a flat box, at some distance.

@@ -3,7 +3,9 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Place};
 
-use super::beside::{GAP, beside_box, beside_line, beside_point, beside_shape, further, is_line, is_sheet, outline};
+use super::beside::{
+    GAP, beside_box, beside_line, beside_point, beside_shape, further, is_line, is_sheet, on_edges, outline,
+};
 use super::lens::Lens;
 use super::obstacles::{HOPELESS, Obstacles, obstacles};
 use super::spot::{ASIDE, HALF, Spot, letters};
@@ -98,6 +100,9 @@ pub(super) fn place(kept: Option<[Vec2; 2]>, space: &Space, lens: &Lens, figure:
         obstacles.spots.push((Spot::around(spot.center(), spot.half() + 2.0), HOPELESS));
         let point = lens.point(at).map(|(point, _)| point).filter(|_| within.is_none());
         let named = point.or_else(|| own.map(|own| own.nearest(spot.center())));
+        // A box in space is drawn by its edges.
+        let solid = within.filter(|bounds| !space.flat && !is_sheet(bounds) && outline(space, place, lens).is_empty());
+        let named = named.or_else(|| on_edges(&solid?, lens, spot));
         let far = if point.is_some() { half.y + GAP * 2.0 } else { GAP * 2.0 };
         if let Some(point) = named.filter(|point| spot.nearest(*point).distance(*point) > far) {
             let leader = line(spot.nearest(point), point);
