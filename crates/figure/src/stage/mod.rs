@@ -180,6 +180,8 @@ impl Stage<'_> {
             Form::Sphere(sphere) if self.flat => self.disc(sphere, role, place),
             Form::Sphere(sphere) => self.globe(sphere, role, place),
             Form::Body(edges) => self.body(edges, role, place),
+            // A plane is tinted as a sheet is, also where something stands before it.
+            Form::Polygon(corners) if is_cut(role) => self.tint(corners, role, place),
             Form::Polygon(corners) => self.area(corners, role, place),
             Form::Segment(from, to) => self.line(*from, *to, role, place),
             Form::Arrow(from, to) => self.arrow(*from, *to, role, place),
@@ -236,9 +238,7 @@ impl Stage<'_> {
             &[0, 1, 3, 2]
         };
         let around: Vec<Vec3> = around.iter().map(|&index| corners[index]).collect();
-        if let Some(points) = self.lens.polygon(&around) {
-            self.figure.add(role, place, Ink::Area { points });
-        }
+        self.tint(&around, role, place);
     }
 
     fn arrow(&mut self, from: Vec3, to: Vec3, role: Role, place: Option<Place>) {
@@ -298,6 +298,11 @@ impl Stage<'_> {
         }
         runs
     }
+}
+
+/// Whether a role is that of planes that cut.
+fn is_cut(role: Role) -> bool {
+    matches!(role, Role::Plane | Role::Candidate)
 }
 
 /// How a line looks where a surface lies before it.

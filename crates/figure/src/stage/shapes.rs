@@ -42,6 +42,11 @@ impl Stage<'_> {
             }
             return;
         }
+        self.tint(corners, role, place);
+    }
+
+    /// A polygon with its tint, whatever lies before it.
+    pub(super) fn tint(&mut self, corners: &[Vec3], role: Role, place: Option<Place>) {
         if let Some(points) = self.lens.polygon(corners) {
             self.figure.add(role, place, Ink::Area { points });
         }
