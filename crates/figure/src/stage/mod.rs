@@ -32,6 +32,7 @@ pub use crop::crop;
 pub use inset::{inset_at, inset_size, is_nearer, set_inset};
 pub use labels::pointed_at;
 pub use shaded::{Shaded, shaded};
+pub(crate) use spot::covers;
 
 /// What a picture shows of the primitives to which nothing has happened.
 #[derive(Clone, Copy, Debug)]

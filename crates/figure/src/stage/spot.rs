@@ -2,7 +2,7 @@
 
 use glam::Vec2;
 
-use crate::page::{Anchor, Ink};
+use crate::page::{Anchor, Figure, Ink};
 use crate::theme::{Face, text_width};
 
 /// Room around a label's text, in sizes of its face, as `print` and the window draw its box.
@@ -13,6 +13,25 @@ pub(super) const HALF: f32 = 0.8;
 pub(super) fn letters(page: Vec2) -> f32 {
     (page.y / 42.0).clamp(11.0, 22.0)
 }
+
+/// How much of what is drawn a label would cover: the lengths of lines, and so much for each dot and each word.
+pub(crate) fn covers(label: &Ink, figure: &Figure) -> f32 {
+    let Some(spot) = Spot::of_label(label) else { return 0.0 };
+    let covered = figure.marks.iter().map(|mark| match &mark.ink {
+        Ink::Line { points } => points.windows(2).map(|ends| spot.length_of(ends[0], ends[1])).sum::<f32>(),
+        Ink::Circle { center, radius } if spot.nearest(*center).distance(*center) < *radius => DOT,
+        Ink::Text { at, text, size, face, anchor, .. } => {
+            let word = Spot::of_text(*at, text, *size, *face, *anchor);
+            if spot.shared(word) > 0.0 { WORD } else { 0.0 }
+        }
+        _ => 0.0,
+    });
+    covered.sum()
+}
+
+/// What it costs to cover a dot, and a word, in points of a line.
+const DOT: f32 = 30.0;
+const WORD: f32 = 200.0;
 
 /// A rectangle of the page.
 #[derive(Clone, Copy, Debug)]

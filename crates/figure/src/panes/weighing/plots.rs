@@ -7,6 +7,7 @@ use super::order::{Order, place_of};
 use super::{Area, Candidate, ahead};
 use crate::moments::{Build, GrowMoment, Weighed};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, block, line, write};
+use crate::stage::covers;
 use crate::theme::{Face, Role, text_width};
 use crate::words::{VolumeName, number};
 
@@ -60,7 +61,7 @@ impl Plot<'_> {
             let scale = if axis == Axis::X { up } else { right };
             self.curve(node, axis, order.as_ref(), &weighed, tried, &ahead, &scale, whole.as_ref(), now);
         }
-        self.legend(bottom);
+        self.legend(bottom, now, &weighed, &ahead);
     }
 
     /// What the builder has weighed at this node, and what somebody tries instead of the last of it.
@@ -315,7 +316,7 @@ impl Plot<'_> {
         }
     }
 
-    /// A boxed word beside a dot, on the side where there is room.
+    /// A boxed word beside a dot, where it covers least; of places that are as good, the first.
     fn beside_dot(&mut self, axis: Axis, dot: Vec2, says: &str, role: Role, dy: f32) {
         let (u, small) = (self.look.text, self.look.small());
         let width = text_width(says, Face::Medium, small) + u * 1.2;
@@ -323,28 +324,37 @@ impl Plot<'_> {
             Axis::Y => (self.across(), self.figure.size.x - u * 0.4),
             _ => (self.space.min.x, self.space.max.x),
         };
-        let x = if dot.x + u + width < right { dot.x + u * 1.4 } else { dot.x - u * 0.6 - width };
-        let x = x.max(left + u * 0.4);
         let (low, high) = match axis {
             Axis::Y => (self.space.min.y, self.space.max.y),
             _ => (self.under(), self.bottom()),
         };
-        let dy = if dot.y + dy > high - u || dot.y + dy < low + u { -dy } else { dy };
-        let (at, anchor, face) = (Vec2::new(x, dot.y + dy), Anchor::Start, Face::Medium);
-        self.figure.add(role, None, Ink::Text { at, text: says.to_owned(), size: small, face, anchor, boxed: true });
+        let (least, most) = (left + u * 0.4, (right - width).max(left + u * 0.4));
+        let sides = [dot.x + u * 1.4, dot.x - u * 0.6 - width, dot.x - width * 0.5];
+        let heights = [dy, -dy, 2.0 * dy, -2.0 * dy, 3.0 * dy, -3.0 * dy].map(|dy| dot.y + dy);
+        let label = |x: f32, y: f32| {
+            let (at, anchor, face) = (Vec2::new(x.clamp(least, most), y), Anchor::Start, Face::Medium);
+            Ink::Text { at, text: says.to_owned(), size: small, face, anchor, boxed: true }
+        };
+        let inside = heights.into_iter().filter(|y| (low + u..=high - u).contains(y));
+        let places = inside.flat_map(|y| sides.map(|x| label(x, y)));
+        let cost = |(index, label): &(usize, Ink)| *index as f32 * 2.0 + covers(label, self.figure);
+        let best = places.enumerate().min_by(|a, b| cost(a).total_cmp(&cost(b)));
+        let ink = best.map_or_else(|| label(sides[0], dot.y + dy), |(_, ink)| ink);
+        self.figure.add(role, None, ink);
     }
 
-    /// What the signs mean, in the corner that the two plots leave.
-    fn legend(&mut self, bottom: f32) {
+    /// What the signs mean that are drawn, in the corner that the two plots leave: each always in its own row.
+    fn legend(&mut self, bottom: f32, now: Option<Candidate>, weighed: &[Weighed], ahead: &[Weighed]) {
         let (u, small) = (self.look.text, self.look.small());
         let cut = VolumeName::of(self.build.structure).cut;
+        let (now, known) = (now.is_some() && !self.hide, !weighed.is_empty() && !self.hide);
         let rows = [
-            (Role::Tick, format!("{cut} weighed now")),
-            (Role::Edge, "weighed".to_owned()),
-            (Role::Best, "least so far".to_owned()),
-            (Role::Hidden, "still to weigh".to_owned()),
-            (Role::Below, "below".to_owned()),
-            (Role::Above, "above".to_owned()),
+            (now, Role::Tick, format!("{cut} weighed now")),
+            (known, Role::Edge, "weighed".to_owned()),
+            (known, Role::Best, if ahead.is_empty() { "least" } else { "least so far" }.to_owned()),
+            (!ahead.is_empty(), Role::Hidden, "still to weigh".to_owned()),
+            (now, Role::Below, "below".to_owned()),
+            (now, Role::Above, "above".to_owned()),
         ];
         let left = self.across() + u * 0.5;
         let top = self.under() + u * 0.8;
@@ -352,7 +362,7 @@ impl Plot<'_> {
         if step < u * 1.15 {
             return;
         }
-        for (index, (role, says)) in rows.into_iter().enumerate() {
+        for (index, (_, role, says)) in rows.into_iter().enumerate().filter(|(_, (drawn, ..))| *drawn) {
             let at = Vec2::new(left, top + step * (index as f32 + 0.3));
             let ink = match role {
                 Role::Tick => Ink::Circle { center: at, radius: u * 0.5 },
