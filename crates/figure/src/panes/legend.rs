@@ -72,12 +72,40 @@ pub(crate) const OF_BUILD: &[(Role, &str)] = &[
     (Role::Ghost, "where it was before"),
     (Role::Best, "sets a side of the box"),
     (Role::Guess, "possible answer"),
-    (Role::Waiting, "still to be decided"),
+    (Role::Waiting, "still to be built"),
     (Role::Candidate, "weighed"),
     (Role::Plane, "taken"),
     (Role::Hit, "on both sides"),
     (Role::Seen, "done"),
     (Role::Dropped, "not reached"),
+];
+
+/// What they mean where cells are divided in their middle.
+pub(crate) const OF_OCTREE: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Filled, "holds primitives"),
+    (Role::Here, "under consideration"),
+    (Role::Ghost, "where it was before"),
+    (Role::Best, "sets a side of the box"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "still to be built"),
+    (Role::Plane, "where it is divided"),
+    (Role::Seen, "done"),
+];
+
+/// What they mean where planes are proposed before they are weighed.
+pub(crate) const OF_BSP: &[(Role, &str)] = &[
+    (Role::Scene, "primitive"),
+    (Role::Filled, "holds primitives"),
+    (Role::Here, "under consideration"),
+    (Role::Ghost, "where it was before"),
+    (Role::Best, "sets a side of the box"),
+    (Role::Guess, "possible answer"),
+    (Role::Waiting, "still to be built"),
+    (Role::Candidate, "proposed"),
+    (Role::Plane, "taken"),
+    (Role::Hit, "on both sides"),
+    (Role::Seen, "done"),
 ];
 
 /// What they mean where sets on a curve are joined.
@@ -103,7 +131,7 @@ pub(crate) const OF_CHANGE: &[(Role, &str)] = &[
     (Role::Best, "sets a side of the box"),
     (Role::Guess, "possible answer"),
     (Role::Waiting, "still to come"),
-    (Role::Plane, "cut, or looked at by the change"),
+    (Role::Plane, "divided, or looked at by the change"),
     (Role::Seen, "done"),
     (Role::Dropped, "deleted"),
 ];

@@ -1,7 +1,7 @@
 //! What a builder has done so far in numbers.
 
 use glam::Vec2;
-use raystep_accel::{Change, Primitives};
+use raystep_accel::{Change, Primitives, Structure};
 
 use super::loud::{loud, rest};
 use crate::moments::{Build, GrowMoment};
@@ -103,8 +103,12 @@ fn changes(figure: &mut Figure, build: &Build<'_>, moment: &GrowMoment, top: f32
 /// What else was done. Only what happened.
 fn words(build: &Build<'_>, moment: &GrowMoment) -> Vec<String> {
     let tally = &moment.tally;
+    let (one, many) = match build.structure {
+        Structure::Octree(_) => ("cell divided", "cells divided"),
+        _ => ("taken", "taken"),
+    };
     let rest = [
-        (tally.taken, "taken", "taken"),
+        (tally.taken, one, many),
         (tally.joined, "pair merged", "pairs merged"),
         (tally.leaves, "leaf", "leaves"),
         (moment.waiting.len() as u64, "node waits", "nodes wait"),

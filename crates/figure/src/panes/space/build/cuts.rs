@@ -88,6 +88,14 @@ impl Drawing<'_> {
                 if let Some(sheet) = sheet(axis, plane, self.moment.free) {
                     self.add(Role::Candidate, place, sheet);
                 }
+                // Where n points to is above.
+                let normal =
+                    self.moment.free.zip(cell.as_ref()).and_then(|(free, cell)| convex::normal(cell, free, flat));
+                if let Some(Form::Arrow(from, tip)) = normal {
+                    self.add(Role::Candidate, place, Form::Arrow(from, tip));
+                    let form = Form::Label { at: tip, within: None, text: "n, to above".to_owned() };
+                    self.add(Role::Candidate, place, form);
+                }
                 self.title(
                     Role::Candidate,
                     *id,
@@ -102,7 +110,12 @@ impl Drawing<'_> {
                         self.add(Role::Plane, place, Form::Sheet(self::sheet(&node.bounds, axis, at)));
                     }
                 }
-                self.title(Role::Here, *id, node.bounds, format!("node {id}: cut into {} cells", node.children.len()));
+                self.title(
+                    Role::Here,
+                    *id,
+                    node.bounds,
+                    format!("node {id}: divided into {} cells", node.children.len()),
+                );
             }
             Some(Grow::Split { axis, plane, .. }) => {
                 let cut = if VolumeName::of(self.build.structure).cut == "way" { "shared out" } else { "cut" };
