@@ -106,7 +106,7 @@ impl Session<'_> {
 impl Sheet<'_> {
     /// Space, or what stands in its place, and what its marks mean if that is asked for.
     fn space(&self, size: Vec2) -> Figure {
-        let shown = self.still.space().filter(|_| !self.still.has(Pane::Picture));
+        let shown = self.still.space();
         let Some(shown) = shown.filter(|_| self.order.legend == Some(true)) else { return self.picture(size) };
         let look = Look::WINDOW;
         let height = self.still.legend_height(&shown, size.x, &look);

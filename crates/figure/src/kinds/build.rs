@@ -8,8 +8,8 @@ use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, CutLine, Pane, TreeView, bin_of_build, cells_of_build, changed_of_build, costs, cut_line, cut_to,
-    ghost_of_build, legend, listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build,
+    Ask, CutLine, Pane, TreeView, beside_plots, bin_of_build, cells_of_build, changed_of_build, costs, cut_line,
+    cut_to, ghost_of_build, legend, listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build,
     tree_height, tree_of_build, tree_with, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
@@ -106,7 +106,11 @@ impl Kind for Build<'_> {
     }
 
     fn space(&self, at: &Instant, depth: Depth) -> Option<Space> {
-        Some(space_of_build_to(self, at.state(), depth))
+        let mut space = space_of_build_to(self, at.state(), depth);
+        if self.weighs_in_the_plane() {
+            beside_plots(&mut space, at.state());
+        }
+        Some(space)
     }
 
     fn deepest(&self) -> Option<u32> {
@@ -153,7 +157,11 @@ impl Kind for Build<'_> {
             () if self.structure.grid().is_some() => legend::OF_GRID,
             () if !self.changes.is_empty() => legend::OF_CHANGE,
             () if self.follows_a_curve() => legend::OF_CURVE,
-            () => legend::OF_BUILD,
+            () => match self.structure {
+                Structure::Octree(_) => legend::OF_OCTREE,
+                Structure::Bsp(_) => legend::OF_BSP,
+                _ => legend::OF_BUILD,
+            },
         }
     }
 

@@ -58,7 +58,7 @@ pub(crate) use tree::tree_with;
 pub use tree::{TreeView, tree, tree_height, tree_of_build};
 pub(crate) use walks::{Walker, walks, worth as worth_of_walks};
 pub use weighing::CutLine;
-pub(crate) use weighing::{cut_line, cut_to, weighing};
+pub(crate) use weighing::{beside_plots, cut_line, cut_to, weighing};
 pub(crate) use work::tests_of;
 pub(crate) use work::weighed;
 pub use work::{tested, work, work_of_build};

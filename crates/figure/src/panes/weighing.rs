@@ -173,14 +173,7 @@ fn picture(
 ) {
     // The plots stand at axes of their own.
     space.marks.retain(|mark| !matches!(mark.form, Form::Axes(_)));
-    let weighs = matches!(moment.event, Some(Grow::Weigh { .. }));
-    if weighs {
-        space.marks.retain(|mark| mark.role == Role::Guess || mark.role != Role::Candidate && !is_label(mark));
-        // The two sides have tints of their own.
-        for mark in space.marks.iter_mut().filter(|mark| mark.role == Role::Here) {
-            mark.role = Role::Seen;
-        }
-    }
+    beside_plots(&mut space, moment);
     if let Some(sides) = sides {
         let place = moment.node.map(Place::Node);
         for (role, bounds) in [(Role::Above, sides.above_box), (Role::Below, sides.below_box)] {
@@ -205,6 +198,18 @@ fn picture(
     // What lies beside a node that is shown alone does not reach into the plots.
     crop(&mut drawn, look.text * 0.8);
     figure.marks.extend(drawn.marks.into_iter().map(|mark| mark.moved(area.min - margin)));
+}
+
+/// What the plots show of a weighing, space does not.
+pub(crate) fn beside_plots(space: &mut Space, moment: &GrowMoment) {
+    if !matches!(moment.event, Some(Grow::Weigh { .. })) {
+        return;
+    }
+    space.marks.retain(|mark| mark.role == Role::Guess || mark.role != Role::Candidate && !is_label(mark));
+    // The two sides have tints of their own.
+    for mark in space.marks.iter_mut().filter(|mark| mark.role == Role::Here) {
+        mark.role = Role::Seen;
+    }
 }
 
 fn is_label(mark: &SpaceMark) -> bool {

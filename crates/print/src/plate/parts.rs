@@ -70,10 +70,10 @@ impl Page<'_> {
         }
     }
 
-    /// How high a legend of this width is; nothing where there is none. A picture that is no stage explains its own signs.
+    /// How high a legend of this width is; nothing where there is none.
     pub(super) fn legend_height(&self, width: f32) -> f32 {
         let still = &self.plate.still;
-        let shown = still.space().filter(|_| self.has(Part::Legend) && !still.has(Pane::Picture));
+        let shown = still.space().filter(|_| self.has(Part::Legend));
         shown.map_or(0.0, |shown| still.legend_height(&shown, width, &self.look))
     }
 
