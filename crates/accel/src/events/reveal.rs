@@ -48,16 +48,16 @@ vocabulary! {
     }
 }
 
-/// What counts things, as far as a count goes. Of more than sixteen million single precision may round the last digit.
+/// What counts things, and up to where single precision counts them one by one.
 const WHOLE: [&str; 5] = ["nodes", "bytes", "planes", "triangles", "rays"];
-const LAST: f32 = u32::MAX as f32;
+const LAST: f32 = 16_777_216.0;
 
 impl Reveal {
     /// The value of one of its fields as it is told: a count where it counts things, nothing where it is no number.
     pub fn told(&self, name: &str) -> Option<Value> {
         match self.field(name)? {
             Value::Number(x) if x.is_nan() => None,
-            Value::Number(x) if WHOLE.contains(&name) && (0.0..LAST).contains(&x) => Some(Value::Count(x as u32)),
+            Value::Number(x) if WHOLE.contains(&name) && (0.0..=LAST).contains(&x) => Some(Value::Count(x as u32)),
             value => Some(value),
         }
     }

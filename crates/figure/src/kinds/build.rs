@@ -20,8 +20,9 @@ impl Build<'_> {
     /// Whether ways to divide a node are weighed against each other: an octree has no choice, a cut in the middle is the
     /// only one, and sets that are joined are compared otherwise.
     fn weighs(&self) -> bool {
-        let node = |event: &Grow| matches!(event, Grow::Weigh { .. }).then(|| event.place());
-        self.events.windows(2).any(|two| node(&two[0]).is_some() && node(&two[0]) == node(&two[1]))
+        let mut weighed = self.events.iter().filter(|event| matches!(event, Grow::Weigh { .. })).map(Grow::place);
+        let mut last = weighed.next();
+        weighed.any(|place| last.replace(place) == Some(place))
     }
 
     /// Whether sets are joined along a curve.

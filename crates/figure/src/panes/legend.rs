@@ -33,7 +33,7 @@ pub(crate) const OF_WALK: Signs = [
 ];
 
 /// What they mean in a solid scene, where the primitives of the current leaf or cell stand out from the mesh.
-pub(crate) const OF_SOLID_WALK: Signs = saying(OF_WALK, 10, "visited, or held by the leaf or cell");
+pub(crate) const OF_SOLID_WALK: Signs = saying(OF_WALK, 10, "visited, or held here");
 
 /// What they mean where spheres are tested, which have no planes.
 pub(crate) const OF_SPHERES: Signs = saying(OF_WALK, 12, "sphere tested");

@@ -208,7 +208,7 @@ pub(crate) fn beside_plots(space: &mut Space, moment: &GrowMoment) {
     space.marks.retain(|mark| mark.role == Role::Guess || mark.role != Role::Candidate && !is_label(mark));
     // The two sides have tints of their own.
     for mark in space.marks.iter_mut().filter(|mark| mark.role == Role::Here) {
-        mark.role = Role::Seen;
+        mark.role = Role::Edge;
     }
 }
 

@@ -342,8 +342,9 @@ impl Drawing<'_> {
         let reached = moment.nodes.values().map(|node| node.depth).max().unwrap_or(0);
         if deepest > 0 && !moment.nodes.is_empty() {
             let depth = match self.depth() {
-                Depth::Down(level) => Depth::Down(level.min(reached)),
-                path => path,
+                // A finished tree has all levels, however it was built.
+                Depth::Down(level) if !self.finished() => Depth::Down(level.min(reached)),
+                depth => depth,
             };
             self.notes.push(drawn(VolumeName::drawn(self.build.structure), depth, deepest));
         }
@@ -362,10 +363,14 @@ impl Drawing<'_> {
         }
     }
 
+    fn finished(&self) -> bool {
+        matches!(self.moment.event, Some(Grow::End { .. }))
+    }
+
     /// How many boxes are drawn: once nothing is under consideration any more, those of the upper levels instead of
     /// the path.
     fn depth(&self) -> Depth {
-        let finished = matches!(self.moment.event, Some(Grow::End { .. }));
+        let finished = self.finished();
         match self.depth {
             // A node of an octree has as many children as three levels of two have leaves.
             Depth::Path if finished && matches!(self.build.structure, Structure::Octree(_)) => Depth::Down(1),

@@ -60,6 +60,6 @@ impl Layer<'_> {
 impl Display for Layer<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         let layers = self.lattice.resolution[self.across.index()];
-        write!(f, "cells: the middle one of {layers} layers across {}", self.across.name())
+        write!(f, "cells: layer {} of {layers} across {}", self.index + 1, self.across.name())
     }
 }

@@ -27,9 +27,10 @@ impl Drawing<'_> {
         let mut roles = BTreeMap::new();
         // A cell that holds thousands of primitives is no news.
         let crowded = self.held().len() > SPECKLES;
-        // What the current leaf or cell holds stands out from a mesh; a floor does so anyway.
+        // What the current leaf or cell holds stands out from a mesh; but edges that run through many cells tell nothing.
         if !self.walk.flat {
-            let held = self.held().iter().filter(|prim| !self.is_large(**prim));
+            let in_cell = self.walk.structure.grid().is_some();
+            let held = self.held().iter().filter(|prim| !(in_cell && self.is_large(**prim)));
             roles.extend(held.take(TRAIL).map(|&prim| (prim, Role::Seen)));
         }
         let first = moment.tested.len().saturating_sub(TRAIL);
@@ -45,7 +46,7 @@ impl Drawing<'_> {
         }
         let missed = moment.tested.iter().filter(|test| test.t.is_none()).count();
         if speckled && missed > 1 {
-            self.notes.push(format!("{missed} tests missed, not all marked"));
+            self.notes.push(format!("tested and missed {missed} times, not all marked"));
         }
         if let Some(hit) = moment.best {
             roles.insert(hit.prim, Role::Best);

@@ -132,7 +132,7 @@ impl Pane<'_> {
         let pen = match fits {
             Some((digits, air)) => pen(digits, air, top),
             // Not even the smallest: room for the way down.
-            None => pen(sizes[sizes.len() - 1], airs[0], top + look.line()),
+            None => pen(sizes[sizes.len() - 1], 0.0, top + look.line()),
         };
         let branches = pen.part(self.view);
         let places = pen.places(&branches);

@@ -220,7 +220,7 @@ impl Pen<'_> {
             numbered(
                 figure,
                 Some(Place::Node(node)),
-                Vec2::new(first, at.y + self.sizes.digits * 0.17),
+                Vec2::new(first, at.y + self.sizes.digits * 0.1),
                 &prims.len().to_string(),
                 self.sizes.small(),
             );

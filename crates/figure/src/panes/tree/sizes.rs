@@ -25,7 +25,7 @@ impl Sizes {
 
     /// Least distance between levels: the dots of a leaf stand between them.
     pub(super) fn step(self) -> f32 {
-        2.0 * self.radius() + self.digits * (1.05 + 0.2 * self.air)
+        2.0 * self.radius() + self.digits * (0.9 + 0.3 * self.air)
     }
 
     /// Least distance between neighbours.
@@ -50,7 +50,7 @@ impl Sizes {
 
     /// What lies below the last row of nodes: dots, or what stands for the nodes below a closed one.
     pub(super) fn foot(self, closed: bool) -> f32 {
-        self.digits * if closed { 2.05 } else { 1.0 }
+        self.digits * if closed { 2.05 } else { 0.75 }
     }
 
     /// How high a tree with so many levels is at least.

@@ -33,7 +33,9 @@ impl Drawing<'_> {
             self.notes.push(layer.to_string());
             self.marks.extend(layer.marks(self.moment.cells.keys().copied()));
             for (_, finer) in grid.finer().iter().filter(|(_, finer)| finer.first.0 < count) {
-                self.marks.extend(Layer::middle(finer).marks(self.moment.cells.keys().copied()));
+                let layer = Layer::middle(finer);
+                self.notes.push(format!("finer {layer}"));
+                self.marks.extend(layer.marks(self.moment.cells.keys().copied()));
             }
         }
         if let Some(Grow::Refine { cell, .. }) = self.moment.event {

@@ -93,7 +93,9 @@ impl Drawing<'_> {
                     self.moment.free.zip(cell.as_ref()).and_then(|(free, cell)| convex::normal(cell, free, flat));
                 if let Some(Form::Arrow(from, tip)) = normal {
                     self.add(Role::Candidate, place, Form::Arrow(from, tip));
-                    let form = Form::Label { at: tip, within: None, text: "n, to above".to_owned() };
+                    // Beyond its tip, so that all of it is seen.
+                    let at = tip + (tip - from) * 0.3;
+                    let form = Form::Label { at, within: None, text: "n, to above".to_owned() };
                     self.add(Role::Candidate, place, form);
                 }
                 self.title(
