@@ -43,7 +43,7 @@ pub(super) fn set(space: &Space, prims: &Prims, lens: &Lens, figure: &mut Figure
             best.filter(|(cost, _)| *cost < MOST).map(|(_, spot)| (spot, size))
         };
         // In a box it needs more room; a little smaller it may still find it.
-        let smaller = || room(usual * 0.8).filter(|_| boxed);
+        let smaller = || room(usual * 0.84).filter(|_| boxed);
         let Some((spot, size)) = room(usual).or_else(smaller) else { continue };
         obstacles.spots.push((spot, HOPELESS));
         if boxed {

@@ -298,7 +298,8 @@ impl Plot<'_> {
         let curves = || self.chart.drawn.iter().zip(&self.dots);
         let ends = |own: bool| {
             let some = curves().filter(move |(other, _)| (other.entry == drawn.entry) == own);
-            some.filter_map(|(_, dots)| dots.last()).any(|end| end.distance(at) < self.look.text)
+            let lines = some.filter(|(_, dots)| dots.len() > 1);
+            lines.filter_map(|(_, dots)| dots.last()).any(|end| end.distance(at) < self.look.text)
         };
         if ends(false) && !ends(true) { POINT } else { 0 }
     }

@@ -129,16 +129,17 @@ impl<'a> Outside<'a> {
             line
         };
         let nearest = above.len().saturating_sub(NAMED).max(1);
-        let Some(mut line) = (nearest..=above.len()).map(from).find(|line| fits(line)) else { return };
+        let Some(line) = (nearest..=above.len()).map(from).find(|line| fits(line)) else { return };
         let beside = above.iter().flat_map(|&node| tree.children(node)).filter(|&n| tree.role(n) == Role::Waiting);
-        for (index, node) in beside.enumerate() {
-            let words = (index == 0).then(|| sign("  waiting beside:"));
-            let more: Vec<Piece> = line.iter().cloned().chain(words).chain([name(node, Role::Waiting)]).collect();
-            if !fits(&more) {
-                break;
-            }
-            line = more;
-        }
+        let beside: Vec<NodeId> = beside.collect();
+        // As many of them as there is room for, and how many more there are.
+        let with = |count: usize| {
+            let words = (!beside.is_empty()).then(|| sign("  waiting beside:"));
+            let named = beside[..count].iter().map(|&node| name(node, Role::Waiting));
+            let more = (count < beside.len()).then(|| sign(&format!("and {} more", beside.len() - count)));
+            line.iter().cloned().chain(words).chain(named).chain(more).collect::<Vec<Piece>>()
+        };
+        let line = (0..=beside.len()).rev().map(with).find(|line| fits(line)).unwrap_or_else(|| line.clone());
         let mut at = Vec2::new(left, top + u * 0.5);
         for piece in line {
             write(figure, piece.role, piece.place, at, &piece.text, u, piece.face, Anchor::Start);
