@@ -146,7 +146,9 @@ impl Second {
         let Some(index) = mistake else {
             // Back to the ray from which the mistake led here.
             let led = self.led.take().filter(|[_, led]| broken && led.same_walk(state.target()));
-            led.into_iter().for_each(|[before, _]| state.return_to(before));
+            if let Some([before, _]) = led {
+                state.return_to(before);
+            }
             return None;
         };
         let playback = state.playback()?.clone();
