@@ -13,7 +13,7 @@ use crate::window::{Window, library, settle, sized};
 const LEGIBLE: f32 = 1.0 / 61.0;
 /// The same where walks stand side by side, up to three of them with their trees: numbers stand in primitives and nodes,
 /// which share the page.
-const ABREAST: f32 = 1.0 / 110.0;
+const ABREAST: f32 = 1.0 / 105.0;
 const FULL: f32 = 0.85;
 
 /// Around a figure is room for the borders of panes.

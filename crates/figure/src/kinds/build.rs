@@ -159,9 +159,9 @@ impl Kind for Build<'_> {
             () if !self.changes.is_empty() => legend::OF_CHANGE,
             () if self.follows_a_curve() => legend::OF_CURVE,
             () => match self.structure {
-                Structure::Octree(_) => legend::OF_OCTREE,
-                Structure::Bsp(_) => legend::OF_BSP,
-                _ => legend::OF_BUILD,
+                Structure::Octree(_) => &legend::OF_OCTREE,
+                Structure::Bsp(_) => &legend::OF_BSP,
+                _ => &legend::OF_BUILD,
             },
         }
     }

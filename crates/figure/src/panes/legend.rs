@@ -39,12 +39,6 @@ pub(crate) const OF_SOLID_WALK: Signs = saying(OF_WALK, 10, "visited, or held he
 pub(crate) const OF_SPHERES: Signs = saying(OF_WALK, 12, "sphere tested");
 pub(crate) const OF_SOLID_SPHERES: Signs = saying(OF_SOLID_WALK, 12, "sphere tested");
 
-/// The same, but for one that means something else.
-const fn saying(mut signs: Signs, at: usize, says: &'static str) -> Signs {
-    signs[at].1 = says;
-    signs
-}
-
 /// What the marks of a packet mean.
 pub(crate) const OF_PACKET: &[(Role, &str)] = &[
     (Role::Scene, "primitive"),
@@ -64,7 +58,7 @@ pub(crate) const OF_PACKET: &[(Role, &str)] = &[
 ];
 
 /// What the marks of a build mean.
-pub(crate) const OF_BUILD: &[(Role, &str)] = &[
+pub(crate) const OF_BUILD: [(Role, &str); 13] = [
     (Role::Scene, "primitive"),
     (Role::Ray, "its box"),
     (Role::Filled, "holds primitives"),
@@ -81,32 +75,10 @@ pub(crate) const OF_BUILD: &[(Role, &str)] = &[
 ];
 
 /// What they mean where cells are divided in their middle.
-pub(crate) const OF_OCTREE: &[(Role, &str)] = &[
-    (Role::Scene, "primitive"),
-    (Role::Filled, "holds primitives"),
-    (Role::Here, "under consideration"),
-    (Role::Ghost, "where it was before"),
-    (Role::Best, "sets a side of the box"),
-    (Role::Guess, "possible answer"),
-    (Role::Waiting, "still to be built"),
-    (Role::Plane, "where it is divided"),
-    (Role::Seen, "done"),
-];
+pub(crate) const OF_OCTREE: [(Role, &str); 13] = saying(OF_BUILD, 9, "where it is divided");
 
 /// What they mean where planes are proposed before they are weighed.
-pub(crate) const OF_BSP: &[(Role, &str)] = &[
-    (Role::Scene, "primitive"),
-    (Role::Filled, "holds primitives"),
-    (Role::Here, "under consideration"),
-    (Role::Ghost, "where it was before"),
-    (Role::Best, "sets a side of the box"),
-    (Role::Guess, "possible answer"),
-    (Role::Waiting, "still to be built"),
-    (Role::Candidate, "proposed"),
-    (Role::Plane, "taken"),
-    (Role::Hit, "on both sides"),
-    (Role::Seen, "done"),
-];
+pub(crate) const OF_BSP: [(Role, &str); 13] = saying(OF_BUILD, 8, "proposed");
 
 /// What they mean where sets on a curve are joined.
 pub(crate) const OF_CURVE: &[(Role, &str)] = &[
@@ -149,6 +121,16 @@ pub(crate) const OF_GRID: &[(Role, &str)] = &[
     (Role::Seen, "cell with a reference"),
     (Role::Dropped, "not reached"),
 ];
+
+/// The same signs, but for one that means something else.
+const fn saying<const N: usize>(
+    mut signs: [(Role, &'static str); N],
+    at: usize,
+    says: &'static str,
+) -> [(Role, &'static str); N] {
+    signs[at].1 = says;
+    signs
+}
 
 /// A sample and a few words for each kind of mark in `space`, in as many rows as needed. Where those do not fit into
 /// the figure, the letters are smaller; then what explains itself is left out.
