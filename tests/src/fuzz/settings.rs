@@ -103,9 +103,10 @@ pub fn settings(bytes: &[u8]) {
     let text = String::from_utf8_lossy(bytes);
     let read = Remembered::read(&text);
     assert!((0.5..=3.0).contains(&read.zoom), "zoom {}", read.zoom);
-    let heights = [read.heights.work, read.heights.stack, read.heights.tree, read.heights.ruler];
-    for size in heights.into_iter().chain([read.lesson, read.walk]).flatten() {
-        assert!((1.0..1e5).contains(&size), "a pane of {size} points");
+    let high = read.heights;
+    let panes = [high.work, high.stack, high.tree, high.ruler, high.bytes, high.changed, high.tabs];
+    for size in panes.into_iter().chain([read.lesson, read.walk]).flatten() {
+        assert!((1.0..=1e5).contains(&size), "a pane of {size} points");
     }
     let (last, _) = Last::read(&text);
     assert_eq!(Last::read(&last.text()), (last.clone(), Vec::new()), "what is kept is read again");
