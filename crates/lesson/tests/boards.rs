@@ -326,6 +326,7 @@ fn wrong_walks_side_by_side_are_told_what_is_wrong() {
         ("unknown event", "{{kd.count.test}}", "{{kd.count.tset}}"),
         ("least of nothing", "least=test", "least=tset"),
         ("answer that is none", "- bsp:", "- bvh:"),
+        ("camera", "rays = [", "camera = { center = [4, 2], half_height = 3 }\nrays = ["),
     ];
     let mut table = String::new();
     for (what, from, to) in mistakes {

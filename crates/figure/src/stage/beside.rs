@@ -75,15 +75,26 @@ pub(super) fn beside_box(bounds: &Aabb, lens: &Lens, half: Vec2, flat: bool, ins
 }
 
 /// The point on the edges of a box in space that lies nearest to its label.
-pub(super) fn on_edges(bounds: &Aabb, lens: &Lens, spot: Spot) -> Option<Vec2> {
-    let nearest = |[from, to]: [Vec3; 2]| {
-        let [(from, _), (to, _)] = lens.segment(from, to)?;
+pub(super) fn on_box(bounds: &Aabb, lens: &Lens, spot: Spot) -> Option<Vec2> {
+    let seen = edges(bounds).into_iter().filter_map(|[from, to]| lens.segment(from, to));
+    nearest(seen.map(|[(from, _), (to, _)]| (from, to)), spot)
+}
+
+/// The point on the outline of a flat shape that lies nearest to its label; nothing if the label lies in it.
+pub(super) fn on_outline(shape: &[Vec2], spot: Spot) -> Option<Vec2> {
+    let next = shape.iter().cycle().skip(1);
+    nearest(shape.iter().zip(next).map(|(&from, &to)| (from, to)), spot).filter(|_| !spot.is_within(shape))
+}
+
+/// The point of all lines that lies nearest to a label.
+pub(super) fn nearest(lines: impl Iterator<Item = (Vec2, Vec2)>, spot: Spot) -> Option<Vec2> {
+    let on = |(from, to): (Vec2, Vec2)| {
         let along = to - from;
         let share = (spot.center() - from).dot(along) / along.length_squared().max(f32::MIN_POSITIVE);
-        Some(from + along * share.clamp(0.0, 1.0))
+        from + along * share.clamp(0.0, 1.0)
     };
     let away = |at: &Vec2| spot.nearest(*at).distance(*at);
-    edges(bounds).into_iter().filter_map(nearest).min_by(|a, b| away(a).total_cmp(&away(b)))
+    lines.map(on).min_by(|a, b| away(a).total_cmp(&away(b)))
 }
 
 /// All around a flat box, at some distance.
@@ -132,6 +143,17 @@ pub(super) fn within_shape(shape: &[Vec2], half: Vec2) -> Vec<Spot> {
         spots.filter(|spot| spot.is_within(shape))
     };
     [1.0, 1.5, 2.2].into_iter().flat_map(within).collect()
+}
+
+/// Anywhere within a flat shape, row by row.
+pub(super) fn all_over(shape: &[Vec2], half: Vec2) -> Vec<Spot> {
+    const PARTS: u32 = 6;
+    let min = shape.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+    let max = shape.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let share = |part: u32| part as f32 / PARTS as f32;
+    let places = (1..PARTS).flat_map(|row| (1..PARTS).map(move |column| Vec2::new(share(column), share(row))));
+    let spots = places.map(|at| Spot::around(min + (max - min) * at, half));
+    spots.filter(|spot| spot.is_within(shape)).collect()
 }
 
 /// What of a shape lies furthest out in each direction.

@@ -3,10 +3,9 @@
 use glam::Vec2;
 use raystep_accel::{Aabb, Place};
 
-use super::beside::{
-    GAP, beside_box, beside_line, beside_point, beside_shape, further, is_line, is_sheet, on_edges, outline,
-};
+use super::beside::{GAP, beside_point, is_line};
 use super::lens::Lens;
+use super::named::Named;
 use super::obstacles::{HOPELESS, Obstacles, obstacles};
 use super::spot::{ASIDE, HALF, Spot, letters};
 use crate::page::{Anchor, Figure, Ink, line};
@@ -49,44 +48,33 @@ pub(super) fn place(kept: Option<[Vec2; 2]>, space: &Space, lens: &Lens, figure:
     let axes = space.marks.iter().any(|mark| matches!(mark.form, Form::Axes(_)));
     let on_axis = |within: &Option<Aabb>| axes && within.is_some_and(|bounds| is_line(&bounds));
     wanted.sort_by_key(|(role, _, _, within, _)| if on_axis(within) { 0 } else { rank(*role) });
-    let mut set = Vec::new();
+    // What leads to labels lies below all of them.
+    let (mut leaders, mut labels) = (Vec::new(), Vec::new());
     for (role, place, at, within, text) in wanted {
         let half = Vec2::new(text_width(text, Face::Medium, size) * 0.5 + size * ASIDE, size * HALF);
-        // What a label of a flat box names, on the page.
-        let own = within.filter(|bounds| space.flat && !is_line(bounds));
-        let own = own.and_then(|bounds| Some((lens.point(bounds.min)?.0, lens.point(bounds.max)?.0)));
-        let own = own.map(|(a, b)| Spot { min: a.min(b), max: a.max(b) });
-        let mut candidates = match within {
-            Some(bounds) if space.flat && is_line(&bounds) => beside_line(&bounds, lens, half),
-            // A plane of a volume's: its label stands with the plane, not with the volume.
-            Some(bounds) if !space.flat && is_sheet(&bounds) => beside_box(&bounds, lens, half, false, false),
-            Some(bounds) => match outline(space, place, lens) {
-                // A primitive that a label lies in is not seen.
-                shape if shape.is_empty() => {
-                    let inside = space.flat && !matches!(place, Some(Place::Prim(_)));
-                    beside_box(&bounds, lens, half, space.flat, inside)
-                }
-                shape => beside_shape(&shape, half, space.flat),
-            },
+        let own = within.map(|bounds| Named::new(bounds, place, space, lens, figure));
+        let mut candidates = match &own {
+            Some(own) => own.candidates(half),
             None => beside_point(
                 lens.point(at).map(|(point, _)| point).filter(|point| within_page(*point, figure.size)),
                 half,
             ),
         };
-        // In a crowd there is room only further off.
-        candidates.extend(own.into_iter().flat_map(|own| further(own, half)));
         // What would be cut by the picture's edge is moved into it.
         let cut = candidates.iter().filter(|spot| outside(**spot, figure.size) > 0.0);
         let moved: Vec<Spot> = cut.filter_map(|spot| spot.moved_into(figure.size)).collect();
         candidates.extend(moved);
-        // In a box there is room for its label: beside it lies another place.
-        let is_place = matches!(place, Some(Place::Cell(_) | Place::Node(_)));
-        let beside = |spot: Spot| {
-            own.filter(|_| is_place).is_some_and(|own| own.shared(spot) < own.shared(own).min(spot.shared(spot)) * 0.9)
+        let point = lens.point(at).map(|(point, _)| point).filter(|_| within.is_none());
+        let far = if point.is_some() { half.y + GAP * 2.0 } else { GAP * 2.0 };
+        let leader = |spot: Spot| {
+            let named = point.or_else(|| own.as_ref()?.nearest(spot))?;
+            let from = spot.nearest(named);
+            (from.distance(named) > far).then_some((from, named))
         };
         let cost = |index: usize, spot: Spot| {
-            let aside = if beside(spot) { BESIDE } else { 0.0 };
-            index as f32 * 1.5 + obstacles.cost(spot) + outside(spot, figure.size) + aside
+            let aside = if own.as_ref().is_some_and(|own| own.is_beside(spot)) { BESIDE } else { 0.0 };
+            let led = leader(spot).map_or(0.0, |(from, to)| LED * obstacles.labels_on(from, to) as f32);
+            index as f32 * 1.5 + obstacles.cost(spot) + outside(spot, figure.size) + aside + led
         };
         let best = candidates
             .iter()
@@ -97,22 +85,16 @@ pub(super) fn place(kept: Option<[Vec2; 2]>, space: &Space, lens: &Lens, figure:
         if cost >= HOPELESS && rank(role) > 1 {
             continue;
         }
-        obstacles.spots.push((Spot::around(spot.center(), spot.half() + 2.0), HOPELESS));
-        let point = lens.point(at).map(|(point, _)| point).filter(|_| within.is_none());
-        let named = point.or_else(|| own.map(|own| own.nearest(spot.center())));
-        // A box in space is drawn by its edges.
-        let solid = within.filter(|bounds| !space.flat && !is_sheet(bounds) && outline(space, place, lens).is_empty());
-        let named = named.or_else(|| on_edges(&solid?, lens, spot));
-        let far = if point.is_some() { half.y + GAP * 2.0 } else { GAP * 2.0 };
-        if let Some(point) = named.filter(|point| spot.nearest(*point).distance(*point) > far) {
-            let leader = line(spot.nearest(point), point);
-            set.push((Role::Quiet, place, leader));
+        if let Some((from, to)) = leader(spot) {
+            leaders.push((Role::Quiet, place, line(from, to)));
+            obstacles.lines.push((from, to, 1.5));
         }
+        obstacles.spots.push((Spot::around(spot.center(), spot.half() + 2.0), HOPELESS));
         let text = text.clone();
         let ink = Ink::Text { at: spot.center(), text, size, face: Face::Medium, anchor: Anchor::Middle, boxed: true };
-        set.push((role, place, ink));
+        labels.push((role, place, ink));
     }
-    for (role, place, ink) in set {
+    for (role, place, ink) in leaders.into_iter().chain(labels) {
         figure.add(role, place, ink);
     }
     obstacles
@@ -129,6 +111,9 @@ fn rank(role: Role) -> u32 {
 
 /// What it costs to stand beside what a label names, where another place lies.
 const BESIDE: f32 = 150.0;
+
+/// What it costs to be led to through another label.
+const LED: f32 = 250.0;
 
 /// Whether a point is in the picture.
 fn within_page(point: Vec2, size: Vec2) -> bool {

@@ -9,6 +9,7 @@ mod entry;
 mod inset;
 mod labels;
 mod lens;
+mod named;
 mod numbers;
 mod obstacles;
 mod rulers;

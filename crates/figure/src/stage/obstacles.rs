@@ -36,6 +36,11 @@ impl Obstacles {
         });
         lines + spots.sum::<f32>() + shapes.sum::<f32>()
     }
+
+    /// How many labels a line runs through.
+    pub(super) fn labels_on(&self, from: Vec2, to: Vec2) -> usize {
+        self.spots.iter().filter(|(spot, weight)| *weight >= HOPELESS && spot.length_of(from, to) > 0.0).count()
+    }
 }
 
 /// A label that costs as much covers another one or lies outside the picture.
@@ -56,7 +61,8 @@ fn size(shape: &Ink) -> f32 {
     }
 }
 
-fn area(points: &[Vec2]) -> f32 {
+/// The area of a polygon.
+pub(super) fn area(points: &[Vec2]) -> f32 {
     let next = points.iter().cycle().skip(1);
     points.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum::<f32>().abs() * 0.5
 }

@@ -267,7 +267,7 @@ impl Theme {
             Role::Ghost => look(stroke(self.edge, 2.8, Dotted), None, self.quiet),
             Role::Wrong => hatched(stroke(self.wrong, 3.2, Dashed), tint(self.wrong), self.wrong),
             Role::Text => look(stroke(self.text, 1.2, Solid), None, self.text),
-            Role::Quiet => look(stroke(self.edge, 1.0, Solid), None, self.quiet),
+            Role::Quiet => look(stroke(self.quiet, 1.0, Solid), None, self.quiet),
             Role::Value => look(stroke(self.ray, 1.6, Solid), tint(self.ray), self.ray),
             Role::Ground => look(None, tint(self.here), self.here),
             Role::Page => look(None, Some(self.page), self.text),

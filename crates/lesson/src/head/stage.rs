@@ -71,6 +71,9 @@ pub(super) fn stage(kind: StageKind, keys: &mut Keys<'_>, reading: &mut Reading<
     let look = camera.as_mut().and_then(|table| look(kind, table, reading));
     if let Some(table) = camera {
         table.finish(reading);
+        if reading.plays == Plays::Walks {
+            reading.problem(camera_at, "walks side by side show all of their scene: leave `camera` out");
+        }
     }
     let levels = levels(kind, keys, reading);
     let (scene_at, scene) = scene?;

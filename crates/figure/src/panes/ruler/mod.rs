@@ -7,7 +7,7 @@ use glam::Vec2;
 use raystep_accel::{Interval, Structure, Visit};
 
 pub use scale::RulerScale;
-use spans::{Span, current_t};
+use spans::{Span, current_t, deciding};
 pub(crate) use spans::{extent, spans};
 
 use crate::moments::{Moment, Walk};
@@ -52,16 +52,16 @@ pub(crate) fn ruler_of(
     let aside = if matches!(walk.structure, Structure::Slab(_)) { u * 3.0 } else { 0.0 };
     let axis = axis(walk, moment, part, beside_names(&spans, look) + aside, size.x - look.margin() - u - aside);
 
-    // Rows stand closer before any is left out; what is left out lies furthest down the stack.
+    // Rows stand closer before any is left out: what lies furthest down the stack, slabs that decide nothing.
     let bottom = size.y - look.margin() - u * 1.1;
     let height = (bottom - top - u * 0.4).max(u);
     let fit = ((height / (u * 0.85)) as usize).max(1);
     let more = if spans.len() > fit { spans.len() + 1 - fit } else { 0 };
+    let room = spans.len() - more;
     if moment.slab.is_some() {
-        // What all slabs leave stands last, and is what counts.
-        spans.drain(..more);
+        spans = deciding(spans, room);
     } else {
-        spans.truncate(spans.len() - more);
+        spans.truncate(room);
     }
     let rows = spans.len() + usize::from(more > 0);
     let row = (height / rows.max(1) as f32).min(look.line());

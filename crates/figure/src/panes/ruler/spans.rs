@@ -1,5 +1,7 @@
 //! Which intervals of t are known at a moment, and which part of the t axis shows them.
 
+use std::collections::BTreeSet;
+
 use raystep_accel::{Axis, Interval, Place, Structure, Verdict, Visit};
 
 use crate::moments::{Moment, Walk};
@@ -77,6 +79,24 @@ pub(crate) fn spans(walk: &Walk<'_>, moment: &Moment) -> Vec<Span> {
     spans.extend(tested.map(|tested| box_span(tested.place, tested.interval, tested.verdict)));
     spans.extend(waiting(moment));
     spans
+}
+
+/// Of slabs and what they leave as many as there is room for: what they leave, the latest entry and the earliest exit,
+/// then the last ones.
+pub(crate) fn deciding(spans: Vec<Span>, room: usize) -> Vec<Span> {
+    let slabs = spans.iter().enumerate().take(spans.len().saturating_sub(1));
+    let entry = slabs.clone().max_by(|(_, a), (_, b)| a.interval.near.total_cmp(&b.interval.near));
+    let exit = slabs.min_by(|(_, a), (_, b)| a.interval.far.total_cmp(&b.interval.far));
+    let mut first: Vec<usize> = [entry, exit].into_iter().flatten().map(|(index, _)| index).collect();
+    first.insert(0, spans.len() - 1);
+    first.extend((0..spans.len()).rev());
+    let mut kept = BTreeSet::new();
+    for index in first {
+        if kept.len() < room {
+            kept.insert(index);
+        }
+    }
+    spans.into_iter().enumerate().filter(|(index, _)| kept.contains(index)).map(|(_, span)| span).collect()
 }
 
 fn waiting(moment: &Moment) -> impl Iterator<Item = Span> {

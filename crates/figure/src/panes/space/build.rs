@@ -191,12 +191,13 @@ impl Drawing<'_> {
         for (&id, node) in shown.chain(rest) {
             let role = node_role(self.moment, id);
             // Boxes of split nodes only repeat what their children show, unless those are not shown; the current one
-            // stands out.
+            // stands out. A volume is more than those in it: in a drawing a grey one would be taken for a primitive.
+            let tree = matches!(self.build.structure, Structure::Bvh(_));
             let repeats = role == Role::Seen && node.children.iter().all(|child| self.moment.nodes.contains_key(child));
-            let repeats = repeats && !node.children.is_empty() && !lowest.contains(&id);
+            let repeats = repeats && !node.children.is_empty() && !lowest.contains(&id) && !(tree && self.build.flat);
             let role = if repeats { Role::Edge } else { role };
             // What a leaf refers to tints it; the volumes of a hierarchy are never empty.
-            let filled = node.leaf.is_some() && node.prims > 0 && !matches!(self.build.structure, Structure::Bvh(_));
+            let filled = node.leaf.is_some() && node.prims > 0 && !tree;
             if self.build.flat && filled {
                 for form in self.build.nodes.look(self.build.structure, id, node.bounds, true) {
                     self.add(Role::Filled, Some(Place::Node(id)), form);

@@ -17,6 +17,9 @@ const DOTS: usize = 4;
 /// How large a cell of a strip is, in digits.
 const CELL: f32 = 0.72;
 
+/// How far a thick or a dashed rim lies further out than others, in digits.
+const RIM: f32 = 0.12;
+
 /// Sizes and places of one drawing.
 pub(super) struct Pen<'a> {
     pub(super) tree: &'a dyn Tree,
@@ -178,10 +181,13 @@ impl Pen<'_> {
         let (node, place) = (branch.node, Some(Place::Node(branch.node)));
         let role = self.tree.role(node);
         let (half, radius) = (self.half_width(node), self.sizes.radius());
-        let corner = Vec2::new(half, radius);
+        // A thick or dashed rim lies further out, off the number.
+        let out =
+            if matches!(role, Role::Here | Role::Waiting | Role::Dropped) { self.sizes.digits * RIM } else { 0.0 };
+        let corner = Vec2::new(half, radius) + out;
         let ink = match branch.is_leaf() {
-            false if half <= radius => Ink::Circle { center: at, radius },
-            false => block(at - corner, 2.0 * corner, radius),
+            false if half <= radius => Ink::Circle { center: at, radius: radius + out },
+            false => block(at - corner, 2.0 * corner, radius + out),
             true => block(at - corner, 2.0 * corner, self.sizes.digits * 0.28),
         };
         figure.add(role, place, ink);
