@@ -45,12 +45,7 @@ pub(super) fn beside_line(bounds: &Aabb, lens: &Lens, half: Vec2) -> Vec<Spot> {
 /// The corners of a flat box, inside where there is room; around the corners of a box in space.
 pub(super) fn beside_box(bounds: &Aabb, lens: &Lens, half: Vec2, flat: bool, inside: bool) -> Vec<Spot> {
     let seen: Vec<Vec2> = corners(bounds).iter().filter_map(|&corner| Some(lens.point(corner)?.0)).collect();
-    if seen.is_empty() {
-        return Vec::new();
-    }
-    let min = seen.iter().copied().fold(Vec2::INFINITY, Vec2::min);
-    let max = seen.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
-    let outer = Spot { min, max };
+    let Some(outer) = Spot::over(&seen) else { return Vec::new() };
     let middle = outer.center();
     let mut spots = Vec::new();
     let room = outer.half() - half - GAP;
@@ -148,8 +143,7 @@ pub(super) fn within_shape(shape: &[Vec2], half: Vec2) -> Vec<Spot> {
 /// Anywhere within a flat shape, row by row.
 pub(super) fn all_over(shape: &[Vec2], half: Vec2) -> Vec<Spot> {
     const PARTS: u32 = 6;
-    let min = shape.iter().copied().fold(Vec2::INFINITY, Vec2::min);
-    let max = shape.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
+    let Some(Spot { min, max }) = Spot::over(shape) else { return Vec::new() };
     let share = |part: u32| part as f32 / PARTS as f32;
     let places = (1..PARTS).flat_map(|row| (1..PARTS).map(move |column| Vec2::new(share(column), share(row))));
     let spots = places.map(|at| Spot::around(min + (max - min) * at, half));

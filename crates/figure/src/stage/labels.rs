@@ -113,7 +113,7 @@ fn rank(role: Role) -> u32 {
 const BESIDE: f32 = 150.0;
 
 /// What it costs to be led to through another label.
-const LED: f32 = 250.0;
+const LED: f32 = 60.0;
 
 /// Whether a point is in the picture.
 fn within_page(point: Vec2, size: Vec2) -> bool {

@@ -18,8 +18,10 @@ pub(super) struct Named<'a> {
     bounds: Aabb,
     place: Option<Place>,
     flat: bool,
-    /// What bounds it on the page, if that is no box along the axes.
+    /// What bounds its place on the page, if that is no box along the axes.
     shape: Vec<Vec2>,
+    /// Whether that is what it names: it may name a plane of the place.
+    all: bool,
     /// The lines of a primitive in space, as they are drawn.
     drawn: Vec<(Vec2, Vec2)>,
     /// The box of what lies flat, on the page.
@@ -38,7 +40,10 @@ impl<'a> Named<'a> {
             _ => None,
         });
         let drawn = lines.flatten().collect();
-        Named { bounds, place, flat: space.flat, shape: outline(space, place, lens), drawn, page, lens }
+        let shape = outline(space, place, lens);
+        let reach = Spot::over(&shape);
+        let all = page.zip(reach).is_some_and(|(page, reach)| page.is_near(reach));
+        Named { bounds, place, flat: space.flat, shape, all, drawn, page, lens }
     }
 
     /// Where its label may stand, the best first.
@@ -53,7 +58,7 @@ impl<'a> Named<'a> {
             let inside = self.flat && !matches!(self.place, Some(Place::Prim(_)));
             beside_box(&self.bounds, self.lens, half, self.flat, inside)
         } else {
-            let within = if self.is_place() && self.flat { all_over(&self.shape, half) } else { Vec::new() };
+            let within = if self.all && self.is_place() { all_over(&self.shape, half) } else { Vec::new() };
             beside_shape(&self.shape, half, self.flat).into_iter().chain(within).collect()
         };
         // In a crowd there is room only further off.
@@ -64,7 +69,7 @@ impl<'a> Named<'a> {
     /// The point of it that lies nearest to its label.
     pub(super) fn nearest(&self, spot: Spot) -> Option<Vec2> {
         match self.page {
-            Some(_) if self.is_place() && self.shape.len() > 2 => on_outline(&self.shape, spot),
+            Some(_) if self.all && self.is_place() => on_outline(&self.shape, spot),
             Some(page) => Some(page.nearest(spot.center())),
             None if !self.drawn.is_empty() => nearest(self.drawn.iter().copied(), spot),
             // A box in space is drawn by its edges.
@@ -78,7 +83,7 @@ impl<'a> Named<'a> {
     /// Whether a label would stand beside it. In a box there is room for its label: beside it lies another place.
     pub(super) fn is_beside(&self, spot: Spot) -> bool {
         let Some(page) = self.page.filter(|_| self.is_place()) else { return false };
-        let (whole, shared) = match self.shape.len() > 2 {
+        let (whole, shared) = match self.all {
             true => (area(&self.shape), area(&polygon(&self.shape, spot.min, spot.max))),
             false => (page.shared(page), page.shared(spot)),
         };

@@ -122,9 +122,7 @@ pub(super) fn obstacles(space: &Space, lens: &Lens, figure: &Figure) -> Obstacle
             }
             Ink::Area { .. } if flat_shape => found.shapes.push((mark.place, mark.ink.clone())),
             Ink::Area { points } if points.len() < 100 && mark.role != Role::Plane => {
-                let min = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
-                let max = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
-                found.spots.push((Spot { min, max }, 10.0));
+                found.spots.extend(Spot::over(points).map(|spot| (spot, 10.0)));
             }
             Ink::Rect { min, max, .. } => {
                 let (a, b) = (Vec2::new(max.x, min.y), Vec2::new(min.x, max.y));

@@ -45,6 +45,17 @@ impl Spot {
         Spot { min: center - half, max: center + half }
     }
 
+    /// The rectangle around all points; nothing without any.
+    pub(super) fn over(points: &[Vec2]) -> Option<Spot> {
+        let around = |a: Spot, b: Spot| Spot { min: a.min.min(b.min), max: a.max.max(b.max) };
+        points.iter().map(|point| Spot { min: *point, max: *point }).reduce(around)
+    }
+
+    /// Whether two rectangles are the same but for a point.
+    pub(super) fn is_near(self, other: Spot) -> bool {
+        (self.min - other.min).abs().max((self.max - other.max).abs()).max_element() < 1.0
+    }
+
     /// What a line of text covers.
     pub(super) fn of_text(at: Vec2, text: &str, size: f32, face: Face, anchor: Anchor) -> Spot {
         let width = text_width(text, face, size);
