@@ -188,6 +188,25 @@ impl Drop for Mounted {
 }
 
 #[test]
+fn a_file_that_may_not_be_so_large_is_a_sentence() {
+    let folder = with_inputs("limited");
+    std::fs::write(folder.join("rays.csv"), RAYS.to_owned() + &"1.5,0.5,5,0,0,-1\n".repeat(20_000)).unwrap();
+    std::fs::write(folder.join("out.csv"), "before").unwrap();
+    let before = names(&folder);
+    let call = "ulimit -f 40; exec \"$0\" \"$@\"";
+    let output = Command::new("bash")
+        .args(["-c", call, env!("CARGO_BIN_EXE_raystep")])
+        .args(trace("out.csv"))
+        .current_dir(&folder)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(said(&output).contains("out.csv: no file may be that large here"), "{}", said(&output));
+    assert_eq!(std::fs::read_to_string(folder.join("out.csv")).unwrap(), "before");
+    assert_eq!(names(&folder), before);
+}
+
+#[test]
 fn nobody_listening_is_no_reason_to_break_off() {
     let folder = with_inputs("deaf");
     let section = folder.join("05-kd-tree");

@@ -78,6 +78,7 @@ enum Command {
 /// Does what was asked. Exit code 2 means that there is something to mend; a sentence says what.
 pub fn run(arguments: &Arguments) -> ExitCode {
     report::prepare();
+    large_files_are_errors();
     // What verifies rays ends by itself, and tells what is known by then.
     if !matches!(arguments.command, Some(Command::Verify(_))) {
         end_cleanly();
@@ -102,6 +103,13 @@ pub fn run(arguments: &Arguments) -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// A file that may not grow as large as it would (`ulimit -f`) is an error where it is written, and not the end of
+/// the program, which would leave it half-written.
+fn large_files_are_errors() {
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
 }
 
 /// The exit code of what Ctrl+C has ended: not done, and nothing to mend.

@@ -39,7 +39,12 @@ pub struct StartArguments {
 pub(crate) fn run(arguments: &StartArguments) -> Result<(), Fault> {
     let library = arguments.lessons.read()?;
     if let Some(path) = arguments.mesh.as_ref().filter(|path| !path.is_file()) {
-        return Err(Fault::new(format!("{}: there is no such file, and no such command (--help)", path.display())));
+        let why = match path.metadata() {
+            Ok(data) if data.is_dir() => "it is a folder; the mesh of an OBJ file is shown",
+            Ok(_) => "it is no plain file; the mesh of an OBJ file is shown",
+            Err(_) => "there is no such file, and no such command (--help)",
+        };
+        return Err(Fault::new(format!("{}: {why}", path.display())));
     }
     if let Some(slide) = arguments.slide.as_ref().filter(|slide| library.slide(slide).is_none()) {
         return Err(Fault::new(no_slide(&library, slide)));

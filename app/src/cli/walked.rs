@@ -100,9 +100,22 @@ impl Walked<'_> {
             page.text(format!("Built with {}.", parameters.join(" ")));
         }
         let point = |p: glam::DVec3| p.to_array().map(|x| number(x as f32)).join(", ");
+        let moved = scene.origin != glam::DVec3::ZERO;
+        // Where all lies far off, as many digits as tell places of the mesh apart.
+        let place = |p: glam::Vec3| {
+            let (near, far) = (p.as_dvec3(), scene.moved_back(p));
+            let axis = |axis: usize| spelt(far[axis], near[axis]);
+            if moved { [0, 1, 2].map(axis).join(", ") } else { point(far) }
+        };
+        if moved {
+            let [x, y, z] = scene.origin.to_array();
+            page.text(format!(
+                "The steps count coordinates from ({x}, {y}, {z}), so that single precision tells them apart."
+            ));
+        }
         page.text(format!(
             "The ray starts at ({}) and runs along ({}); t counts from {} to {}.",
-            point(scene.moved_back(ray.o)),
+            place(ray.o),
             point(ray.d.as_dvec3()),
             number(ray.t_min),
             number(ray.t_max),
@@ -126,12 +139,9 @@ impl Walked<'_> {
             page.text(format!("Not kept: {more} that happened."));
         }
         page.text(match hit {
-            Some(hit) => format!(
-                "The ray hits primitive {} at t = {}, at ({}).",
-                hit.prim,
-                number(hit.t),
-                point(scene.moved_back(ray.at(hit.t)))
-            ),
+            Some(hit) => {
+                format!("The ray hits primitive {} at t = {}, at ({}).", hit.prim, number(hit.t), place(ray.at(hit.t)))
+            }
             None => "The ray hits nothing.".to_owned(),
         });
         let mut cost = Cost::default();
@@ -144,5 +154,28 @@ impl Walked<'_> {
         ];
         page.text(format!("Counted: {}.", counts.join(", ")));
         page
+    }
+}
+
+/// A coordinate with so many digits that four of its part `near` the mesh are told.
+fn spelt(far: f64, near: f64) -> String {
+    let size = if near == 0.0 { 0 } else { libm::floor(libm::log10(near.abs())) as i32 };
+    let digits = format!("{far:.*}", (3 - size).clamp(0, 12) as usize);
+    let trimmed = if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { &digits };
+    trimmed.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_far_off_keep_the_digits_that_tell_them_apart() {
+        let check = |far: f64, near: f64, says: &str| assert_eq!(spelt(far, near), says);
+        check(465812.4, -0.1, "465812.4");
+        check(5247903.70, 0.2, "5247903.7");
+        check(412.5, 0.0, "412.5");
+        check(5247903.123456, 0.123456, "5247903.1235");
+        check(1e12 + 2048.0, 2048.0, "1000000002048");
     }
 }

@@ -49,17 +49,27 @@ pub(crate) fn framed(camera: &Camera, bounds: &Aabb, size: Vec2) -> Camera {
     }
 }
 
-/// A camera, unless another one sees more from nearer by: then that one. Framing never makes a scene smaller.
-pub(crate) fn no_further(camera: Camera, home: Camera) -> Camera {
+/// A camera, unless another one shows all of a box larger: then that one. Framing never makes anything smaller.
+pub(crate) fn no_further(camera: Camera, home: Camera, bounds: &Aabb, size: Vec2) -> Camera {
+    // How much of the picture the box takes, if all of it is seen.
+    let share = |camera: &Camera| {
+        let seen: Option<Vec<Vec2>> = corners(bounds).map(|at| Some(camera.project(at, size)?.0)).collect();
+        let seen = seen.filter(|seen| seen.iter().all(|at| at.cmpge(Vec2::ZERO).all() && at.cmple(size).all()))?;
+        let low = seen.iter().copied().reduce(Vec2::min)?;
+        let high = seen.iter().copied().reduce(Vec2::max)?;
+        Some(((high - low) / size).max_element())
+    };
     match (camera, home) {
-        (Camera::Solid { eye, target, .. }, Camera::Solid { eye: own_eye, target: own_target, .. })
-            if eye.distance(target) > own_eye.distance(own_target) =>
-        {
-            home
-        }
+        (Camera::Solid { .. }, Camera::Solid { .. }) if share(&home) > share(&camera) => home,
         (Camera::Flat { half_height, .. }, Camera::Flat { half_height: own, .. }) if half_height > own => home,
         _ => camera,
     }
+}
+
+/// The corners of a box.
+fn corners(bounds: &Aabb) -> impl Iterator<Item = Vec3> {
+    let ends = [bounds.min, bounds.max];
+    (0..8).map(move |at: usize| Vec3::new(ends[at & 1].x, ends[at >> 1 & 1].y, ends[at >> 2 & 1].z))
 }
 
 /// Turned around its target by a drag over so much of the picture; a flat camera is shifted.

@@ -222,7 +222,11 @@ fn what_changed_is_what_is_not_as_before() {
 
     let weigh = played.grown.iter().position(|event| matches!(event, Grow::Weigh { .. })).unwrap() + 2;
     let [before, now] = [weigh - 1, weigh].map(|step| GrowMoment::at(&played.grown, step));
-    check("changed_weigh", &changed_of_build(&before, &now, false, size, &LOOK));
+    let (structure, prims, lost) = (&played.structure, &played.prims, std::collections::BTreeMap::new());
+    let nodes = Nodes::of(structure);
+    let events = played.grown.as_slice();
+    let build = Build { structure, nodes: &nodes, prims, events, lost: &lost, instead: None, changes: &[], flat: true };
+    check("changed_weigh", &changed_of_build(&build, &before, &now, false, size, &LOOK));
 }
 
 #[test]

@@ -284,12 +284,14 @@ impl Checker<'_> {
             Look::Solid { eye, target, .. } => ("the way from `eye` to `target`", (target - eye).length(), target),
         };
         let [least, most] = [size / 1000.0, size * 100.0];
-        let apart = (middle - middle.clamp(bounds.min, bounds.max)).length();
+        let nearest = middle.clamp(bounds.min, bounds.max);
+        let apart = (middle - nearest).length();
         if !(least..=most).contains(&seen) {
             let message = format!("{what} is {seen}: of this scene something can be seen from {least} to {most}");
             self.say(slide, stage.camera_spot, message);
-        } else if apart > seen * 4.0 {
-            self.say(slide, stage.camera_spot, format!("the camera looks {apart} units beside the scene"));
+        } else if apart > seen * 4.0 || !look.shows(&bounds) {
+            let message = format!("the camera looks {apart} units beside the scene: nothing of it would be seen");
+            self.say(slide, stage.camera_spot, message);
         }
     }
 

@@ -55,8 +55,19 @@ struct Found {
 impl Found {
     /// Reads what lies in a folder; `inside` is its name within the folder of lessons, nothing for that itself.
     fn folder(&mut self, folder: &Path, inside: &str) -> io::Result<()> {
-        let mut names: Vec<String> =
-            std::fs::read_dir(folder)?.filter_map(|entry| entry.ok()?.file_name().into_string().ok()).collect();
+        let mut names = Vec::new();
+        for name in std::fs::read_dir(folder)?.filter_map(|entry| Some(entry.ok()?.file_name())) {
+            match name.into_string() {
+                Ok(name) => names.push(name),
+                Err(name) if wanted(Path::new(&name)) || has_lessons(&folder.join(&name)) => {
+                    let shown = name.to_string_lossy();
+                    let shown = if inside.is_empty() { shown.into_owned() } else { format!("{inside}/{shown}") };
+                    self.leave_out(&shown, "its name is no text (UTF-8): rename it; it is left out");
+                }
+                // Of what is no lesson nobody asks.
+                Err(_) => {}
+            }
+        }
         names.retain(|name| !name.starts_with('.'));
         names.sort();
         for name in names {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
-use raystep_accel::{BvhVolume, Ray};
+use raystep_accel::{Aabb, BvhVolume, Ray};
 use raystep_scene::{Scene, Scenes};
 
 use crate::{Board, PairsTape, Plan, Planned, Spot};
@@ -138,4 +138,35 @@ pub enum Look {
         /// Vertical angle of view in degrees.
         fov_degrees: f32,
     },
+}
+
+impl Look {
+    /// Whether something of a box may be seen in a picture that is at most twice as wide as high.
+    pub(crate) fn shows(&self, bounds: &Aabb) -> bool {
+        const WIDE: f32 = 2.0;
+        match *self {
+            Look::Flat { center, half_height } => {
+                let half = Vec2::new(half_height * WIDE, half_height);
+                let (low, high) = (bounds.min.truncate(), bounds.max.truncate());
+                (center - half).cmple(high).all() && (center + half).cmpge(low).all()
+            }
+            Look::Solid { eye, target, up, fov_degrees } => {
+                let forward = (target - eye).normalize_or_zero();
+                let right = forward.cross(up).normalize_or_zero();
+                let page_up = right.cross(forward);
+                let tall = (fov_degrees.to_radians() * 0.5).tan();
+                let across = [right, -right].map(|side| forward * tall * WIDE + side);
+                let along = [page_up, -page_up].map(|side| forward * tall + side);
+                // Nothing is seen if all corners lie beyond one side of the view.
+                let seen = |side: &Vec3| corners(bounds).any(|corner| (corner - eye).dot(*side) > 0.0);
+                [forward].iter().chain(&across).chain(&along).all(seen)
+            }
+        }
+    }
+}
+
+/// The corners of a box.
+fn corners(bounds: &Aabb) -> impl Iterator<Item = Vec3> {
+    let ends = [bounds.min, bounds.max];
+    (0..8).map(move |at: usize| Vec3::new(ends[at & 1].x, ends[at >> 1 & 1].y, ends[at >> 2 & 1].z))
 }

@@ -12,7 +12,7 @@ pub fn why(error: &Error) -> String {
         ErrorKind::ReadOnlyFilesystem => "nothing can be written to this disk",
         ErrorKind::IsADirectory => "it is a folder; a file is needed",
         ErrorKind::NotADirectory => "a part of its path is no folder",
-        ErrorKind::FileTooLarge => "this disk takes no file that large",
+        ErrorKind::FileTooLarge => "no file may be that large here",
         ErrorKind::InvalidData => "it is no text in UTF-8",
         _ => return error.to_string().split(" (os error").next().unwrap_or_default().to_owned(),
     };

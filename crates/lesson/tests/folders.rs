@@ -55,6 +55,21 @@ fn an_unreadable_file_is_named_and_the_rest_is_read() {
     insta::assert_snapshot!(said(&folder));
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn a_name_that_is_no_text_is_named() {
+    use std::ffi::OsStr;
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = lessons("no-text");
+    std::fs::write(folder.join("05-kd-tree").join(OsStr::from_bytes(b"34-\xFF.md")), SLIDE).unwrap();
+    std::fs::write(folder.join("05-kd-tree").join(OsStr::from_bytes(b"notes-\xFF.txt")), "notes").unwrap();
+    let section = folder.join(OsStr::from_bytes(b"06-\xFF"));
+    std::fs::create_dir(&section).unwrap();
+    std::fs::write(section.join("40-good.md"), SLIDE).unwrap();
+    insta::assert_snapshot!(said(&folder));
+}
+
 #[test]
 fn a_folder_that_is_not_there_is_an_error() {
     assert!(Library::from_dir(&lessons("gone").join("nowhere")).is_err());

@@ -118,6 +118,7 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
         ("camera on a speck", "rays = [", "camera = { center = [4, 3], half_height = 0.002 }\nrays = ["),
         ("camera from afar", "rays = [", "camera = { center = [4, 3], half_height = 1e6 }\nrays = ["),
         ("camera beside the scene", "rays = [", "camera = { center = [400, 3], half_height = 3 }\nrays = ["),
+        ("camera past the scene", "rays = [", "camera = { center = [20, 3], half_height = 3 }\nrays = ["),
         ("camera without a height", "rays = [", "camera = { center = [4, 3], half_hight = 3 }\nrays = ["),
         ("nothing to choose between", "The best is", "> ask {field=node}: Which?\n\nThe best is"),
     ];
@@ -140,6 +141,7 @@ fn every_mistake_is_named_with_its_place_and_the_nearest_right_spelling() {
         ("angle of nothing", "eye = [0, 9, 0], target = [0, 0, 0], fov_degrees = 0"),
         ("angle behind the eye", "eye = [0, 9, 0], target = [0, 0, 0], fov_degrees = 180"),
         ("eye too far", "eye = [0, 9e5, 0], target = [0, 0, 0]"),
+        ("looks away", "eye = [100, 2, 3], target = [200, 2, 3], up = [0, 0, 1]"),
     ] {
         let solid = SLIDE.replace("[flat]", &format!("[solid]\ncamera = {{ {camera} }}"));
         let solid = solid.replace("flat-twelve", "teapot-6321").replace(", promise = [\"drop\"]", "");

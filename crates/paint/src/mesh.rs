@@ -1,7 +1,7 @@
 //! The scene's primitives as one mesh on the GPU, uploaded once.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use bytemuck::{Pod, Zeroable};
 use glam::Vec3;
@@ -49,6 +49,9 @@ impl Mesh {
                 (Cow::from(positions), Cow::from(indices))
             }
         };
+        if let Some(once) = once(&positions, &indices) {
+            indices = Cow::from(once);
+        }
         let normals = normals(&positions, &indices, go_on)?;
         let mut corners: Vec<Corner> =
             normals.into_iter().zip(positions.iter()).map(|(normal, p)| corner(*p, normal)).collect();
@@ -98,6 +101,19 @@ fn weld(prims: &Prims) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     (positions, indices)
 }
 
+/// Of triangles that lie on each other one, if there are such: to draw a hundred thousand over each other takes minutes
+/// without a graphics card.
+fn once(positions: &[Vec3], indices: &[[u32; 3]]) -> Option<Vec<[u32; 3]>> {
+    let mut known = HashSet::with_capacity(indices.len());
+    let corners = |triangle: &[u32; 3]| {
+        let mut corners = triangle.map(|corner| positions[corner as usize].to_array().map(f32::to_bits));
+        corners.sort_unstable();
+        corners
+    };
+    let once: Vec<[u32; 3]> = indices.iter().filter(|triangle| known.insert(corners(triangle))).copied().collect();
+    (once.len() < indices.len()).then_some(once)
+}
+
 /// For each corner the sum of its triangles' normals, each as long as its triangle is large.
 fn normals(positions: &[Vec3], indices: &[[u32; 3]], go_on: &dyn Fn() -> bool) -> Option<Vec<Vec3>> {
     let mut sums = vec![Vec3::ZERO; positions.len()];
@@ -114,4 +130,19 @@ fn normals(positions: &[Vec3], indices: &[[u32; 3]], go_on: &dyn Fn() -> bool) -
         }
     }
     Some(sums)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_lies_on_each_other_is_drawn_once() {
+        let positions = [Vec3::ZERO, Vec3::X, Vec3::Y, Vec3::Z, Vec3::X];
+        let check =
+            |indices: &[[u32; 3]], expected: Option<Vec<[u32; 3]>>| assert_eq!(once(&positions, indices), expected);
+        check(&[[0, 1, 2], [0, 1, 3]], None);
+        // The same corners in another order, and other corners at the same places.
+        check(&[[0, 1, 2], [2, 1, 0], [0, 4, 2], [0, 1, 3]], Some(vec![[0, 1, 2], [0, 1, 3]]));
+    }
 }

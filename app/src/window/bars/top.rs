@@ -152,9 +152,16 @@ fn outline(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Op
     let tall = (ui.ctx().content_rect().height() - 84.0).max(200.0);
     let combo =
         ComboBox::from_id_salt("outline").width(width).height(tall).truncate().selected_text(RichText::new(shown));
+    let list = ui.scope_id().with("outline is open");
     let shown = controls::within(ui, width, |ui| {
         combo.show_ui(ui, |ui| {
             ui.set_min_width(width.max(340.0));
+            // It opens where one is, as soon as it knows how long it is.
+            let opening = ui.data_mut(|data| {
+                let frames: &mut u32 = data.get_temp_mut_or_default(list);
+                *frames += 1;
+                *frames <= 3
+            });
             let mut section = "";
             for (index, slide) in state.library.slides.iter().enumerate() {
                 if slide.section != section {
@@ -164,12 +171,19 @@ fn outline(ui: &mut Ui, state: &State, theme: &Theme, width: f32, asked: &mut Op
                     ui.label(RichText::new(heading).font(font(Face::Bold, 12.5)).color(ink(theme, Role::Quiet)));
                 }
                 let text = format!("{}   {}", slide.title, slide.numbers_text());
-                if ui.selectable_label(index == at, text).clicked() {
+                let row = ui.selectable_label(index == at, text);
+                if index == at && opening {
+                    row.scroll_to_me_animation(Some(Align::Center), egui::style::ScrollAnimation::none());
+                }
+                if row.clicked() {
                     *asked = Some(Asked::Slide(index));
                 }
             }
         })
     });
+    if shown.inner.is_none() {
+        ui.data_mut(|data| data.remove_temp::<u32>(list));
+    }
     controls::name(&shown.response, "Outline of slides");
     let forth = icon_button(ui, Icon::Right, "Next slide", &Command::NextSlide.tip(), false, 28.0);
     if forth.clicked() {

@@ -44,6 +44,8 @@ pub(crate) fn style(theme: &Theme) -> Style {
     spacing.interact_size = vec2(30.0, 28.0);
     spacing.menu_margin = egui::Margin::same(6);
     spacing.combo_height = 460.0;
+    // A list is as long as the window has room for; what an area begins with would be its bound.
+    spacing.default_area_size = vec2(600.0, 4000.0);
     style.interaction.tooltip_delay = 0.4;
     style.interaction.selectable_labels = false;
     style.animation_time = 0.08;

@@ -1,16 +1,17 @@
 //! How many boxes of a tree a solid stage shows: the path alone, or those down to a level.
 
-use egui::{Rect, Slider, Ui, UiBuilder, vec2};
+use egui::{Button, Rect, Slider, Ui, UiBuilder, vec2};
 use raystep_figure::{Depth, Role};
 
 use super::page::{Asked, Page};
 use crate::shown::command::Command;
+use crate::shown::pictures::Pictures;
 use crate::shown::playback::Playback;
 use crate::window::look::controls::{Change, change};
 use crate::window::look::visuals::ink;
 
 /// Width and height of the control.
-const SIZE: egui::Vec2 = vec2(236.0, 26.0);
+const SIZE: egui::Vec2 = vec2(252.0, 26.0);
 
 /// The height of the strip under a stage that is so wide in which the control stands; none where there is no tree.
 pub(super) fn room(playback: &Playback, width: f32) -> f32 {
@@ -18,10 +19,12 @@ pub(super) fn room(playback: &Playback, width: f32) -> f32 {
 }
 
 /// Shows the control at the right end of its strip.
-pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, strip: Rect, asked: &mut Vec<Asked>) {
-    let Some(deepest) = playback.reel().deepest() else { return };
+pub(super) fn show(ui: &mut Ui, page: Page<'_>, pictures: &Pictures, strip: Rect, asked: &mut Vec<Asked>) {
+    let reel = pictures.playback.reel();
+    let Some(deepest) = reel.deepest() else { return };
+    let still = reel.still(&pictures.instant);
     let rect = Rect::from_min_max(strip.right_bottom() - SIZE, strip.right_bottom());
-    let now = match page.state.depth() {
+    let now = match still.depth(page.state.depth()) {
         Depth::Path => 0,
         Depth::Down(level) => level.min(deepest),
     };
@@ -29,7 +32,11 @@ pub(super) fn show(ui: &mut Ui, page: Page<'_>, playback: &Playback, strip: Rect
         ui.horizontal_centered(|ui| {
             ui.spacing_mut().item_spacing.x = 6.0;
             ui.add_space(6.0);
-            let path = ui.selectable_label(now == 0, "path only").on_hover_text(Command::Shallower.tip());
+            // What is finished has no path.
+            let is_walked = still.depth(Depth::Path) == Depth::Path;
+            let path = ui.add_enabled(is_walked, Button::selectable(now == 0, "path only"));
+            let path = path.on_hover_text(Command::Shallower.tip());
+            let path = path.on_disabled_hover_text("No node is under consideration: there is no path to it");
             if path.clicked() && now > 0 {
                 asked.extend([Asked::Keep, Asked::Depth(Depth::Path)]);
             }

@@ -80,7 +80,9 @@ impl Notices {
                             closed = Some(index);
                         }
                         ui.with_layout(Layout::top_down(Align::Min), |ui| {
-                            ui.add(Label::new(RichText::new(&notice.says).color(ink(theme, Role::Text))).wrap());
+                            ui.add(
+                                Label::new(RichText::new(quoted(&notice.says)).color(ink(theme, Role::Text))).wrap(),
+                            );
                         });
                     });
                 });
@@ -92,9 +94,20 @@ impl Notices {
     }
 }
 
+/// What a sentence quotes as code, in quotes: here all letters are alike.
+fn quoted(says: &str) -> String {
+    let mut quotes = ['“', '”'].into_iter().cycle();
+    says.chars().map(|letter| if letter == '`' { quotes.next().unwrap_or(letter) } else { letter }).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn code_stands_in_quotes() {
+        assert_eq!(quoted("`theme` is no `x`: 1"), "“theme” is no “x”: 1");
+    }
 
     #[test]
     fn what_went_wrong_stays_and_the_rest_makes_room() {

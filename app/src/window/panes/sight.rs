@@ -102,7 +102,7 @@ impl Sight {
         }
         let size = glam::Vec2::new(800.0, 600.0);
         let own = Sight::home(state, space, size);
-        let camera = eye::no_further(eye::framed(&self.camera(state, space, size), &bounds, size), own);
+        let camera = eye::no_further(eye::framed(&self.camera(state, space, size), &bounds, size), own, &bounds, size);
         Some(Seen { camera, aspect: size.x / size.y })
     }
 }

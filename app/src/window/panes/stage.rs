@@ -242,7 +242,7 @@ fn alone(
     .show(ui, picture, "Space", &mut sight.hold);
     if strip > 0.0 {
         let at = Rect::from_min_max(picture.left_bottom(), rect.max - vec2(12.0, legend));
-        levels::show(ui, page, &pictures.playback, at, asked);
+        levels::show(ui, page, pictures, at, asked);
     }
     if solid {
         paint_figure(&ui.painter_at(picture), picture.min, &axes(&camera, glam_size(picture)), page.theme, None);

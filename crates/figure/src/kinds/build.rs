@@ -9,8 +9,8 @@ use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
     Ask, CutLine, Pane, TreeView, beside_plots, bin_of_build, cells_of_build, changed_of_build, costs, cut_line,
-    cut_to, ghost_of_build, legend, listing, space_of_build_to, stack_of_build, symbol_of_build_at, timeline_of_build,
-    tree_height, tree_of_build, tree_with, weighed, weighing, work_of_build,
+    cut_to, depth_of_build, ghost_of_build, legend, listing, space_of_build_to, stack_of_build, symbol_of_build_at,
+    timeline_of_build, tree_height, tree_of_build, tree_with, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, counted};
@@ -114,6 +114,10 @@ impl Kind for Build<'_> {
         Some(space)
     }
 
+    fn depth(&self, at: &Instant, asked: Depth) -> Depth {
+        depth_of_build(self, at.state(), asked)
+    }
+
     fn deepest(&self) -> Option<u32> {
         let deepest = self.nodes.levels().deepest() as u32;
         (!self.flat && deepest > 0).then_some(deepest)
@@ -134,7 +138,7 @@ impl Kind for Build<'_> {
     }
 
     fn changed(&self, before: &Instant, at: &Instant, ask: &Ask<'_>) -> Option<Figure> {
-        Some(changed_of_build(before.state(), at.state(), ask.hide, ask.size, &ask.look))
+        Some(changed_of_build(self, before.state(), at.state(), ask.hide, ask.size, &ask.look))
     }
 
     fn symbol_at(&self, at: &Instant, ask: &Ask<'_>, point: Vec2) -> Option<Symbol> {

@@ -47,6 +47,12 @@ pub trait Kind {
         None
     }
 
+    /// How many boxes of a tree [`space`](Kind::space) shows where so many are asked for.
+    fn depth(&self, at: &Instant, asked: Depth) -> Depth {
+        let _ = at;
+        asked
+    }
+
     /// The deepest level of the tree whose boxes a solid picture shows; nothing where there is no such choice.
     fn deepest(&self) -> Option<u32> {
         None

@@ -51,6 +51,11 @@ impl<'a> Still<'a> {
         Still { depth, ..self }
     }
 
+    /// How many boxes of a tree a solid picture shows where so many are asked for.
+    pub fn depth(&self, asked: Depth) -> Depth {
+        self.kind.depth(self.at, asked)
+    }
+
     /// How many steps have happened.
     pub fn step(&self) -> usize {
         self.at.step()

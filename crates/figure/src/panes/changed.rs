@@ -3,7 +3,7 @@
 use glam::Vec2;
 use raystep_accel::{Axis, Grow, Place};
 
-use crate::moments::{GrowMoment, Moment, Walk};
+use crate::moments::{Build, GrowMoment, Moment, Walk, Weighed};
 use crate::page::{Anchor, Figure, Look, write};
 use crate::theme::fonts::elided;
 use crate::theme::{Face, Role, text_width};
@@ -34,10 +34,17 @@ pub fn changed(walk: &Walk<'_>, before: &Moment, now: &Moment, hide: bool, size:
     draw(before.step, now.step, &rows, size, look)
 }
 
-/// What a builder has changed since an earlier moment; `hide` as above.
-pub fn changed_of_build(before: &GrowMoment, now: &GrowMoment, hide: bool, size: Vec2, look: &Look) -> Figure {
-    let mut rows = compared(&of_build(before), of_build(now));
-    rows.retain(|row| !hide || !TOTALS.contains(&&*row.now.name));
+/// What a builder has changed since an earlier moment; `hide` as above, and costs, too.
+pub fn changed_of_build(
+    build: &Build<'_>,
+    before: &GrowMoment,
+    now: &GrowMoment,
+    hide: bool,
+    size: Vec2,
+    look: &Look,
+) -> Figure {
+    let mut rows = compared(&of_build(before, &before.weighed), of_build(now, &build.weighed(now).0));
+    rows.retain(|row| !hide || !TOTALS.iter().chain(&COSTS).any(|name| *name == row.now.name));
     draw(before.step, now.step, &rows, size, look)
 }
 
@@ -55,6 +62,9 @@ fn compared(before: &[Watched], now: Vec<Watched>) -> Vec<Row> {
 
 /// What is counted in all, over a whole walk or build.
 const TOTALS: [&str; 7] = ["tests", "tests skipped", "cells met", "not reached", "stored", "splits", "leaves"];
+
+/// What the ways to divide a node cost.
+const COSTS: [&str; 2] = ["cost", "least so far"];
 
 /// The values of a list, in the order in which they are read.
 #[derive(Default)]
@@ -144,8 +154,9 @@ fn of_walk(walk: &Walk<'_>, moment: &Moment, later: &Moment) -> Vec<Watched> {
     all.0
 }
 
-/// What is followed in a build: the node, the split that is weighed, what was decided.
-fn of_build(moment: &GrowMoment) -> Vec<Watched> {
+/// What is followed in a build: the node, the split that is weighed, what was decided. `own` is what the builder has
+/// weighed itself.
+fn of_build(moment: &GrowMoment, own: &[Weighed]) -> Vec<Watched> {
     let mut all = Watching::default();
     all.place("primitive", moment.prim.map(Place::Prim));
     all.place("node", moment.node.map(Place::Node));
@@ -167,7 +178,7 @@ fn of_build(moment: &GrowMoment) -> Vec<Watched> {
         }
         all.number("cost", Some(weighed.cost));
         all.loud();
-        all.number("least so far", moment.cheapest().map(|least| least.cost));
+        all.number("least so far", Weighed::cheapest(own).map(|least| least.cost));
     }
     let tally = &moment.tally;
     all.count("cells met", tally.rasterised);

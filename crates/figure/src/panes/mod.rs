@@ -50,6 +50,7 @@ pub use pane::{Ask, Pane};
 pub use ruler::{RulerScale, ruler, ruler_height, ruler_line, ruler_line_height};
 pub(crate) use ruler::{ruler_line_of, ruler_of, ruler_scale};
 pub use slabs::slabs;
+pub(crate) use space::depth_of_build;
 pub use space::{ghost, ghost_of_build, space, space_of_build, space_of_build_to, space_to};
 pub use stack::{stack, stack_height, stack_of_build};
 pub use timeline::{Track, timeline, timeline_of_build};

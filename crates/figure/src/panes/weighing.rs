@@ -13,7 +13,7 @@ use raystep_accel::{Aabb, Axis, Grow, NodeId, Place};
 pub use self::held::CutLine;
 pub(crate) use self::held::{cut_line, cut_to};
 use self::plots::Plot;
-use self::sides::Sides;
+pub(crate) use self::sides::Sides;
 use super::Ask;
 use super::space::space_of_build;
 use crate::moments::{Build, GrowMoment, Weighed};

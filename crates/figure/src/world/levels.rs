@@ -84,7 +84,7 @@ pub(crate) fn frontier(level: usize, most: usize, children: impl Fn(NodeId) -> V
 /// What of a tree with levels down to `deepest` is drawn: of its `volumes`.
 pub(crate) fn drawn(volumes: &str, depth: Depth, deepest: usize) -> String {
     match depth {
-        Depth::Path => format!("{volumes}: the end of the path and its siblings, of levels 0 to {deepest}"),
+        Depth::Path => format!("{volumes}: the end of the path and its siblings; {} levels in all", deepest + 1),
         Depth::Down(level) => format!("{volumes}: down to level {level} of {deepest}"),
     }
 }

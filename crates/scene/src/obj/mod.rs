@@ -97,8 +97,9 @@ fn arities(faces: &tobj::Mesh) -> impl Iterator<Item = usize> {
     faces.face_arities.iter().map(|&arity| arity as usize).chain(std::iter::repeat_n(3, triangles))
 }
 
-/// So many times edges of one file are cut where they touch or cross.
+/// So many times edges of one polygon are cut where they touch or cross, and those of one file.
 const MOST_CUTS: usize = 250_000;
+const MOST_CUTS_IN_ALL: usize = 1_000_000;
 
 /// Triangles in file order, and how many polygons were left out because their edges cross too often.
 fn triangulate(
@@ -110,7 +111,8 @@ fn triangulate(
     let corner = |p: &[f64]| (DVec3::from_slice(p) - origin).as_vec3();
     let mut corners: Vec<Vec3> = faces.positions.chunks_exact(3).map(corner).collect();
     let mut triangles = Vec::with_capacity(faces.indices.len() / 3);
-    let mut cutter = Cutter { corners: &mut corners, triangles: &mut triangles, room: MOST_CUTS };
+    let mut cutter = Cutter { corners: &mut corners, triangles: &mut triangles, room: 0 };
+    let mut left = MOST_CUTS_IN_ALL;
     let (mut cut, mut crossed, mut flat, mut tangled, mut first) = (0, 0, 0, 0, 0);
     for arity in arities(faces) {
         let face = &faces.indices[first..first + arity];
@@ -120,7 +122,11 @@ fn triangulate(
             cutter.triangles.push([a, b, c]);
             continue;
         }
-        match cutter.cut(face, progress)? {
+        cutter.room = left.min(MOST_CUTS);
+        let room = cutter.room;
+        let cut_so = cutter.cut(face, progress)?;
+        left -= room - cutter.room;
+        match cut_so {
             Cut::Plain => cut += 1,
             Cut::Crossed => (cut, crossed) = (cut + 1, crossed + 1),
             Cut::Flat => flat += 1,
@@ -131,7 +137,10 @@ fn triangulate(
         (cut, "cut into triangles"),
         (crossed, "with edges that cross, cut there: inside is what the outline winds around"),
         (flat, "without area left out"),
-        (tangled, "left out: edges of this file touch or cross more than 250,000 times"),
+        (
+            tangled,
+            "left out: edges of one touch or cross more than 250,000 times, or those of this file 1,000,000 times",
+        ),
     ] {
         if n > 0 {
             notes.push(format!("{} {says}", text::count(n, "polygon")));

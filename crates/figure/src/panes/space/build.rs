@@ -42,6 +42,7 @@ pub fn space_of_build(build: &Build<'_>, moment: &GrowMoment) -> Space {
 /// The same, with as many boxes of a tree in a solid scene as asked for.
 pub fn space_of_build_to(build: &Build<'_>, moment: &GrowMoment, depth: Depth) -> Space {
     let bounds = build.nodes.reach();
+    let depth = depth_of_build(build, moment, depth);
     let mut drawing = Drawing { build, moment, depth, marks: Vec::new(), notes: Vec::new() };
     drawing.the_box();
     drawing.cells();
@@ -342,9 +343,9 @@ impl Drawing<'_> {
         let deepest = self.build.nodes.levels().deepest();
         let reached = moment.nodes.values().map(|node| node.depth).max().unwrap_or(0);
         if deepest > 0 && !moment.nodes.is_empty() {
-            let depth = match self.depth() {
+            let depth = match self.depth {
                 // A finished tree has all levels, however it was built.
-                Depth::Down(level) if !self.finished() => Depth::Down(level.min(reached)),
+                Depth::Down(level) if !is_finished(self.moment) => Depth::Down(level.min(reached)),
                 depth => depth,
             };
             self.notes.push(drawn(VolumeName::drawn(self.build.structure), depth, deepest));
@@ -356,28 +357,28 @@ impl Drawing<'_> {
     fn lowest(&self) -> BTreeSet<NodeId> {
         let nodes = &self.moment.nodes;
         let children = |id: NodeId| nodes.get(&id).map(|node| node.children.clone()).unwrap_or_default();
-        match self.depth() {
+        match self.depth {
             Depth::Down(level) if nodes.contains_key(&NodeId::ROOT) => {
                 frontier(level as usize, BOXES, children).into_iter().collect()
             }
             _ => BTreeSet::new(),
         }
     }
+}
 
-    fn finished(&self) -> bool {
-        matches!(self.moment.event, Some(Grow::End { .. }))
-    }
+fn is_finished(moment: &GrowMoment) -> bool {
+    matches!(moment.event, Some(Grow::End { .. }))
+}
 
-    /// How many boxes are drawn: once nothing is under consideration any more, those of the upper levels instead of
-    /// the path.
-    fn depth(&self) -> Depth {
-        let finished = self.finished();
-        match self.depth {
-            // A node of an octree has as many children as three levels of two have leaves.
-            Depth::Path if finished && matches!(self.build.structure, Structure::Octree(_)) => Depth::Down(1),
-            Depth::Path if finished => Depth::Down(UPPER.min(self.build.nodes.levels().deepest() as u32)),
-            depth => depth,
-        }
+/// How many boxes are drawn where so many are asked for: once nothing is under consideration any more, those of the
+/// upper levels instead of the path.
+pub(crate) fn depth_of_build(build: &Build<'_>, moment: &GrowMoment, depth: Depth) -> Depth {
+    let finished = is_finished(moment);
+    match depth {
+        // A node of an octree has as many children as three levels of two have leaves.
+        Depth::Path if finished && matches!(build.structure, Structure::Octree(_)) => Depth::Down(1),
+        Depth::Path if finished => Depth::Down(UPPER.min(build.nodes.levels().deepest() as u32)),
+        depth => depth,
     }
 }
 

@@ -14,6 +14,7 @@ mod slabs;
 use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Interval, NodeId, Place, Structure, Visit};
 
+pub(crate) use build::depth_of_build;
 pub use build::{space_of_build, space_of_build_to};
 pub use ghost::{ghost, ghost_of_build};
 

@@ -46,7 +46,9 @@ impl Drawing<'_> {
         }
         let missed = moment.tested.iter().filter(|test| test.t.is_none()).count();
         if speckled && missed > 1 {
-            self.notes.push(format!("tested and missed {missed} times, not all marked"));
+            let none = roles.values().all(|role| *role != Role::Missed);
+            let marked = if none { "none marked" } else { "not all marked" };
+            self.notes.push(format!("tested and missed {missed} times, {marked}"));
         }
         if let Some(hit) = moment.best {
             roles.insert(hit.prim, Role::Best);

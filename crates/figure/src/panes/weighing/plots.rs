@@ -1,7 +1,7 @@
 //! The costs of the ways to divide a node: along x under the picture, along y beside it, on the picture's own axes.
 
 use glam::Vec2;
-use raystep_accel::{Axis, Direction, Grow, NodeId, Place};
+use raystep_accel::{Axis, Direction, NodeId, Place};
 
 use super::order::{Order, place_of};
 use super::{Area, Candidate, ahead};
@@ -36,7 +36,7 @@ impl Plot<'_> {
         }
         let Some(node) = self.moment.node else { return };
         let ahead = ahead(self.build, self.moment, node);
-        let (weighed, tried) = self.weighed();
+        let (weighed, tried) = self.build.weighed(self.moment);
         let all: Vec<Weighed> = weighed.iter().copied().chain(ahead.iter().copied()).collect();
         // One scale of costs for both, of all that are weighed here: nothing jumps while they come.
         let finite = all.iter().map(|weighed| weighed.cost).filter(|cost| cost.is_finite());
@@ -62,19 +62,6 @@ impl Plot<'_> {
             self.curve(node, axis, order.as_ref(), &weighed, tried, &ahead, &scale, whole.as_ref(), now);
         }
         self.legend(bottom, now, &weighed, &ahead);
-    }
-
-    /// What the builder has weighed at this node, and what somebody tries instead of the last of it.
-    fn weighed(&self) -> (Vec<Weighed>, Option<Weighed>) {
-        let mut weighed = self.moment.weighed.clone();
-        let own = self.build.instead.and_then(Candidate::of).filter(|_| !weighed.is_empty());
-        let Some(Grow::Weigh { axis, plane, below, above, cost, .. }) = self.build.instead.filter(|_| own.is_some())
-        else {
-            return (weighed, None);
-        };
-        let tried = weighed.pop();
-        weighed.push(Weighed { axis, plane, below, above, cost, free: None });
-        (weighed, tried)
     }
 
     /// Where the plot of x begins, under the picture and a list.
@@ -246,7 +233,13 @@ impl Plot<'_> {
             // At the end where the curve leaves it room.
             let wide = text_width(says, Face::Regular, small) + u * 0.6;
             let in_row = |at: &&Vec2| (at.y - (y - u * 0.8)).abs() < u;
-            let near = |from: f32| points.iter().filter(in_row).filter(|at| at.x > from && at.x < from + wide).count();
+            let under = |at: &Vec2, from: f32| at.x > from && at.x < from + wide;
+            // The line of what is weighed now comes from above.
+            let crossed = |from: f32| here.is_some_and(|(at, _)| under(&at, from) && at.y > y - u * 1.4);
+            let near = |from: f32| {
+                let dots = points.iter().filter(in_row).filter(|at| under(at, from)).count();
+                dots + if crossed(from) { points.len() + 1 } else { 0 }
+            };
             let (at, anchor) = match near(to.x - wide) > near(from.x) {
                 true => (from + Vec2::new(u * 0.3, -u * 0.8), Anchor::Start),
                 false => (to - Vec2::new(u * 0.3, u * 0.8), Anchor::End),

@@ -5,18 +5,18 @@ use raystep_accel::{Aabb, Axis, NodeId, PrimId, Primitives, Structure};
 use crate::moments::Build;
 
 /// The two sides of a cut.
-pub(super) struct Sides {
+pub(crate) struct Sides {
     pub(super) below: Vec<PrimId>,
     pub(super) above: Vec<PrimId>,
     /// A hierarchy puts a box around each side; a tree of planes cuts the node's own box.
-    pub(super) below_box: Aabb,
-    pub(super) above_box: Aabb,
+    pub(crate) below_box: Aabb,
+    pub(crate) above_box: Aabb,
 }
 
 impl Sides {
     /// The sides of a cut across `axis`. A tree of planes refers to a primitive on each side that it reaches; a
     /// hierarchy puts the first `count` of its primitives, ordered by their centres, below.
-    pub(super) fn of(build: &Build<'_>, node: NodeId, axis: Axis, plane: f32, count: u32) -> Sides {
+    pub(crate) fn of(build: &Build<'_>, node: NodeId, axis: Axis, plane: f32, count: u32) -> Sides {
         let prims = members(build, node);
         let bounds = |prim: &PrimId| build.prims.bounds(*prim);
         if let Structure::Bvh(_) = build.structure {

@@ -4,6 +4,7 @@ use glam::Vec3;
 use raystep_accel::{Aabb, Axis, Direction, FreePlane, Grow, Place, Structure};
 
 use super::{Drawing, LEVELS};
+use crate::panes::weighing::Sides;
 use crate::theme::Role;
 use crate::words::{VolumeName, coordinate, counted, number};
 use crate::world::{Form, convex};
@@ -59,8 +60,8 @@ impl Drawing<'_> {
             }
         }
         let flat = self.build.flat;
-        // What is cut is a list: in a drawing its order along an axis is seen, and no line in space.
-        let listed = flat && matches!(self.build.structure, Structure::Bvh(_));
+        // What is cut is a list, and no line in space.
+        let listed = matches!(self.build.structure, Structure::Bvh(_));
         let cell = if let Structure::Bsp(tree) = self.build.structure { Some(tree.cell(*id)) } else { None };
         let sheet = |across: Direction, plane: f32, free: Option<FreePlane>| match &cell {
             Some(cell) => convex::sheet(cell, free?, flat),
@@ -85,7 +86,14 @@ impl Drawing<'_> {
                 self.title(Role::Candidate, *id, node.bounds, format!("proposed: n · p = {}", number(plane)));
             }
             Some(Grow::Weigh { axis, plane, below, above, cost, .. }) => {
-                if let Some(sheet) = sheet(axis, plane, self.moment.free) {
+                // A hierarchy puts a box around each of two sets; in a drawing they stand in the picture of the weighing.
+                let sets = axis.axis().filter(|_| listed && !flat);
+                if let Some(axis) = sets {
+                    let sides = Sides::of(self.build, *id, axis, plane, below);
+                    for side in [sides.below_box, sides.above_box] {
+                        self.add(Role::Candidate, place, Form::Box(side));
+                    }
+                } else if let Some(sheet) = sheet(axis, plane, self.moment.free) {
                     self.add(Role::Candidate, place, sheet);
                 }
                 // Where n points to is above.
