@@ -17,6 +17,7 @@ mod view;
 
 pub(crate) use ground::{Changes, Ground, rays_of_beats};
 pub(crate) use job::{Which, jobs, pictures, write};
+pub(crate) use names::of_linked_camera;
 pub(crate) use order::{Format, Order, STEP_MILLIS, delay};
 pub(crate) use session::Session;
 pub use size::Size;

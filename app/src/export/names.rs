@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use raystep_accel::{PrimId, Primitives, Ray};
+use raystep_figure::Camera;
 use raystep_lesson::{Library, Slide, Stage};
 use raystep_scene::Scene;
 
@@ -40,6 +41,11 @@ pub(super) fn of_own_ray(ray: &Ray) -> String {
 pub(super) fn of_own_scene(scene: &Scene) -> String {
     let shapes = (0..scene.prims.len() as u32).map(|prim| format!("{:?}", scene.prims.shape(PrimId(prim))));
     format!("-own-scene-{:08x}", mixed(shapes.flat_map(String::into_bytes)))
+}
+
+/// What the camera of a link is called: another one gets another name.
+pub(crate) fn of_linked_camera(camera: &Camera) -> String {
+    format!("linked-{:08x}", mixed(format!("{camera:?}").into_bytes().into_iter()))
 }
 
 /// One number of many, in which every bit counts (Fowler, Noll, Vo).

@@ -206,7 +206,7 @@ fn the_place_of_a_link_becomes_a_picture() {
     for (link, name, says) in [
         ("5/33?ray=from%20the%20right&step=6", "slide33-which-child-first-flat-from-the-right-160x100-step0006", ""),
         ("5/33?stage=flat&step=6&set=max_depth:3", "slide33-which-child-first-flat-max-depth-3-160x100-step0006", ""),
-        ("5/33?own=0.1,1.2,0,7.9,2.8,0&step=4&camera=4,2,1.5&aspect=1.4", "-camera-linked-own-ray-", ""),
+        ("5/33?own=0.1,1.2,0,7.9,2.8,0&step=4&camera=4,2,1.5&aspect=1.4", "-camera-linked-", ""),
         ("5/33?step=3&shape=2:3,1,0.25", "slide33-which-child-first-flat-", ""),
         ("5/33?step=3&beside=grid", "-step0003", "--at: what stands beside is left out"),
     ] {
@@ -215,6 +215,10 @@ fn the_place_of_a_link_becomes_a_picture() {
         let (file, _) = only(&folder, &[&["--at", link][..], &small].concat());
         assert!(file.contains(name), "{link}: {file}");
     }
+    // Two views of one place are two pictures.
+    let from =
+        |camera: &str| only(&folder, &[&["--at", &format!("5/33?step=4&camera={camera}")][..], &small].concat()).0;
+    assert_ne!(from("4,2,1.5"), from("4,2,3"));
     // Without a step, all that the beats say on this ray.
     assert!(written(&folder, &[&["--at", "5/33?ray=from%20the%20right"][..], &small].concat()).len() > 3);
     for (link, says) in [

@@ -121,6 +121,29 @@ fn nothing_in_the_top_bar_is_cut_or_covers_another() {
     }
 }
 
+#[test]
+fn the_list_of_slides_opens_at_ones_own_and_is_as_long_as_the_window() {
+    for (slide, size) in [("5/33", [1600.0, 1000.0]), ("8/66", [1024.0, 768.0]), ("1/1", [900.0, 600.0])] {
+        let mut harness = window(slide, size);
+        let row = |slide: &Slide| format!("{}   {}", slide.title, slide.numbers_text());
+        let own = row(harness.state().state.slide().unwrap());
+        let list = at(&harness, "Outline of slides");
+        harness.hover_at(list.center());
+        harness.drag_at(list.center());
+        harness.drop_at(list.center());
+        harness.run_steps(8);
+        let room = list.bottom()..size[1];
+        let seen = |harness: &Window, row: &str| {
+            let rect = rect(harness, row);
+            rect.filter(|rect| room.contains(&rect.top()) && room.contains(&rect.bottom()))
+        };
+        assert!(seen(&harness, &own).is_some(), "{slide} at {size:?}: {own} is not seen");
+        let rows: Vec<String> = harness.state().state.library.slides.iter().map(row).collect();
+        let shown: f32 = rows.iter().filter_map(|row| Some(seen(&harness, row)?.height())).sum();
+        assert!(shown > size[1] * 0.5, "{slide} at {size:?}: rows of {shown} points are seen");
+    }
+}
+
 /// The button that shows the structure, whatever its name.
 fn structure(harness: &Window) -> Rect {
     harness.get_by_label_contains("Structure: ").rect()

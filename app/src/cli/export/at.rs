@@ -1,23 +1,14 @@
 //! The place of a link as pictures: what a window shows there, drawn without one.
 
-use raystep_figure::Camera;
 use raystep_lesson::{Library, Stage};
 
 use super::ExportArguments;
 use super::chosen::Stood;
-use crate::export::{Changed, Ground};
+use crate::export::{Changed, Ground, of_linked_camera};
 use crate::fault::Fault;
 use crate::files;
 use crate::shown::camera::Seen;
 use crate::shown::{Link, RayChoice};
-
-/// What a camera of a link is called in names of files: no two views share a picture.
-fn linked(camera: &Camera) -> String {
-    // FNV-1a over its numbers as text.
-    let text = format!("{camera:?}");
-    let hash = text.bytes().fold(0x811c_9dc5_u32, |hash, byte| (hash ^ u32::from(byte)).wrapping_mul(0x0100_0193));
-    format!("linked-{hash:08x}")
-}
 
 /// What walks at the place of a link, with what was set there, and the step if the link names one.
 pub(super) fn stood<'a>(
@@ -52,7 +43,7 @@ pub(super) fn stood<'a>(
     let changed = Changed {
         settings: view.settings,
         own: view.own,
-        seen: view.camera.map(|camera| (linked(&camera), Seen { camera, aspect: link.aspect })),
+        seen: view.camera.map(|camera| (of_linked_camera(&camera), Seen { camera, aspect: link.aspect })),
         depth: view.depth,
     };
     let ground = Ground::of_changed_stage(library, slide, stage, changed, arguments.times)?;

@@ -196,7 +196,7 @@ impl Pen<'_> {
         if let Some(axis) = self.tree.axis(node).filter(|_| !branch.is_leaf()) {
             // On the side where no edge runs: away from the parent.
             let (side, anchor) = if branch.left { (-1.0, Anchor::End) } else { (1.0, Anchor::Start) };
-            let beside = at + Vec2::new(side * (half + out + self.sizes.digits * 0.2), -self.sizes.digits * 0.3);
+            let beside = at + Vec2::new(side * (half + 1.6 * out + self.sizes.digits * 0.2), -self.sizes.digits * 0.3);
             write(figure, Role::Quiet, place, beside, axis.name(), self.sizes.small(), Face::Regular, anchor);
         }
         self.strip(figure, branch, at, half);
