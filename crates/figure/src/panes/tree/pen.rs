@@ -212,7 +212,7 @@ impl Pen<'_> {
         match self.tree.prims(node).len() {
             0 => 0.0,
             many if many > DOTS => {
-                3.2 * self.sizes.dot() + text_width(&many.to_string(), Face::Regular, self.sizes.small())
+                3.2 * self.sizes.dot() + text_width(&words::whole(many as u64), Face::Regular, self.sizes.small())
             }
             few => self.sizes.apart() * (few as f32 - 1.0) + 2.0 * self.sizes.dot(),
         }
@@ -227,7 +227,7 @@ impl Pen<'_> {
                 figure,
                 Some(Place::Node(node)),
                 Vec2::new(first, at.y + self.sizes.digits * 0.1),
-                &prims.len().to_string(),
+                &words::whole(prims.len() as u64),
                 self.sizes.small(),
             );
             return;
