@@ -153,19 +153,26 @@ pub(crate) fn boxes(tex: &str) -> Result<LayoutBox, Unset> {
     })?;
     let boxed = layout(&nodes, &LayoutOptions::default());
     validate_layout(&boxed).map_err(|why| Unset::new(0, format!("the formula cannot be set: {why}")))?;
-    let [width, height] = [boxed.width, boxed.height + boxed.depth];
-    if (0.0..=LARGEST[0]).contains(&width) && (0.0..=LARGEST[1]).contains(&height) {
-        Ok(boxed)
-    } else {
-        let [most_width, most_height] = LARGEST;
-        let why = format!("the formula is too large: at most {most_width} letters wide and {most_height} high");
-        Err(Unset::new(0, why))
+    fits(boxed.width, boxed.height + boxed.depth)?;
+    Ok(boxed)
+}
+
+/// Says so if a formula is larger than any may be.
+fn fits(width: f64, height: f64) -> Result<(), Unset> {
+    let [most_width, most_height] = LARGEST;
+    if (0.0..=most_width).contains(&width) && (0.0..=most_height).contains(&height) {
+        return Ok(());
     }
+    let why = format!("the formula is too large: at most {most_width} letters wide and {most_height} high");
+    Err(Unset::new(0, why))
 }
 
 /// The formula laid out.
 fn set(tex: &str) -> Result<DisplayList, Unset> {
-    Ok(to_display_list(&boxes(tex)?))
+    let list = to_display_list(&boxes(tex)?);
+    // What is drawn may reach further than its box: a bar of less than no width does.
+    fits(list.width, list.height + list.depth)?;
+    Ok(list)
 }
 
 /// A formula that cannot be set stands there as it was typed, as far as there is room for it.

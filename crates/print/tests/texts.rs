@@ -38,6 +38,7 @@ fn what_would_not_be_shown_as_written_is_said() {
         "a letter 日",
         "a letter `日`",
         "a large formula $$\\rule{1em}{100em}$$",
+        "a bar of less than no width $$\\rule{-13649em}{1em}x$$",
         "an empty formula $$%$$",
     ];
     let mut table = String::new();
