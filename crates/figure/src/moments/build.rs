@@ -1,6 +1,7 @@
 //! The state of a builder after some of its events.
 
 mod changes;
+mod instead;
 mod joins;
 mod node;
 mod tally;

@@ -195,7 +195,8 @@ impl Drawing<'_> {
             // stands out. A volume is more than those in it: in a drawing a grey one would be taken for a primitive.
             let tree = matches!(self.build.structure, Structure::Bvh(_));
             let repeats = role == Role::Seen && node.children.iter().all(|child| self.moment.nodes.contains_key(child));
-            let repeats = repeats && !node.children.is_empty() && !lowest.contains(&id) && !(tree && self.build.flat);
+            let alone = node.children.is_empty() || lowest.contains(&id) || tree && self.build.flat;
+            let repeats = repeats && !alone;
             let role = if repeats { Role::Edge } else { role };
             // What a leaf refers to tints it; the volumes of a hierarchy are never empty.
             let filled = node.leaf.is_some() && node.prims > 0 && !tree;
