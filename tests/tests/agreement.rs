@@ -2,7 +2,7 @@
 
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
-use raystep_accel::{Accel, Hit, List, PrimId, Primitives, Prims, Random, Ray, Rule, Shape, Structure, Wall};
+use raystep_accel::{Accel, Hit, PrimId, Primitives, Prims, Random, Ray, Rule, Shape, Structure, Wall};
 use raystep_scene::Scene;
 use raystep_tests::rays::Targets;
 use raystep_tests::rules::rules;
@@ -35,7 +35,7 @@ fn check(case: &Case, seed: u64, rays: u32, asked: Asked) -> [u32; 2] {
     let (mut shot, mut hits) = (0, 0);
     for i in 0..rays {
         let Some(ray) = targets.ray(&case.prims, i, &mut random) else { continue };
-        let right = List.intersect(&case.prims, &ray, &mut ());
+        let right = case.prims.brute_force(&ray);
         shot += 1;
         hits += u32::from(right.is_some());
         let turn = turns.bits() as usize;
@@ -53,7 +53,7 @@ fn check(case: &Case, seed: u64, rays: u32, asked: Asked) -> [u32; 2] {
 }
 
 fn agrees(structure: &Structure, prims: &Prims, ray: &Ray, right: Option<Hit>, what: &dyn std::fmt::Display) {
-    let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim));
+    let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim, hit.inner));
     let found = structure.intersect(prims, ray, &mut ());
     assert!(bits(found) == bits(right), "{what}: {found:?} instead of {right:?}\n{ray:?}");
     let occluded = structure.occluded(prims, ray, &mut ());

@@ -34,7 +34,7 @@ fn check(count: u32, law: impl Fn(&Structure, &Prims, Packet<'_>, Want, &str) + 
 
 #[test]
 fn every_lane_finds_what_its_ray_finds_alone() {
-    let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim));
+    let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim, hit.inner));
     check(500, |structure, prims, packet, want, what| {
         let found = structure.walk_packet(prims, packet, want, &mut ()).unwrap();
         for (ray, found) in packet.rays().iter().zip(found) {

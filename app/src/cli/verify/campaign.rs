@@ -4,7 +4,7 @@ use std::path::Path;
 
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use raystep_accel::{Accel, List, Primitives, Prims, Random, Ray, Structure};
+use raystep_accel::{Primitives, Prims, Random, Ray, Structure};
 use raystep_scene::trial::rays::{AIMS, Targets};
 use raystep_scene::trial::{crowd, scenes::cases_of, sphere};
 use raystep_scene::{Scene, scene_names};
@@ -158,7 +158,7 @@ impl Campaign<'_> {
             }
             // A few make no ray, as their direction is zero: then it is the next one's turn.
             let Some(ray) = (number as u32..).find_map(|i| stage.targets.ray(prims, i, &mut random)) else { continue };
-            let right = List.intersect(prims, &ray, &mut ());
+            let right = prims.brute_force(&ray);
             tally.rays += 1;
             tally.hits += u64::from(right.is_some());
             let turn = self.in_turn.then(|| turns.bits() as usize);

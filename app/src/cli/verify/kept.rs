@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use raystep_accel::{Accel, Hit, List, Prims, Ray};
+use raystep_accel::{Hit, Prims, Ray};
 use raystep_scene::Scene;
 
 use super::contender::{Built, Contender};
@@ -25,7 +25,7 @@ pub(super) enum Found {
 
 /// A structure's answers to a ray, against the answer of brute force.
 pub(super) fn compare(structure: &Built, prims: &Prims, ray: &Ray, right: Option<Hit>) -> Result<(), Found> {
-    let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim));
+    let bits = |hit: Option<Hit>| hit.map(|hit| (hit.t.to_bits(), hit.prim, hit.inner));
     let answers = || structure.answers(prims, ray);
     let Ok((nearest, any)) = catch_unwind(AssertUnwindSafe(answers)) else { return Err(Found::Panic) };
     if bits(nearest) != bits(right) {
@@ -86,7 +86,9 @@ impl fmt::Display for Difference<'_> {
     /// The file: a table of one ray that `raystep trace` reads, under comments that say what it met.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let hit = |hit: Option<Hit>| {
-            hit.map_or("nothing".to_owned(), |hit| format!("t = {:?}, primitive {}", hit.t, hit.prim))
+            let Some(Hit { t, prim, inner }) = hit else { return "nothing".to_owned() };
+            let of_model = inner.map_or(String::new(), |inner| format!(", primitive {inner} of its model"));
+            format!("t = {t:?}, primitive {prim}{of_model}")
         };
         writeln!(f, "# scene {}", self.scene)?;
         writeln!(f, "# structure {}", self.line)?;
@@ -143,7 +145,7 @@ fn replay_file(path: &Path) -> Result<u64, Fault> {
             return Err(Fault::new(format!("{file}: {line} cannot be built over {}", scene.name)));
         };
         for &ray in &rays {
-            let right = List.intersect(&scene.prims, &ray, &mut ());
+            let right = scene.prims.brute_force(&ray);
             if let Err(found) = compare(&structure, &scene.prims, &ray, right) {
                 let difference = Difference { scene: &scene.name, line, ray, right, found };
                 return Err(Fault::new(format!("{file} still shows a difference\n{difference}")));

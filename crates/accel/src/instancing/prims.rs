@@ -1,7 +1,7 @@
 //! The primitives of any scene.
 
 use super::Instances;
-use crate::{Best, Hit, Mesh, Observer, PrimId, Primitives, Ray, Shape, Visit};
+use crate::{Accel, Best, Hit, List, Mesh, Observer, PrimId, Primitives, Ray, Shape, Visit};
 
 /// The primitives of a scene: triangles in bulk, or a few of any kind.
 #[derive(Clone, Debug)]
@@ -15,6 +15,14 @@ pub enum Prims {
 }
 
 impl Prims {
+    /// The judge of every structure: the nearest hit by testing everything, the triangles of instances as well.
+    pub fn brute_force(&self, ray: &Ray) -> Option<Hit> {
+        match self {
+            Prims::Instances(instances) => instances.brute_force(ray),
+            Prims::Mesh(_) | Prims::Few(_) => List.intersect(self, ray, &mut ()),
+        }
+    }
+
     /// The shape that a hit met, world space: for pictures.
     pub fn met(&self, hit: &Hit) -> Shape<'_> {
         match (self, hit.inner) {

@@ -69,6 +69,20 @@ fn ray(random: &mut Random, scene: &Instances) -> Ray {
     Ray::new(o, d).unwrap_or(Ray::new(o, Vec3::X).unwrap())
 }
 
+/// The hit that the judge would find if it knew no boxes.
+fn without_boxes(scene: &Instances, ray: &Ray) -> Option<Hit> {
+    let mut best = Best::new(Want::Nearest);
+    for (prim, instance) in (0..).map(PrimId).zip(scene.placed()) {
+        let (mesh, local) = (&scene.model(prim).mesh, instance.local_from_world.ray(ray).unwrap());
+        for inner in (0..mesh.len() as u32).map(PrimId) {
+            if let Some(t) = mesh.intersect(inner, &local) {
+                best.offer(Hit { t, prim, inner: Some(inner) }, &mut ());
+            }
+        }
+    }
+    best.hit
+}
+
 fn check(scene: &Instances, seed: u64, rays: u32) {
     for rule in kinds() {
         let structure = Structure::build(scene, &rule, &mut ()).unwrap();
@@ -77,6 +91,11 @@ fn check(scene: &Instances, seed: u64, rays: u32) {
         for number in 0..rays {
             let ray = ray(random, scene);
             let expected = scene.brute_force(&ray);
+            assert_eq!(
+                expected,
+                without_boxes(scene, &ray),
+                "the boxes of instances, ray {number} of seed {seed}: {ray:?}"
+            );
             let found = structure.intersect(scene, &ray, &mut ());
             assert_eq!(found, expected, "{} of instances, ray {number} of seed {seed}: {ray:?}", rule.kind());
             assert_eq!(structure.occluded(scene, &ray, &mut ()), expected.is_some());
@@ -113,6 +132,32 @@ fn instances_far_from_the_middle_answer_the_same() {
         let ray = Ray::new(o, target - o).unwrap();
         assert_eq!(grid.intersect(&scene, &ray, &mut ()), scene.brute_force(&ray), "{ray:?}");
     }
+}
+
+#[test]
+fn rays_from_far_away_answer_as_brute_force_does() {
+    let random = &mut Random::new(11);
+    let models = [soup(random, 30), cube()]
+        .map(|mesh| Arc::new(Model::build(mesh, &Rule::default_for("bvh").unwrap(), &mut ()).unwrap()));
+    let placed: Vec<_> = (0..24).map(|i| (i % 2, anyhow(random))).collect();
+    let scene = Instances::new(models.to_vec(), &placed).unwrap();
+    let structures: Vec<_> = kinds().map(|rule| (rule, Structure::build(&scene, &rule, &mut ()).unwrap())).collect();
+    let (mut hits, mut beside) = (0, 0);
+    for number in 0..6000 {
+        // From where t comes in steps of next to nothing to where they are longer than the scene.
+        let near = ray(random, &scene);
+        let away = near.d.normalize() * 10f32.powf(random.range(2.0, 12.0));
+        let ray = Ray::new(near.at(1.0) - away, near.d).unwrap();
+        let expected = scene.brute_force(&ray);
+        for (rule, structure) in &structures {
+            let found = structure.intersect(&scene, &ray, &mut ());
+            assert_eq!(found, expected, "{} of instances, ray {number}: {ray:?}", rule.kind());
+            assert_eq!(structure.occluded(&scene, &ray, &mut ()), expected.is_some(), "{ray:?}");
+        }
+        hits += u32::from(expected.is_some());
+        beside += u32::from(expected != without_boxes(&scene, &ray));
+    }
+    assert!(hits > 1000 && beside > 0, "{hits} hits, {beside} rays seem to meet what lies beside its box");
 }
 
 #[test]

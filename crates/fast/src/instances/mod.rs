@@ -3,7 +3,7 @@
 
 mod upper;
 
-use raystep_accel::{Aabb, Hit, Instances, Primitives, Ray, Transform, Want};
+use raystep_accel::{Aabb, Hit, Instance, Instances, Interval, Primitives, Ray, Want};
 
 use crate::build::Settings;
 use crate::bvh8::Bvh8;
@@ -16,15 +16,8 @@ use upper::Upper;
 #[derive(Clone, Debug)]
 pub struct TwoLevels {
     models: Vec<Bvh8>,
-    placed: Vec<Placed>,
+    placed: Vec<Instance>,
     upper: Upper,
-}
-
-/// Which model, and the way into its own space.
-#[derive(Clone, Copy, Debug)]
-struct Placed {
-    model: u32,
-    local_from_world: Transform,
 }
 
 impl TwoLevels {
@@ -33,12 +26,8 @@ impl TwoLevels {
     pub fn build(instances: &Instances, settings: &Settings) -> TwoLevels {
         let models = instances.models().iter().map(|model| Bvh8::build(&model.mesh, settings)).collect();
         let boxes: Vec<Aabb> = instances.placed().iter().map(|placed| placed.bounds).collect();
-        let placed = instances.placed().iter().map(|placed| {
-            let (model, local_from_world) = (placed.model, placed.local_from_world);
-            Placed { model, local_from_world }
-        });
         debug_assert_eq!(boxes.len(), instances.len());
-        TwoLevels { models, placed: placed.collect(), upper: Upper::over(&boxes) }
+        TwoLevels { models, placed: instances.placed().to_vec(), upper: Upper::over(&boxes) }
     }
 }
 
@@ -47,8 +36,9 @@ impl Fast for TwoLevels {
         let mut best: Option<Hit> = None;
         self.upper.walk(ray, count, |instance, t_max, count| {
             let placed = &self.placed[instance.index()];
-            // The same t is the same point in both spaces. What lies as far as the best hit may still have a smaller id.
-            let local = placed.local_from_world.ray(ray).and_then(|local| local.within(ray.t_min, t_max).ok())?;
+            // Only what lies in the instance's own box counts. What lies as far as the best hit may still have a smaller id.
+            let met = placed.met(instance, ray, &mut ());
+            let local = placed.local(ray, Interval::new(met.near, met.far.min(t_max)))?;
             let inner = self.models[placed.model as usize].walk(&local, want, count)?;
             let is_better = best.is_none_or(|best| inner.t < best.t || (inner.t == best.t && instance < best.prim));
             if is_better {
