@@ -53,7 +53,8 @@ pub(crate) fn framed(camera: &Camera, bounds: &Aabb, size: Vec2) -> Camera {
 pub(crate) fn no_further(camera: Camera, home: Camera, bounds: &Aabb, size: Vec2) -> Camera {
     // How much of the picture the box takes, if all of it is seen.
     let share = |camera: &Camera| {
-        let seen: Option<Vec<Vec2>> = corners(bounds).map(|at| Some(camera.project(at, size)?.0)).collect();
+        let seen: Option<Vec<Vec2>> =
+            bounds.corners().into_iter().map(|at| Some(camera.project(at, size)?.0)).collect();
         let seen = seen.filter(|seen| seen.iter().all(|at| at.cmpge(Vec2::ZERO).all() && at.cmple(size).all()))?;
         let low = seen.iter().copied().reduce(Vec2::min)?;
         let high = seen.iter().copied().reduce(Vec2::max)?;
@@ -64,12 +65,6 @@ pub(crate) fn no_further(camera: Camera, home: Camera, bounds: &Aabb, size: Vec2
         (Camera::Flat { half_height, .. }, Camera::Flat { half_height: own, .. }) if half_height > own => home,
         _ => camera,
     }
-}
-
-/// The corners of a box.
-fn corners(bounds: &Aabb) -> impl Iterator<Item = Vec3> {
-    let ends = [bounds.min, bounds.max];
-    (0..8).map(move |at: usize| Vec3::new(ends[at & 1].x, ends[at >> 1 & 1].y, ends[at >> 2 & 1].z))
 }
 
 /// Turned around its target by a drag over so much of the picture; a flat camera is shifted.

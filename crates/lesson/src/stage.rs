@@ -158,15 +158,9 @@ impl Look {
                 let across = [right, -right].map(|side| forward * tall * WIDE + side);
                 let along = [page_up, -page_up].map(|side| forward * tall + side);
                 // Nothing is seen if all corners lie beyond one side of the view.
-                let seen = |side: &Vec3| corners(bounds).any(|corner| (corner - eye).dot(*side) > 0.0);
+                let seen = |side: &Vec3| bounds.corners().iter().any(|corner| (*corner - eye).dot(*side) > 0.0);
                 [forward].iter().chain(&across).chain(&along).all(seen)
             }
         }
     }
-}
-
-/// The corners of a box.
-fn corners(bounds: &Aabb) -> impl Iterator<Item = Vec3> {
-    let ends = [bounds.min, bounds.max];
-    (0..8).map(move |at: usize| Vec3::new(ends[at & 1].x, ends[at >> 1 & 1].y, ends[at >> 2 & 1].z))
 }

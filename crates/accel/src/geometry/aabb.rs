@@ -42,6 +42,14 @@ impl Aabb {
         }
     }
 
+    /// Its corners: bit `i` of a corner's number says whether it lies high along axis `i`.
+    pub fn corners(&self) -> [Vec3; 8] {
+        std::array::from_fn(|corner| {
+            let along = |i: usize| if corner >> i & 1 == 1 { self.max[i] } else { self.min[i] };
+            Vec3::new(along(0), along(1), along(2))
+        })
+    }
+
     /// Whether it holds no point.
     #[inline]
     pub fn is_empty(&self) -> bool {

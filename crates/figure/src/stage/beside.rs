@@ -6,7 +6,7 @@ use raystep_accel::{Aabb, Place};
 use super::lens::Lens;
 use super::spot::Spot;
 use crate::theme::Role;
-use crate::world::{Form, Space, contour, corners, edges};
+use crate::world::{Form, Space, contour, edges};
 
 /// Space between a label and what it labels, in points.
 pub(super) const GAP: f32 = 7.0;
@@ -44,7 +44,7 @@ pub(super) fn beside_line(bounds: &Aabb, lens: &Lens, half: Vec2) -> Vec<Spot> {
 
 /// The corners of a flat box, inside where there is room; around the corners of a box in space.
 pub(super) fn beside_box(bounds: &Aabb, lens: &Lens, half: Vec2, flat: bool, inside: bool) -> Vec<Spot> {
-    let seen: Vec<Vec2> = corners(bounds).iter().filter_map(|&corner| Some(lens.point(corner)?.0)).collect();
+    let seen: Vec<Vec2> = bounds.corners().iter().filter_map(|&corner| Some(lens.point(corner)?.0)).collect();
     let Some(outer) = Spot::over(&seen) else { return Vec::new() };
     let middle = outer.center();
     let mut spots = Vec::new();

@@ -4,7 +4,6 @@ use glam::{Vec2, Vec3};
 use raystep_accel::Aabb;
 
 use super::Camera;
-use crate::world::corners;
 
 /// So much more than a box has room in a picture that holds it.
 const AIR: f32 = 1.04;
@@ -42,7 +41,7 @@ impl Camera {
         // Across the picture, how far out a plane under the angle of view must lie to have the box on its inner side.
         let sides = |along: Vec3, slope: f32| {
             let beyond = |along: Vec3| {
-                corners(bounds).map(|p| p.dot(along) - p.dot(forward) * slope).into_iter().fold(f32::MIN, f32::max)
+                bounds.corners().map(|p| p.dot(along) - p.dot(forward) * slope).into_iter().fold(f32::MIN, f32::max)
             };
             [beyond(-along), beyond(along)]
         };
@@ -144,7 +143,7 @@ mod tests {
         let bounds = Aabb::new(Vec3::new(-6.0, -3.0, 0.0), Vec3::new(4.0, 7.0, 3.0));
         for size in [SIZE, Vec2::new(300.0, 700.0), Vec2::new(900.0, 200.0)] {
             let camera = near.holding(&bounds, size.x / size.y);
-            let seen = corners(&bounds).map(|corner| camera.project(corner, size).expect("before the eye").0);
+            let seen = bounds.corners().map(|corner| camera.project(corner, size).expect("before the eye").0);
             assert!(seen.iter().all(|at| at.cmpge(Vec2::ZERO).all() && at.cmple(size).all()), "{seen:?}");
             // As near as that allows: the box reaches two opposite edges.
             let low = seen.iter().copied().fold(Vec2::INFINITY, Vec2::min) / size;

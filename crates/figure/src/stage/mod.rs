@@ -25,7 +25,7 @@ use lens::Lens;
 use crate::page::{Anchor, Figure, Ink, Mark};
 use crate::theme::fonts::broken;
 use crate::theme::{Face, Role};
-use crate::world::{Form, Space, SpaceMark, corners};
+use crate::world::{Form, Space, SpaceMark};
 
 pub use axes::axes;
 pub use camera::Camera;
@@ -206,7 +206,7 @@ impl Stage<'_> {
 
     /// A rectangle of the plane, or the twelve edges of a box in space.
     fn bounds(&mut self, bounds: &Aabb, role: Role, place: Option<Place>) {
-        let corners = corners(bounds);
+        let corners = bounds.corners();
         if self.flat {
             let seen: Vec<Vec2> = corners.iter().filter_map(|&corner| Some(self.lens.point(corner)?.0)).collect();
             let min = seen.iter().copied().fold(Vec2::INFINITY, Vec2::min);
@@ -230,7 +230,7 @@ impl Stage<'_> {
             return;
         }
         // Of the eight corners, the four that differ along the two axes with a length.
-        let corners = corners(bounds);
+        let corners = bounds.corners();
         let extent = bounds.extent();
         let around: &[usize] = if extent.x == 0.0 {
             &[0, 2, 6, 4]

@@ -17,5 +17,5 @@ pub(crate) use levels::{Levels, drawn, frontier};
 pub use nodes::Nodes;
 pub use outlines::forms_of;
 pub(crate) use outlines::volume as forms_of_volume;
+pub(crate) use space::edges;
 pub use space::{Depth, Form, Space, SpaceMark};
-pub(crate) use space::{corners, edges};

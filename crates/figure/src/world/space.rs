@@ -113,20 +113,8 @@ impl Form {
 
 /// The edges of a box, without those that have no length.
 pub(crate) fn edges(bounds: &Aabb) -> Vec<[Vec3; 2]> {
-    let corners = corners(bounds);
+    let corners = bounds.corners();
     let from = (0..8).flat_map(|index: usize| [1, 2, 4].map(|bit| (index, index | bit)));
     let edges = from.filter(|(from, to)| from != to).map(|(from, to)| [corners[from], corners[to]]);
     edges.filter(|[from, to]| from != to).collect()
-}
-
-/// The corners of a box: bit 0 of the index is x, bit 1 y, bit 2 z.
-pub(crate) fn corners(bounds: &Aabb) -> [Vec3; 8] {
-    std::array::from_fn(|index| {
-        let pick = |bit: usize, low: f32, high: f32| if index & bit == 0 { low } else { high };
-        Vec3::new(
-            pick(1, bounds.min.x, bounds.max.x),
-            pick(2, bounds.min.y, bounds.max.y),
-            pick(4, bounds.min.z, bounds.max.z),
-        )
-    })
 }

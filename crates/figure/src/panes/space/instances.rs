@@ -8,7 +8,7 @@ use super::Drawing;
 use crate::moments::Inside;
 use crate::theme::Role;
 use crate::words::number;
-use crate::world::{Form, corners};
+use crate::world::Form;
 
 /// Of what waits in the instance, so many nodes.
 const NEXT: usize = 4;
@@ -72,7 +72,7 @@ impl Drawing<'_> {
             return;
         }
         let world = all.placed()[instance.index()].world_from_local;
-        let corners = corners(&own).map(|corner| world.point(corner));
+        let corners = own.corners().map(|corner| world.point(corner));
         let edge = |index: usize| {
             [1, 2, 4]
                 .into_iter()
