@@ -14,4 +14,5 @@ mod rating;
 mod reading;
 mod report;
 pub mod shown;
+mod texts;
 pub mod window;

@@ -60,6 +60,7 @@ const HOUSES: &[(&str, &[&str])] = &[
             "fault",
             "fields",
             "folders",
+            "texts",
             "reading",
             "files",
             "report",

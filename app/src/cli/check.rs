@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use raystep_lesson::{Library, Problem, Script, check, check_beside, check_file};
-use raystep_print::{proof, proof_code, proof_plain};
+use raystep_lesson::{Library, Problem, check, check_beside, check_file};
 
 use super::lessons::no_slides;
 use crate::fault::{Fault, about};
 use crate::files;
+use crate::texts::set;
 
 /// What to check.
 #[derive(Args, Debug)]
@@ -37,15 +37,6 @@ pub(crate) fn run(arguments: &CheckArguments) -> Result<(), Fault> {
     }
     let count = problems.len();
     Err(Fault::new(format!("{count} {} to mend", if count == 1 { "thing" } else { "things" })))
-}
-
-/// What of a text cannot be shown, as those say who set it.
-fn set(text: &str, script: Script) -> Vec<(usize, String)> {
-    match script {
-        Script::Plain => proof_plain(text),
-        Script::Markdown => proof(text),
-        Script::Code => proof_code(text),
-    }
 }
 
 fn folder(path: &Path, only: bool) -> Result<Vec<Problem>, Fault> {

@@ -7,6 +7,7 @@ use raystep_lesson::Library;
 
 use crate::fault::{Fault, about};
 use crate::files;
+use crate::texts::proofread;
 
 /// Which lessons.
 #[derive(Args, Clone, Debug, Default)]
@@ -29,7 +30,7 @@ impl Lessons {
     /// The lecture, with the lessons in the folder or without it. What is wrong in them is said; the rest is read.
     pub(super) fn read(&self) -> Result<Library, Fault> {
         let Some(folder) = self.folder() else { return Ok(Library::embedded()) };
-        let own = Library::from_dir(folder).map_err(about(folder))?;
+        let own = proofread(Library::from_dir(folder).map_err(about(folder))?);
         let empty = own.slides.is_empty();
         let library = if self.only { own } else { Library::embedded().and(own) };
         for problem in &library.problems {

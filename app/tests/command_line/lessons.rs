@@ -77,6 +77,11 @@ fn lessons_are_drawn_past_what_cannot_be_read() {
     }
     std::fs::write(section.join("41-bytes.md"), [0xFF; 9]).unwrap();
     std::fs::write(section.join("42-wrong.md"), "+++\n+++\n").unwrap();
+    // A formula that cannot be set is wrong, too: it would stand there as it was typed.
+    let slide = std::fs::read_to_string(shipped.join("05-kd-tree/40-grid-or-tree.md")).unwrap();
+    let typed = slide.replace("slide = 40", "slide = 43").replacen("one by one.", "one by $\\foo$.", 1);
+    assert_ne!(typed.matches("43").count(), 0);
+    std::fs::write(section.join("43-typed.md"), typed).unwrap();
     let export = |slide: &str, lessons: &str, out: &str| {
         let small = ["--stage", "flat", "--size", "320x200", "--format", "svg", "--out", out];
         raystep(&folder, &[&["export", "--slide", slide, "--only", "--lessons", lessons][..], &small].concat())
@@ -88,6 +93,7 @@ fn lessons_are_drawn_past_what_cannot_be_read() {
     for (slide, lessons, says) in [
         ("42-wrong", "lessons", "42-wrong.md:1:1"),
         ("5/41", "lessons", "there is no slide"),
+        ("5/43", "lessons", "the formula cannot be set"),
         ("5/40", "empty", "no slides can be read here"),
         ("5/40", "nowhere", "nowhere"),
     ] {

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use egui_kittest::kittest::Queryable;
 use raystep::window::{App, Remembered, Wishes};
 use raystep_lesson::Library;
 
@@ -127,6 +128,33 @@ fn saving_the_open_slide_keeps_the_reader_in_his_place() {
         std::fs::rename(&aside, &lessons).unwrap();
         std::fs::write(&path, text).unwrap();
     });
+}
+
+#[test]
+fn what_cannot_be_made_is_said_with_its_place_until_it_is_mended() {
+    let lessons = copied("unmade");
+    let path = lessons.join(SLIDE);
+    let text = std::fs::read_to_string(&path).unwrap();
+    let broken = text.replacen("kind = \"kd\"", "kind = \"kdd\"", 1);
+    assert_ne!(broken, text);
+    let line = 1 + text[..text.find("kind = \"kd\"").unwrap()].matches('\n').count();
+    let place = format!("33-which-child-first.md:{line}:");
+    let mut harness = window(&lessons);
+    let mut wait = |what: &str, holds: &dyn Fn(&Window) -> bool| {
+        let begun = Instant::now();
+        while !holds(&harness) {
+            assert!(begun.elapsed() < Duration::from_secs(60), "{what}: it does not come to hold");
+            harness.run_steps(2);
+            std::thread::sleep(Duration::from_millis(10));
+        }
+    };
+    let said = |harness: &Window| harness.query_all_by_label_contains("there is no structure").count();
+    for _ in 0..2 {
+        std::fs::write(&path, &broken).unwrap();
+        wait("the place", &|harness| harness.query_by_label_contains(&place).is_some() && said(harness) == 1);
+        std::fs::write(&path, &text).unwrap();
+        wait("the message goes", &|harness| said(harness) == 0 && harness.state().state.is_current());
+    }
 }
 
 /// A folder with one slide on a scene of its own.

@@ -9,6 +9,7 @@ use raystep_accel::Rule;
 use raystep_scene::Scene;
 
 use crate::problem::{listed, misspelt};
+use crate::texts::Said;
 use crate::{
     Act, Built, Library, Listing, Look, Plan, Plays, Problem, Script, Setter, Slide, Spot, Stage, StageKind, Term,
 };
@@ -30,6 +31,31 @@ pub fn check_file(library: &Library, file: &str, setter: Setter<'_>) -> Vec<Prob
 pub fn check_beside(lecture: &Library, own: &Library, setter: Setter<'_>) -> Vec<Problem> {
     let has = |library: &Library, slide: &Slide| library.slides.iter().any(|other| other.file == slide.file);
     check_those(&lecture.clone().and(own.clone()), setter, |slide| has(own, slide) && !has(lecture, slide))
+}
+
+/// What can be seen to be wrong in slides without building anything, by file and line: texts that cannot be shown, as
+/// `setter` says, and structures that do not exist.
+pub fn glance(library: &Library, setter: Setter<'_>) -> Vec<Problem> {
+    let plans = |slide: &Slide| {
+        let plans = slide.stages.iter().flat_map(|stage| [&stage.plan].into_iter().chain(&stage.beside));
+        let wrong = plans.flat_map(Plan::wrong);
+        wrong.map(|(spot, why)| Problem::new(&slide.file, spot, why)).collect::<Vec<_>>()
+    };
+    let mut problems: Vec<Problem> =
+        library.slides.iter().flat_map(|slide| plans(slide).into_iter().chain(unset(slide, setter))).collect();
+    problems.sort();
+    // Both stages may have the same.
+    problems.dedup();
+    problems
+}
+
+/// What of a slide's texts cannot be shown as it is written.
+fn unset(slide: &Slide, setter: Setter<'_>) -> Vec<Problem> {
+    let of = |said: Said<'_>| {
+        let wrong = setter(&said.filled(), said.script).into_iter();
+        wrong.map(|(byte, why)| Problem::new(&slide.file, said.spot(byte), why)).collect::<Vec<_>>()
+    };
+    slide.texts().into_iter().flat_map(of).collect()
 }
 
 fn check_those(library: &Library, setter: Setter<'_>, wanted: impl Fn(&Slide) -> bool) -> Vec<Problem> {
@@ -108,18 +134,9 @@ impl Checker<'_> {
         }
     }
 
-    /// Every text can be shown as it is written.
-    fn texts(&mut self, slide: &Slide) {
-        for said in slide.texts() {
-            for (byte, message) in (self.setter)(&said.filled(), said.script) {
-                self.say(slide, said.spot(byte), message);
-            }
-        }
-    }
-
     fn slide(&mut self, slide: &Slide) {
         let library = self.library;
-        self.texts(slide);
+        self.problems.extend(unset(slide, self.setter));
         let listing = library.listing(&slide.listing);
         if listing.is_none() && !slide.listing.is_empty() {
             let known: Vec<&str> = library.listings.iter().map(|listing| listing.name.as_str()).collect();
@@ -239,19 +256,9 @@ impl Checker<'_> {
         let mut good = true;
         let measured: Vec<Plan> = stage.board.iter().flat_map(|board| board.plans_at_ends()).collect();
         for plan in std::iter::once(&stage.plan).chain(&stage.beside).chain(&stage.abreast).chain(&measured) {
-            match Rule::default_for(&plan.kind) {
-                Ok(mut rule) => {
-                    for setting in &plan.settings {
-                        if let Err(error) = rule.set(&setting.key, &setting.value) {
-                            self.say(slide, setting.spot, error.to_string());
-                            good = false;
-                        }
-                    }
-                }
-                Err(error) => {
-                    self.say(slide, plan.spot, error.to_string());
-                    good = false;
-                }
+            for (spot, why) in plan.wrong() {
+                self.say(slide, spot, why);
+                good = false;
             }
         }
         if slide.plays == Plays::Packet && good && !PACKET_KINDS.contains(&stage.plan.kind.as_str()) {

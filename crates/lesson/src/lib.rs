@@ -53,7 +53,7 @@ pub use board::{
     Timed, Timing,
 };
 pub use change::{Planned, Told};
-pub use check::{check, check_beside, check_file};
+pub use check::{check, check_beside, check_file, glance};
 pub use condition::Condition;
 pub use facts::Facts;
 pub use fit::FitTape;

@@ -27,6 +27,19 @@ impl Plan {
         Some(Plan { kind, settings: rest.into_iter().map(setting).collect(), spot: reading.spot(at) })
     }
 
+    /// Every parameter that cannot be, or the kind, with where it stands and a sentence.
+    pub(crate) fn wrong(&self) -> Vec<(Spot, String)> {
+        match Rule::default_for(&self.kind) {
+            Ok(mut rule) => {
+                let set = |setting: &Setting| {
+                    rule.set(&setting.key, &setting.value).err().map(|why| (setting.spot, why.to_string()))
+                };
+                self.settings.iter().filter_map(set).collect()
+            }
+            Err(why) => vec![(self.spot, why.to_string())],
+        }
+    }
+
     /// What a slide would write for a rule over a scene that is flat or not.
     pub(crate) fn of(rule: &Rule, flat: bool) -> Plan {
         let usual = Rule::default_for(rule.kind()).map(|usual| if flat { usual.flat() } else { usual });

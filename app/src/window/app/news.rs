@@ -26,7 +26,7 @@ impl App {
     /// Makes what the state asks for, as far as it is not there, and takes in what has come back.
     pub(super) fn catch_up(&mut self, ui: &Ui) {
         if let Some(wrong) = self.underway.catch_up(&mut self.state) {
-            self.complain(wrong);
+            self.tell_unmade(wrong);
         }
         for file in ui.input(|input| input.raw.dropped_files.clone()) {
             let path = file.path().to_path_buf();

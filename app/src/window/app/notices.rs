@@ -1,7 +1,7 @@
 //! What is said to the user.
 
 use egui::Ui;
-use raystep_lesson::Library;
+use raystep_lesson::{Library, Problem};
 
 use super::App;
 use crate::files;
@@ -33,7 +33,11 @@ impl App {
         if let Some(old) = self.problems.take() {
             self.kept.notices.take_back(&old);
         }
-        let Some(first) = library.problems.first() else { return };
+        let Some(first) =
+            library.problems.iter().find(|problem| self.is_of_slide(problem)).or(library.problems.first())
+        else {
+            return;
+        };
         let more = match library.problems.len() - 1 {
             0 => String::new(),
             more => format!(" And {more} more: raystep check names them."),
@@ -41,5 +45,17 @@ impl App {
         let sentence = format!("{first}.{more}");
         self.kept.notices.keep(sentence.clone());
         self.problems = Some(sentence);
+    }
+
+    /// Whether a problem is one of the slide that is shown, or on its way.
+    fn is_of_slide(&self, problem: &Problem) -> bool {
+        self.state.library.slides.get(self.state.target().slide).is_some_and(|slide| slide.file == problem.file)
+    }
+
+    /// Says why a slide cannot be made, unless that was said of its file already.
+    pub(super) fn tell_unmade(&mut self, wrong: String) {
+        if !self.state.library.problems.iter().any(|problem| self.is_of_slide(problem)) {
+            self.complain(wrong);
+        }
     }
 }

@@ -8,6 +8,8 @@ use std::time::{Duration, Instant, SystemTime};
 use raystep_lesson::Library;
 use raystep_scene::{SCENE_ENDINGS, Scenes};
 
+use crate::texts::proofread;
+
 /// How often the folder is looked at. A look asks for the sizes and times of some sixty files; it needs nothing of
 /// the system that could be refused, and it does not mind when the folder is moved away and made anew.
 const BETWEEN_LOOKS: Duration = Duration::from_millis(75);
@@ -119,6 +121,7 @@ impl Reader {
         }
         let own = Library::from_dir_knowing(&self.folder, &self.known);
         let own = own.map_err(|error| format!("The lessons cannot be read: {error}."))?;
+        let own = proofread(own);
         self.known = own.scenes.clone();
         Ok(if self.only { own } else { Library::embedded().and(own) })
     }
