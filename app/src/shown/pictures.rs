@@ -45,6 +45,8 @@ struct Key {
     grain: Grain,
     /// While a question is open: whether it asks for a count, and the name of the event that answers it.
     asks: Option<(bool, &'static str)>,
+    /// The last step that may be told of before a question is asked.
+    told: usize,
     /// The mistake that is made in the walk beside.
     mistake: Option<Mistake>,
     /// How many boxes of a tree are drawn in space.
@@ -74,7 +76,8 @@ impl Pictures {
             _ => None,
         };
         let (step, grain, depth, part) = (state.view.step, state.grain, state.depth(), state.view.part);
-        let key = Key { playback: Arc::as_ptr(&playback) as usize, step, grain, asks, mistake, depth };
+        let told = state.told();
+        let key = Key { playback: Arc::as_ptr(&playback) as usize, step, grain, asks, told, mistake, depth };
         if let Some(kept) = kept
             && kept.key == key
         {
@@ -103,7 +106,7 @@ impl Pictures {
         let extra =
             beside.map_or(0, |(_, tests)| tests + 1) ^ (view.focus.map_or(0, |node| u64::from(node.0) + 1) << 20);
         let sized = [size.x as u32, size.y as u32];
-        let Key { asks, mistake, .. } = self.key;
+        let Key { asks, told: ahead, mistake, .. } = self.key;
         let text = (look.text * 8.0) as u32 * 2 + u32::from(look.titles);
         let Pictures { playback, instant, space, before, part, figures, .. } = self;
         let part = part.filter(|_| matches!(pane, Pane::Ruler | Pane::RulerLine));
@@ -122,7 +125,16 @@ impl Pictures {
             let space = space.as_deref();
             // The tree says how many nodes it has: not while that is asked.
             let view = &TreeView { uncounted: asks.is_some_and(|(total, _)| total), ..view.clone() };
-            let ask = Ask { hide, view: Some(view), lines: &lines, beside, part, space, ..Ask::new(size, *look) };
+            let ask = Ask {
+                hide,
+                told: ahead,
+                view: Some(view),
+                lines: &lines,
+                beside,
+                part,
+                space,
+                ..Ask::new(size, *look)
+            };
             Arc::new(still.draw(pane, &ask))
         };
         figures.entry(key).or_insert_with(draw).clone()
@@ -215,7 +227,7 @@ impl Pictures {
 
     /// The symbol whose name stands at this point of the timeline.
     pub(crate) fn symbol_at(&self, size: Vec2, look: &Look, point: Vec2) -> Option<Symbol> {
-        let ask = Ask { hide: self.key.asks.is_some(), ..Ask::new(size, *look) };
+        let ask = Ask { hide: self.key.asks.is_some(), told: self.key.told, ..Ask::new(size, *look) };
         self.playback.reel().still(&self.instant).symbol_at(&ask, point)
     }
 

@@ -84,7 +84,28 @@ fn a_plane_cuts_the_ray() {
     check("kd_bin", &bin(&moment, Vec2::new(400.0, 160.0), &LOOK));
     check("kd_work", &work(&walk, &moment, None, Vec2::new(400.0, 160.0), &LOOK));
     check("kd_bytes", &bytes(&walk, &moment, false, Vec2::new(790.0, 220.0), &LOOK));
-    check("kd_timeline", &timeline(&walk, moment.step, false, Vec2::new(1000.0, 80.0), &LOOK));
+    check("kd_timeline", &timeline(&walk, moment.step, &Ask::new(Vec2::new(1000.0, 80.0), LOOK)));
+}
+
+#[test]
+fn before_a_question_the_timeline_tells_nothing_behind_it() {
+    let played = Played::new("kd", &[("min_objects", "1")]);
+    let walk = played.walk();
+    let (size, steps) = (Vec2::new(1000.0, 80.0), walk.events.len());
+    let track = Track::new(steps, size, &LOOK);
+    let behind = |step: usize, told: usize| {
+        let figure = timeline(&walk, step, &Ask { told, ..Ask::new(size, LOOK) });
+        let signs = figure.marks.iter().filter(|mark| mark.place.is_some());
+        let at = signs.filter_map(|mark| match &mark.ink {
+            Ink::Text { at, .. } => Some(at.x),
+            _ => None,
+        });
+        at.filter(|x| *x > track.x(told.min(steps)) + 1.0).count()
+    };
+    let told = steps / 2;
+    assert!(behind(2, usize::MAX) == 0 && behind(2, told) == 0, "nothing behind what is told");
+    let all = |told| timeline(&walk, 2, &Ask { told, ..Ask::new(size, LOOK) }).marks.len();
+    assert!(all(told) < all(usize::MAX) && all(2) < all(told), "what comes before it is told");
 }
 
 #[test]
@@ -277,7 +298,7 @@ fn nothing_is_cut_off_at_any_step() {
                     ("ruler", ruler(&walk, &moment, false, wide, &look)),
                     ("line", ruler_line(&walk, &moment, false, wide, &look)),
                     ("tree", tree(&walk, &moment, &view, wide, &look)),
-                    ("timeline", timeline(&walk, step, false, size(900.0, 80.0), &look)),
+                    ("timeline", timeline(&walk, step, &Ask::new(size(900.0, 80.0), look))),
                     ("stack", stack(&walk, &moment, narrow, &look)),
                     ("bin", bin(&moment, narrow, &look)),
                     (

@@ -25,6 +25,13 @@ impl State {
         playback.posed.iter().find(|posed| posed.before == self.view.step)
     }
 
+    /// The last step of which anything may be told in advance: behind it a question is asked that it would answer.
+    pub(crate) fn told(&self) -> usize {
+        let playback = self.playback.as_ref().filter(|_| self.predict);
+        let ahead = playback.into_iter().flat_map(|playback| &playback.posed).map(|posed| posed.before);
+        ahead.filter(|before| *before >= self.view.step).min().unwrap_or(usize::MAX)
+    }
+
     /// Whether nothing was said or asked on this slide before this step.
     fn begins(&self) -> bool {
         self.stops().into_iter().all(|step| step >= self.view.step)

@@ -141,7 +141,7 @@ fn track(
     if pointer.x - rect.left() > track.left - 10.0 && !response.dragged() {
         let at = track.step_at(pointer.x - rect.left());
         let says = match playback.event(at) {
-            Some(event) if state.question().is_none() => {
+            Some(event) if at <= state.told() => {
                 format!("step {at}: {}", short(&event, playback.reel().volume()))
             }
             _ => format!("step {at}"),

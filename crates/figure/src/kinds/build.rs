@@ -96,9 +96,14 @@ impl Kind for Build<'_> {
             Pane::Stack if nodes => stack_of_build(self, moment, size, look),
             Pane::Bin if nodes => bin_of_build(self, moment, size, look),
             Pane::Work => work_of_build(self, moment, size, look),
-            Pane::Timeline => timeline_of_build(self, at.step(), hide, size, look),
+            Pane::Timeline => timeline_of_build(self, at.step(), ask),
             _ => return None,
         })
+    }
+
+    fn is_bare(&self, at: &Instant, pane: Pane) -> bool {
+        let moment: &GrowMoment = at.state();
+        pane == Pane::Ruler && moment.node.is_none() && moment.weighed.is_empty()
     }
 
     fn fact(&self, step: usize) -> Option<&dyn Fact> {

@@ -34,6 +34,12 @@ pub trait Kind {
     /// A pane at an instant; nothing if it is not one of [`panes`](Kind::panes).
     fn draw(&self, at: &Instant, pane: Pane, ask: &Ask<'_>) -> Option<Figure>;
 
+    /// Whether a pane could only say at an instant that there is nothing to show: on paper others get its room.
+    fn is_bare(&self, at: &Instant, pane: Pane) -> bool {
+        let _ = (at, pane);
+        false
+    }
+
     /// What step `step` shows, the first one being 1: whatever slides, listings and templates can say of it.
     fn fact(&self, step: usize) -> Option<&dyn Fact> {
         let _ = step;

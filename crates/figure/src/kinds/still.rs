@@ -85,6 +85,11 @@ impl<'a> Still<'a> {
         has(self.kind, pane)
     }
 
+    /// Whether a pane could only say at this step that there is nothing to show: on paper others get its room.
+    pub fn is_bare(&self, pane: Pane) -> bool {
+        self.kind.is_bare(self.at, pane)
+    }
+
     /// A pane; an empty figure where there is nothing to show.
     pub fn draw(&self, pane: Pane, ask: &Ask<'_>) -> Figure {
         let drawn = self.kind.draw(self.at, pane, ask).or_else(|| match pane {

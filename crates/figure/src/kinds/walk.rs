@@ -65,7 +65,7 @@ impl Kind for Walk<'_> {
             Pane::Stack if self.structure.node_count() > 0 => stack(self, moment, size, look),
             Pane::Bin if self.structure.node_count() > 0 => bin(moment, size, look),
             Pane::Work => work(self, moment, ask.beside, size, look),
-            Pane::Timeline => timeline(self, at.step(), hide, size, look),
+            Pane::Timeline => timeline(self, at.step(), ask),
             _ => return None,
         })
     }

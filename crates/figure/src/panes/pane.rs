@@ -121,6 +121,8 @@ pub struct Ask<'a> {
     pub look: Look,
     /// Whether a question is open: what answers it is hidden.
     pub hide: bool,
+    /// The last step that the timeline tells of: behind it a question is still to be asked.
+    pub told: usize,
     /// What the user has zoomed to, opened and closed in the tree.
     pub view: Option<&'a TreeView>,
     /// The lines of the listing.
@@ -136,6 +138,6 @@ pub struct Ask<'a> {
 impl Ask<'_> {
     /// A pane of this size, and nothing else.
     pub fn new(size: Vec2, look: Look) -> Ask<'static> {
-        Ask { size, look, hide: false, view: None, lines: &[], beside: None, part: None, space: None }
+        Ask { size, look, hide: false, told: usize::MAX, view: None, lines: &[], beside: None, part: None, space: None }
     }
 }

@@ -49,21 +49,21 @@ impl Track {
 }
 
 /// The track of a walk with a symbol for each event that has one, the current step and what it is. While
-/// a question is open, `hide_ahead` leaves out what is still to come.
-pub fn timeline(walk: &Walk<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
+/// a question is open what is still to come is left out, and before one what it asks for.
+pub fn timeline(walk: &Walk<'_>, step: usize, ask: &Ask<'_>) -> Figure {
     let volume = VolumeName::of(walk.structure);
     let fact = |step: usize| -> Option<&dyn Fact> { Some(walk.events.get(step.checked_sub(1)?)?) };
     let now = step.checked_sub(1).and_then(|index| walk.events.get(index));
-    let says = now.map(|event| if hide_ahead { veiled_visit(event).short(volume) } else { event.short(volume) });
-    draw(&of_walk(walk, &not_kept(walk), &fact), step, says, hide_ahead, size, look)
+    let says = now.map(|event| if ask.hide { veiled_visit(event).short(volume) } else { event.short(volume) });
+    draw(&of_walk(walk, &not_kept(walk), &fact), step, says, ask)
 }
 
 /// The track of a build.
-pub fn timeline_of_build(build: &Build<'_>, step: usize, hide_ahead: bool, size: Vec2, look: &Look) -> Figure {
+pub fn timeline_of_build(build: &Build<'_>, step: usize, ask: &Ask<'_>) -> Figure {
     let volume = VolumeName::of(build.structure);
     let fact = |step: usize| -> Option<&dyn Fact> { Some(build.events.get(step.checked_sub(1)?)?) };
     let says = fact(step).map(|event| event.short(volume));
-    draw(&of_build(build, &grow::left_out(build.lost, volume), &fact), step, says, hide_ahead, size, look)
+    draw(&of_build(build, &grow::left_out(build.lost, volume), &fact), step, says, ask)
 }
 
 /// The track of steps of any kind: `fact` says what each shows, the first one being 1.
@@ -77,7 +77,7 @@ pub(crate) fn track<'a>(
 ) -> Figure {
     let says = step.checked_sub(1).and_then(|_| fact(step)).map(|fact| fact.short(volume));
     let tape = Recorded { steps, fact, symbols: &[], lost: "", flat, volume };
-    draw(&tape, step, says, ask.hide, ask.size, &ask.look)
+    draw(&tape, step, says, ask)
 }
 
 /// What is on a track.
@@ -91,6 +91,14 @@ struct Recorded<'a> {
     lost: &'a str,
     flat: bool,
     volume: VolumeName,
+}
+
+impl Recorded<'_> {
+    /// Up to which step the track says what happens.
+    fn told(&self, step: usize, ask: &Ask<'_>) -> usize {
+        let ahead = if ask.hide { step } else { ask.told.max(step) };
+        ahead.min(self.steps)
+    }
 }
 
 /// How many steps of a walk were not recorded, in words.
@@ -108,14 +116,8 @@ fn of_build<'a>(build: &Build<'_>, lost: &'a str, fact: &'a dyn Fn(usize) -> Opt
     Recorded { steps: build.events.len(), fact, symbols: grow::SYMBOLS, lost, flat: build.flat, volume }
 }
 
-fn draw(
-    tape: &Recorded<'_>,
-    step: usize,
-    says: Option<Cow<'static, str>>,
-    hide_ahead: bool,
-    size: Vec2,
-    look: &Look,
-) -> Figure {
+fn draw(tape: &Recorded<'_>, step: usize, says: Option<Cow<'static, str>>, ask: &Ask<'_>) -> Figure {
+    let Ask { size, ref look, .. } = *ask;
     let Recorded { steps, lost, .. } = *tape;
     let mut figure = Figure::new(size);
     let track = Track::new(steps, size, look);
@@ -139,7 +141,7 @@ fn draw(
     }
 
     // One symbol for each event that has one; of a crowd, the one that matters most.
-    let told = if hide_ahead { step.min(steps) } else { steps };
+    let told = tape.told(step, ask);
     for (x, symbol, place) in crowd(told, tape, &track, u * 0.8) {
         let at = Vec2::new(x, track.y - 1.25 * u);
         write(&mut figure, symbol.role, Some(place), at, symbol.sign, u * 0.85, Face::Medium, Anchor::Middle);
@@ -194,8 +196,7 @@ fn named_at(tape: &Recorded<'_>, step: usize, ask: &Ask<'_>, point: Vec2) -> Opt
     if (point.y - track.y - 1.5 * look.text).abs() > look.text * 0.8 {
         return None;
     }
-    let told = if ask.hide { step.min(tape.steps) } else { tape.steps };
-    let named = legend_row(told, tape, &track, look);
+    let named = legend_row(tape.told(step, ask), tape, &track, look);
     named.into_iter().find(|named| (named.left..named.right).contains(&point.x)).map(|named| named.symbol)
 }
 

@@ -85,7 +85,7 @@ impl Page<'_> {
 
     /// The panes below space that show something.
     pub(super) fn panes(&self) -> impl Iterator<Item = Pane> {
-        self.plate.below.iter().copied().filter(|pane| self.plate.still.has(*pane))
+        self.plate.below.iter().copied().filter(|pane| self.plate.still.has(*pane) && !self.plate.still.is_bare(*pane))
     }
 
     /// How high they are, of so much.
