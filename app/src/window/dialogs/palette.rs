@@ -110,29 +110,48 @@ fn found(library: &Library, typed: &str) -> Vec<(Choice, String, String)> {
     let slides = library.slides.iter().enumerate();
     let slides = slides.map(|(index, slide)| (Choice::Slide(index), slide.title.clone(), slide.numbers_text()));
     let typed = typed.trim().to_lowercase();
-    // A slide is also found by its id, its section and the structures on its stages.
-    let hidden = |choice: &Choice| match choice {
-        Choice::Slide(index) => about(&library.slides[*index]),
-        Choice::Command(_) | Choice::Link(_) => String::new(),
-    };
-    let fits = |(choice, name, more): &(Choice, String, String)| {
-        let text = format!("{name} {more} {}", hidden(choice)).to_lowercase();
+    let fits = |text: &str| {
+        let text = text.to_lowercase();
         typed.split_whitespace().all(|word| text.contains(word))
     };
-    let mut found: Vec<_> = slides.chain(commands).filter(fits).collect();
-    found.sort_by_key(|(choice, name, _)| match choice {
-        Choice::Slide(index) if library.slides[*index].id() == typed => 0,
-        _ if name.to_lowercase().starts_with(&typed) => 1,
-        _ => 2,
-    });
-    found
+    // A slide is also found by its id, its section, its structures and its listing, and by what it says.
+    let rank = |(choice, name, more): &(Choice, String, String)| {
+        let slide = match choice {
+            Choice::Slide(index) => library.slides.get(*index),
+            Choice::Command(_) | Choice::Link(_) => None,
+        };
+        let about = slide.map(about).unwrap_or_default();
+        match slide {
+            Some(slide) if slide.id() == typed => Some(0),
+            _ if name.to_lowercase().starts_with(&typed) => Some(1),
+            _ if fits(&format!("{name} {more} {about}")) => Some(2),
+            Some(slide) if fits(&said(slide)) => Some(3),
+            _ => None,
+        }
+    };
+    let mut found: Vec<_> = slides.chain(commands).filter_map(|entry| Some((rank(&entry)?, entry))).collect();
+    found.sort_by_key(|(rank, _)| *rank);
+    found.into_iter().map(|(_, entry)| entry).collect()
 }
 
 /// What a slide is found by besides its title and its numbers.
 fn about(slide: &Slide) -> String {
     let section = slide.section_title();
-    let kinds: Vec<_> = slide.stages.iter().map(|stage| stage.plan.kind.as_str()).collect();
-    format!("{} {section} {}", slide.id(), kinds.join(" "))
+    let plans = slide.stages.iter().map(|stage| {
+        let set = stage.plan.settings.iter().map(|set| format!("{} {}", set.key.replace('_', " "), set.value));
+        format!("{} {}", stage.plan.kind, set.collect::<Vec<_>>().join(" "))
+    });
+    let listing = slide.listing.replace('-', " ");
+    format!("{} {section} {} {listing}", slide.id(), plans.collect::<Vec<_>>().join(" "))
+}
+
+/// Everything that a slide says.
+fn said(slide: &Slide) -> String {
+    let beats = slide.beats.iter().flat_map(|beat| {
+        let texts = beat.paragraphs.iter().map(|paragraph| paragraph.text.as_str());
+        [beat.title.as_str()].into_iter().chain(texts)
+    });
+    beats.collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -157,7 +176,7 @@ mod tests {
         for slide in &library.slides {
             assert_eq!(first(&slide.id()), slide.id());
         }
-        for typed in ["kd", "bvh", "grid", "kd-trees", "5/3"] {
+        for typed in ["kd", "bvh", "grid", "kd-trees", "5/3", "SAH", "kd walk", "mailbox", "overlap", "traversal"] {
             first(typed);
         }
     }
