@@ -21,11 +21,13 @@ const NARROW: f32 = 1400.0;
 /// Below this height of the page the tree stands behind a tab as well.
 const LOW: f32 = 540.0;
 
-/// Most of the height that the walk takes of itself, and the least height of a row, of that of the work, which has three
-/// lines, and of what stands behind tabs.
+/// Most of the height that the walk takes of itself, and the least height of a row, of that of the stack, in which two
+/// can be seen, of the work, which has three lines and two more where a walk stands beside, and of what stands behind tabs.
 const WALK: f32 = 0.66;
 const ROW: f32 = 70.0;
+const STACK: f32 = 104.0;
 const WORK: f32 = 94.0;
+const BESIDE: f32 = 46.0;
 const TABS: f32 = 124.0;
 
 /// The height in which the walk stands whole.
@@ -79,8 +81,8 @@ fn stacked(
     let heights = &mut sizes.heights;
     let mut rows = vec![
         (Pane::Work, "work", &mut heights.work, 0.148),
-        (Pane::Stack, "stack", &mut heights.stack, 0.115),
-        (Pane::Changed, "changed", &mut heights.changed, 0.162),
+        (Pane::Stack, "stack", &mut heights.stack, 0.135),
+        (Pane::Changed, "changed", &mut heights.changed, 0.142),
     ];
     rows.retain(|(shown, ..)| has(kept, *shown));
     // What follows from what is shown is higher, but the walk has its room first.
@@ -92,7 +94,12 @@ fn stacked(
     let scale = (left / wanted.iter().sum::<f32>()).min(1.0);
     let mut under = None;
     for ((shown, name, size, _), wanted) in rows.into_iter().zip(wanted) {
-        let least = if shown == Pane::Work { WORK } else { ROW };
+        let least = match shown {
+            Pane::Work if page.state.beside != Beside::Nothing => WORK + BESIDE,
+            Pane::Work => WORK,
+            Pane::Stack => STACK,
+            _ => ROW,
+        };
         let usual = (wanted * scale).max(least);
         let panel = Panel::bottom(salt(name, *size, usual))
             .frame(Frame::new())

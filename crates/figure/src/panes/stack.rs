@@ -83,7 +83,7 @@ fn draw(title: &str, remark: &str, rows: &[Row], nothing: &str, size: Vec2, look
     let (height, gap) = row(look);
     let top = look.heading(&mut Figure::default(), "", "");
     let fit = (((size.y - top) / (height + gap)) as usize).max(1);
-    let shown = if rows.len() > fit { fit.saturating_sub(1).max(1) } else { rows.len() };
+    let shown = rows.len().min(fit);
     let more = format!("and {} more below", rows.len() - shown);
     let below = top + shown as f32 * (height + gap) + look.line() * 0.5;
     let in_heading = shown < rows.len() && below + look.text * 0.5 > size.y;
