@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use raystep_lesson::Library;
+use raystep_lesson::{Library, Show, Slide};
 
 use crate::shown::Link;
 use crate::shown::state::State;
@@ -39,7 +39,8 @@ impl Wishes {
             library.slides.iter().position(|other| std::ptr::eq(other, slide))
         };
         // A mesh is met first where a tree walks through it.
-        let tree = || library.slides.iter().position(|slide| slide.listing == "kd-walk");
+        let leads = |slide: &Slide| slide.listing == "kd-walk" && slide.show.first() == Some(&Show::Space);
+        let tree = || library.slides.iter().position(leads);
         let first = if self.mesh.is_some() { tree().unwrap_or(0) } else { 0 };
         self.slide.as_ref().and_then(index).unwrap_or(first)
     }
