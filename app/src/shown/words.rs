@@ -29,8 +29,9 @@ pub(crate) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
 /// What stands on an answer's button.
 pub(crate) fn label(choice: &Choice) -> String {
     let cut = match choice.own {
-        Some(Event::Build(Grow::Weigh { axis, .. })) => {
-            Some(format!("{} = {}", coordinate(axis), value(&choice.value)))
+        Some(Event::Build(Grow::Weigh { axis, below, above, .. })) => {
+            let at = format!("{} = {}", coordinate(axis), value(&choice.value));
+            Some(if choice.of_list { format!("{below} | {above}, at {at}") } else { at })
         }
         _ => None,
     };

@@ -83,4 +83,6 @@ pub struct Choice {
     pub reason: Option<String>,
     /// The event that is this answer's own: of a plane to cut at, how it was weighed.
     pub own: Option<Event>,
+    /// Whether it cuts a list and not space: then it says how many go to each part.
+    pub of_list: bool,
 }

@@ -60,6 +60,7 @@ impl Ask {
                 right: same(&value, &right),
                 reason: if same(&value, &right) { None } else { self.reason(&answer) },
                 own: None,
+                of_list: false,
             }
         };
         values.into_iter().map(choice).collect()
@@ -94,6 +95,7 @@ impl Ask {
             right,
             reason: if right { None } else { self.reason(&answer) },
             own: None,
+            of_list: false,
         };
         answers.into_iter().enumerate().map(choice).collect()
     }
@@ -110,6 +112,7 @@ impl Ask {
             right: reason.is_none(),
             reason: reason.map(|reason| reason.text.clone()),
             own: None,
+            of_list: false,
         };
         answers.into_iter().enumerate().map(choice).collect()
     }
@@ -229,7 +232,8 @@ impl Ask {
             if !choices.iter().any(|other| same(&other.value, &value)) {
                 let reason = if answer.is_empty() { None } else { self.reason(answer) };
                 let (label, place) = (None, None);
-                choices.push(Choice { label, value, place, right: at == plane, reason, own: Some(Event::Build(own)) });
+                let (own, of_list) = (Some(Event::Build(own)), matches!(*play.structure, Structure::Bvh(_)));
+                choices.push(Choice { label, value, place, right: at == plane, reason, own, of_list });
             }
         }
         choices.sort_by(|a, b| number(&a.value).total_cmp(&number(&b.value)));

@@ -179,8 +179,15 @@ fn an_open_question_gives_nothing_away() {
 fn the_test_would_have_found_it() {
     let page = |says: &str| Shown { texts: vec![("Slabs", [says.to_owned()].into())], roles: Vec::new() };
     let word = |word| Value::Word(word, &["hit", "miss", "cut"]);
-    let choice =
-        |value, right| raystep_lesson::Choice { label: None, value, place: None, right, reason: None, own: None };
+    let choice = |value, right| raystep_lesson::Choice {
+        label: None,
+        value,
+        place: None,
+        right,
+        reason: None,
+        own: None,
+        of_list: false,
+    };
     let verdict =
         Posed { beat: 0, before: 1, step: 2, choices: vec![choice(word("hit"), false), choice(word("miss"), true)] };
     let before = page("so far [0, 3]");

@@ -40,6 +40,9 @@ fn stamp(state: &State) -> Stamp {
     (state.view.slide, state.view.step, state.question().is_some(), answered)
 }
 
+/// How wide the border below the last words is, in points.
+const FOOT: i8 = 18;
+
 /// Shows the lesson. What does not fit is scrolled, and a sign at the foot says so.
 pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut Formulas, asked: &mut Vec<Asked>) {
     let id = ui.scope_id().with("lesson scroll");
@@ -63,14 +66,16 @@ pub(super) fn pane(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
         area = area.vertical_scroll_offset(to.min(1e6));
     }
     let shown = area.show(ui, |ui| {
-        Frame::new().inner_margin(Margin { left: 22, right: 20, top: 18, bottom: 18 }).show(ui, |ui| {
+        Frame::new().inner_margin(Margin { left: 22, right: 20, top: 18, bottom: FOOT }).show(ui, |ui| {
             ui.set_width(ui.available_width());
             content(ui, state, theme, formulas, fresh, asked);
         });
     });
     let seen = shown.state.clamped_offset().y + shown.inner_rect.height();
-    let long = shown.content_size.y > room + 2.0;
-    let at_end = seen >= shown.content_size.y - 6.0;
+    // The border below the last words may lie out of sight.
+    let words = shown.content_size.y - f32::from(FOOT);
+    let long = words > room;
+    let at_end = seen >= words;
     if (long, at_end) != (scroll.long, scroll.at_end) {
         ui.ctx().request_repaint();
     }

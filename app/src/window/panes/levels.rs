@@ -53,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, page: Page<'_>, pictures: &Pictures, strip: Rect
                 asked.push(Asked::Depth(if level == 0 { Depth::Path } else { Depth::Down(level) }));
             }
             slider.on_hover_text(Command::Deeper.tip());
-            let says = if now == 0 { format!("{} levels", deepest + 1) } else { format!("level {now} of {deepest}") };
+            let says = if now == 0 { format!("levels 0 to {deepest}") } else { format!("level {now} of {deepest}") };
             ui.label(egui::RichText::new(says).small());
         });
     });

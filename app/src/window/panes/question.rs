@@ -19,7 +19,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
     if let Some((posed, answered)) = state.settled() {
         let choice = &posed.choices[answered.choice];
         boxed(ui, theme, Role::Hit, |ui| {
-            ui.label(RichText::new("Right").font(font(Face::Bold, 13.0)).color(ink(theme, Role::Hit)));
+            ui.label(RichText::new("Correct").font(font(Face::Bold, 13.0)).color(ink(theme, Role::Hit)));
             let text = format!("{} **{}**", question_text(state, posed), label(choice));
             Prose { theme, size: 14.5, role: Role::Text, face: Face::Regular, leading: LEADING }
                 .show(ui, formulas, &text);
@@ -42,7 +42,7 @@ pub(super) fn show(ui: &mut Ui, state: &State, theme: &Theme, formulas: &mut For
                 .show(ui, formulas, &reason);
         }
         let clickable = posed.choices.iter().any(|choice| choice.place.is_some());
-        let hint = if clickable { "or click it in the picture · Enter skips" } else { "Enter skips" };
+        let hint = if clickable { "or click it in the picture · Enter or → skips" } else { "Enter or → skips" };
         ui.label(RichText::new(hint).small().color(ink(theme, Role::Quiet)));
     });
     asked

@@ -60,6 +60,8 @@ pub fn value(value: &Value) -> String {
         Value::Flag(true) => "yes".to_owned(),
         Value::Flag(false) => "no".to_owned(),
         Value::Axis(axis) => axis.name().to_owned(),
+        // Why a walk ends, as one would say it.
+        Value::Word("exhausted", _) => "nothing is left".to_owned(),
         Value::Word(word, _) => word.to_owned(),
         Value::Place(place) => place.to_string(),
         Value::Lanes(lanes) => mask(lanes),
