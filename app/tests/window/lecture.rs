@@ -259,7 +259,7 @@ fn a_mistake_that_is_played_is_told_on_the_wall() {
     settle(&mut harness);
     harness.run_steps(3);
     assert_eq!(harness.state().state.view.example, Some(mistake));
-    for text in [mistake.title(), "A ray from the right enters the right child first"] {
+    for text in [mistake.title(), "A ray from the right meets the right child first"] {
         assert!(harness.query_all_by_label_contains(text).next().is_some(), "{text}");
     }
 }

@@ -151,7 +151,8 @@ fn what_cannot_be_made_is_said_with_its_place_until_it_is_mended() {
     let said = |harness: &Window| harness.query_all_by_label_contains("there is no structure").count();
     for _ in 0..2 {
         std::fs::write(&path, &broken).unwrap();
-        wait("the place", &|harness| harness.query_by_label_contains(&place).is_some() && said(harness) == 1);
+        wait("the place", &|harness| harness.query_by_label_contains(&place).is_some());
+        wait("one message", &|harness| said(harness) == 1);
         std::fs::write(&path, &text).unwrap();
         wait("the message goes", &|harness| said(harness) == 0 && harness.state().state.is_current());
     }

@@ -1,6 +1,6 @@
 //! Lessons that are read again while somebody reads them: what cannot be read now stays as it was.
 
-use crate::{Library, Slide};
+use crate::{Library, Slide, Stage};
 
 impl Library {
     /// These lessons with what is missing in them as it was `before`: slides of which nothing can be played now,
@@ -53,5 +53,6 @@ impl Library {
 
 /// Whether there is anything to be shown of a slide.
 fn plays(slide: &Slide) -> bool {
-    !slide.stages.is_empty() && !slide.beats.is_empty()
+    let built = |stage: &Stage| stage.plan.wrong().is_empty();
+    !slide.stages.is_empty() && !slide.beats.is_empty() && slide.stages.iter().all(built)
 }

@@ -141,7 +141,7 @@ impl Mistake {
                 "The hit beyond the cell is thrown away, and in the cell where it lies the mailbox says that the primitive was tested."
             }
             Mistake::KdLeftFirst => {
-                "A ray from the right meets the right child first. With the two exchanged, a ray that stays on one side is sent to the other, and where it meets both, each gets the other's part of it."
+                "A ray from the right meets the right child first; taken for the far one, it is left out or gets the wrong part of the ray."
             }
             Mistake::KdAnyHit => {
                 "A primitive on both sides of the plane can be hit beyond this leaf, and the far child may hold a nearer hit."
