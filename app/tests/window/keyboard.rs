@@ -1,7 +1,7 @@
 //! The window without a screen: every slide walked by keyboard, and what undo, predict and the palette do.
 
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::kittest::Queryable;
 use raystep::shown::{Beside, RayChoice};
 use raystep::window::{App, Remembered, Wishes};
 use raystep_accel::Grain;

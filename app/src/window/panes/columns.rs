@@ -97,7 +97,8 @@ fn stacked(
         let least = match shown {
             Pane::Work if page.state.beside != Beside::Nothing => WORK + BESIDE,
             Pane::Work => WORK,
-            Pane::Stack => STACK,
+            // The walk has its room first.
+            Pane::Stack if left >= ROW + STACK + WORK => STACK,
             _ => ROW,
         };
         let usual = (wanted * scale).max(least);

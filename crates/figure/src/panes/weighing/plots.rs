@@ -51,7 +51,9 @@ impl Plot<'_> {
         let bottom = self.bottom();
         let up = Ticks { low, high, left: bottom, right: self.under() + u * 0.6 };
         let right = Ticks { low, high, left: self.across(), right: self.across() + self.wide() };
-        if !self.hide {
+        if self.hide {
+            self.keep_back(bottom);
+        } else {
             self.scale(Axis::X, &up);
             self.scale(Axis::Y, &right);
         }
@@ -89,7 +91,8 @@ impl Plot<'_> {
         let (u, small, space) = (self.look.text, self.look.small(), self.space);
         let (low, high) = (space.seen.min[axis], space.seen.max[axis]);
         let ticks = Ticks { low, high, left: 0.0, right: (space.at(axis, high) - space.at(axis, low)).abs() };
-        let bottom = self.bottom();
+        // Without costs the axis of x is the picture's lower edge.
+        let bottom = if self.hide { space.max.y } else { self.bottom() };
         let values = if listed && axis == Axis::X { Vec::new() } else { ticks.marks(u * 4.0) };
         for value in values {
             let at = space.at(axis, value);
@@ -110,11 +113,12 @@ impl Plot<'_> {
             Axis::Y => {
                 let at = Vec2::new(space.min.x - u * 0.6, space.min.y - u * 0.9);
                 write(self.figure, Role::Quiet, None, at, "y", small, Face::Medium, Anchor::End);
-                if self.beside > 0.0 {
+                if self.beside > 0.0 && !self.hide {
                     let (from, to) = (Vec2::new(self.across(), space.max.y), Vec2::new(self.across(), space.min.y));
                     self.figure.add(Role::Edge, None, line(from, to));
                 }
             }
+            _ if listed && self.hide => {}
             _ => {
                 self.figure.add(Role::Edge, None, line(from, to));
                 let at = to + Vec2::new(u * 0.9, u * 1.0);
@@ -122,6 +126,16 @@ impl Plot<'_> {
                 write(self.figure, Role::Quiet, None, at, says, small, Face::Medium, Anchor::Start);
             }
         }
+    }
+
+    /// Says, where the costs stand otherwise, that they wait for an answer.
+    fn keep_back(&mut self, bottom: f32) {
+        let (u, space) = (self.look.text, self.space);
+        if bottom - self.under() < u * 2.0 {
+            return;
+        }
+        let at = Vec2::new((space.min.x + space.max.x) * 0.5, (self.under() + bottom) * 0.5);
+        write(self.figure, Role::Quiet, None, at, "The costs come with the answer.", u, Face::Regular, Anchor::Middle);
     }
 
     /// The scale of the costs.
