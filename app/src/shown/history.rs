@@ -28,9 +28,9 @@ impl History {
         self.past.push((view.clone(), opens));
     }
 
-    /// Nothing has changed after all.
-    pub(crate) fn forget(&mut self, view: &View) {
-        self.past.pop_if(|(last, _)| last.same_page(view));
+    /// Nothing has changed after all: the view kept last, if it is this one. Whether it was.
+    pub(crate) fn forget(&mut self, view: &View) -> bool {
+        self.past.pop_if(|(last, _)| last.same_page(view)).is_some()
     }
 
     /// The view before the last change; `now` can be brought back by [`History::redo`].

@@ -21,6 +21,15 @@ fn a_ray_of_ones_own_that_shows_no_mistake_is_not_taken_away_without_a_word() {
     press(&mut harness, Key::M);
     settle(&mut harness);
     assert_eq!(harness.state().state.view.ray, RayChoice::Own(own));
+    // As if one had not been away: undo leads to what came before that.
+    for (keys, there) in
+        [(Modifiers::COMMAND, RayChoice::Named(0)), (Modifiers::COMMAND | Modifiers::SHIFT, RayChoice::Own(own))]
+    {
+        harness.key_press_modifiers(keys, Key::Z);
+        harness.run_steps(1);
+        settle(&mut harness);
+        assert_eq!(harness.state().state.view.ray, there);
+    }
     press(&mut harness, Key::M);
     settle(&mut harness);
     harness.run_steps(3);

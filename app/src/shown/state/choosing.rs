@@ -63,9 +63,11 @@ impl State {
         self.want(View { ray, part: None, ..self.target().clone() }, landing);
     }
 
-    /// Back to a view that was left for another, at its step.
+    /// Back to a view that was left for another, at its step: if nothing else was done since, as if it had not been left.
     pub(crate) fn return_to(&mut self, view: View) {
-        self.keep();
+        if !self.history.forget(&view) {
+            self.keep();
+        }
         self.want(view, Landing::Named);
     }
 

@@ -129,7 +129,7 @@ impl State {
                 self.view = before.view;
                 self.playback = Some(before.playback);
             }
-            None => self.history.forget(&self.view),
+            None => _ = self.history.forget(&self.view),
         }
     }
 
