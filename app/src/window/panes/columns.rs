@@ -92,16 +92,22 @@ fn stacked(
     let wanted: Vec<f32> = rows.iter().map(wanted).collect();
     let left = height - walk(page.state).min(height * WALK);
     let scale = (left / wanted.iter().sum::<f32>()).min(1.0);
+    let least = |shown: Pane| match shown {
+        Pane::Work if page.state.beside != Beside::Nothing => WORK + BESIDE,
+        Pane::Work => WORK,
+        // The walk has its room first.
+        Pane::Stack if left >= ROW + STACK + WORK => STACK,
+        _ => ROW,
+    };
+    let usual = rows.iter().zip(wanted).map(|((shown, ..), wanted)| (wanted * scale).max(least(*shown)));
+    let mut usual: Vec<f32> = usual.collect();
+    // What needs more than its part has it from what changed.
+    let over = (usual.iter().sum::<f32>() - left).max(0.0);
+    if let Some(changed) = rows.iter().position(|(shown, ..)| *shown == Pane::Changed) {
+        usual[changed] = (usual[changed] - over).max(ROW);
+    }
     let mut under = None;
-    for ((shown, name, size, _), wanted) in rows.into_iter().zip(wanted) {
-        let least = match shown {
-            Pane::Work if page.state.beside != Beside::Nothing => WORK + BESIDE,
-            Pane::Work => WORK,
-            // The walk has its room first.
-            Pane::Stack if left >= ROW + STACK + WORK => STACK,
-            _ => ROW,
-        };
-        let usual = (wanted * scale).max(least);
+    for ((shown, name, size, _), usual) in rows.into_iter().zip(usual) {
         let panel = Panel::bottom(salt(name, *size, usual))
             .frame(Frame::new())
             .resizable(true)
