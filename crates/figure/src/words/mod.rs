@@ -12,7 +12,7 @@ pub use coordinate::coordinate;
 pub(crate) use fact::veiled_visit;
 pub use fact::{Answer, Fact, Symbol, sentence, short, veiled};
 pub use number::{ROUGH, counted, number, value, whole};
-pub(crate) use number::{mask, one_or_many};
+pub(crate) use number::{digits, mask, one_or_many};
 pub(crate) use sum::{Piece, come_out};
 pub use template::{fill, told};
 pub use volume::VolumeName;

@@ -13,7 +13,7 @@ pub(crate) use spans::{extent, spans};
 use crate::moments::{Moment, Walk};
 use crate::page::{Anchor, Figure, Ink, Look, Ticks, line, write};
 use crate::theme::{Face, Role, text_width};
-use crate::words::number;
+use crate::words::{digits, number};
 
 /// A row for each known interval over one axis.
 pub fn ruler(walk: &Walk<'_>, moment: &Moment, hide: bool, size: Vec2, look: &Look) -> Figure {
@@ -34,23 +34,14 @@ pub(crate) fn ruler_of(
     let labelled = moment.event.as_ref().and_then(current_t).is_some();
     let label = if look.titles || !labelled { 0.0 } else { look.text };
     let top = look.heading(&mut figure, TITLE, "") + label;
-    if let (Some(part), true) = (part, look.titles) {
-        let (low, high) = extent(walk, moment);
-        let says = format!(
-            "{} – {} of {} – {}, double click: all of it",
-            number(part.near),
-            number(part.far),
-            number(low),
-            number(high)
-        );
-        let at = Vec2::new(size.x - look.margin(), look.margin() + look.text * 0.6);
-        write(&mut figure, Role::Quiet, None, at, &says, look.small(), Face::Regular, Anchor::End);
-    }
     let u = look.text;
     let mut spans = spans(walk, moment);
     // The ends of slabs have their numbers beside them.
     let aside = if matches!(walk.structure, Structure::Slab(_)) { u * 3.0 } else { 0.0 };
     let axis = axis(walk, moment, part, beside_names(&spans, look) + aside, size.x - look.margin() - u - aside);
+    if part.is_some() && look.titles {
+        draw_part(&mut figure, &axis, extent(walk, moment), moment, look);
+    }
 
     // Rows stand closer before any is left out: what lies furthest down the stack, slabs that decide nothing.
     let bottom = size.y - look.margin() - u * 1.1;
@@ -288,14 +279,39 @@ fn cap(role: Role) -> Role {
     }
 }
 
+/// Says which part of all is shown, on the side of the heading where the current t is not.
+fn draw_part(figure: &mut Figure, axis: &Ticks, (low, high): (f32, f32), moment: &Moment, look: &Look) {
+    let [near, far] = [axis.low, axis.high].map(|end| digits(end, telling(&[axis.low, axis.high])));
+    let says = format!("{near} – {far} of {} – {}, double click: all of it", number(low), number(high));
+    let aside = moment.event.as_ref().and_then(current_t).is_some_and(|t| axis.x(t) > (axis.left + axis.right) * 0.5);
+    let y = look.margin() + look.text * 0.6;
+    let (at, anchor) = match aside {
+        true => (Vec2::new(look.margin() + look.text * 8.0, y), Anchor::Start),
+        false => (Vec2::new(figure.size.x - look.margin(), y), Anchor::End),
+    };
+    write(figure, Role::Quiet, None, at, &says, look.small(), Face::Regular, anchor);
+}
+
+/// As few digits as tell all of these numbers apart, three at least.
+fn telling(values: &[f32]) -> usize {
+    let apart = |count: &usize| {
+        let told: Vec<String> = values.iter().map(|value| digits(*value, *count)).collect();
+        told.windows(2).all(|pair| pair[0] != pair[1])
+    };
+    (3..8).find(apart).unwrap_or(8)
+}
+
+/// The axis with its ticks.
 fn draw_axis(figure: &mut Figure, axis: &Ticks, begin: f32, y: f32, look: &Look) {
     let u = look.text;
     figure.add(Role::Edge, None, line(Vec2::new(axis.left, y), Vec2::new(axis.right, y)));
-    for t in axis.marks(u * 4.2) {
+    let marks = axis.marks(u * 4.2);
+    let count = telling(&marks);
+    for t in marks {
         let x = axis.x(t);
         figure.add(Role::Edge, None, line(Vec2::new(x, y - u * 0.3), Vec2::new(x, y + u * 0.3)));
         let at = Vec2::new(x, y + u * 1.05);
-        write(figure, Role::Quiet, None, at, &number(t), look.small(), Face::Regular, Anchor::Middle);
+        write(figure, Role::Quiet, None, at, &digits(t, count), look.small(), Face::Regular, Anchor::Middle);
     }
     // Where the ray begins: what lies before it does not count.
     if axis.shows(begin) {
