@@ -26,7 +26,7 @@ const LOW: f32 = 540.0;
 const WALK: f32 = 0.66;
 const ROW: f32 = 70.0;
 const STACK: f32 = 104.0;
-const WORK: f32 = 94.0;
+const WORK: f32 = 102.0;
 const BESIDE: f32 = 46.0;
 const TABS: f32 = 124.0;
 

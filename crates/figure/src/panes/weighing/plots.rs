@@ -93,6 +93,8 @@ impl Plot<'_> {
         let ticks = Ticks { low, high, left: 0.0, right: (space.at(axis, high) - space.at(axis, low)).abs() };
         // Without costs the axis of x is the picture's lower edge.
         let bottom = if self.hide { space.max.y } else { self.bottom() };
+        // There the planes have their ticks, and the numbers stand under them.
+        let below = if self.hide { u * 2.0 } else { u };
         let values = if listed && axis == Axis::X { Vec::new() } else { ticks.marks(u * 4.0) };
         for value in values {
             let at = space.at(axis, value);
@@ -103,7 +105,7 @@ impl Plot<'_> {
                     Vec2::new(space.min.x - u * 0.6, at),
                     Anchor::End,
                 ),
-                _ => (Vec2::new(at, bottom), Vec2::new(0.0, u * 0.35), Vec2::new(at, bottom + u * 1.0), Anchor::Middle),
+                _ => (Vec2::new(at, bottom), Vec2::new(0.0, u * 0.35), Vec2::new(at, bottom + below), Anchor::Middle),
             };
             self.figure.add(Role::Edge, None, line(from, from + along));
             write(self.figure, Role::Quiet, None, label, &number(value), small, Face::Regular, anchor);
@@ -121,7 +123,7 @@ impl Plot<'_> {
             _ if listed && self.hide => {}
             _ => {
                 self.figure.add(Role::Edge, None, line(from, to));
-                let at = to + Vec2::new(u * 0.9, u * 1.0);
+                let at = to + Vec2::new(u * 0.9, below);
                 let says = if listed { "along x" } else { "x" };
                 write(self.figure, Role::Quiet, None, at, says, small, Face::Medium, Anchor::Start);
             }
