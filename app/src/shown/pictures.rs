@@ -313,7 +313,10 @@ fn guess(choice: &Choice) -> Guess {
         Some(Event::Build(Grow::Weigh { axis, plane, .. })) => Some((axis, plane)),
         _ => None,
     };
-    Guess { place: choice.place, plane, text: label(choice) }
+    // In the picture its line says where it is.
+    let text = label(choice);
+    let short = text.split_once(", at ").map(|(shares, _)| shares.to_owned()).filter(|_| choice.of_list);
+    Guess { place: choice.place, plane, text: short.unwrap_or(text) }
 }
 
 /// Whether a slide wants to see bytes, and there are any.

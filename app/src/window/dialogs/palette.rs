@@ -41,6 +41,8 @@ impl Palette {
             response.request_focus();
             if response.changed() {
                 self.chosen = 0;
+                // What was typed in one go stands there with the next frame.
+                ui.ctx().request_repaint();
             }
             // A link that was pasted leads to its place, or says why it does not.
             let (found, wrong) = match link(library, &self.typed) {

@@ -8,9 +8,9 @@ use super::{Guess, Instant, Kind};
 use crate::moments::{Build, GrowMoment};
 use crate::page::{Figure, Look};
 use crate::panes::{
-    Ask, CutLine, Pane, TreeView, beside_plots, bin_of_build, cells_of_build, changed_of_build, costs, cut_line,
-    cut_to, depth_of_build, ghost_of_build, legend, listing, space_of_build_to, stack_of_build, symbol_of_build_at,
-    timeline_of_build, tree_height, tree_of_build, tree_with, weighed, weighing, work_of_build,
+    Ask, CutLine, Pane, TreeView, beside_plots, bin_of_build, cells_of_build, changed_height, changed_of_build, costs,
+    cut_line, cut_to, depth_of_build, ghost_of_build, legend, listing, space_of_build_to, stack_of_build,
+    symbol_of_build_at, timeline_of_build, tree_height, tree_of_build, tree_with, weighed, weighing, work_of_build,
 };
 use crate::theme::Role;
 use crate::words::{Fact, Symbol, VolumeName, counted};
@@ -184,6 +184,8 @@ impl Kind for Build<'_> {
             Pane::Ruler => Some(look.text * 13.0),
             Pane::RulerLine => Some(look.text * 9.0),
             Pane::Tree => tree_height(self.nodes, look),
+            // Where it is cut, how many on each side with which chance, the cost and the least.
+            Pane::Changed if self.weighs() => Some(changed_height(6, look)),
             _ => None,
         }
     }

@@ -62,6 +62,11 @@ fn row(look: &Look) -> (f32, f32) {
     (look.text * 2.3, look.text * 0.45)
 }
 
+/// The same where all rows fit only if they stand closer.
+fn close_row(look: &Look) -> (f32, f32) {
+    (look.text * 1.55, look.text * 0.25)
+}
+
 /// How high a stack with so many rows is.
 pub fn stack_height(rows: usize, look: &Look) -> f32 {
     let (height, gap) = row(look);
@@ -80,9 +85,11 @@ fn word(index: usize, many: usize) -> &'static str {
 fn draw(title: &str, remark: &str, rows: &[Row], nothing: &str, size: Vec2, look: &Look) -> Figure {
     let mut figure = Figure::new(size);
     // All rows that fit; of more, the last line says how many, or the heading where there is no line left.
-    let (height, gap) = row(look);
     let top = look.heading(&mut Figure::default(), "", "");
-    let fit = (((size.y - top) / (height + gap)) as usize).max(1);
+    let fit = |(height, gap): (f32, f32)| (((size.y - top) / (height + gap)) as usize).max(1);
+    let close = (fit(row(look)) + 1..=fit(close_row(look))).contains(&rows.len());
+    let (height, gap) = if close { close_row(look) } else { row(look) };
+    let fit = fit((height, gap));
     let shown = rows.len().min(fit);
     let more = format!("and {} more below", rows.len() - shown);
     let below = top + shown as f32 * (height + gap) + look.line() * 0.5;
