@@ -16,7 +16,7 @@ use super::beside::Beside;
 use super::playback::Playback;
 use super::reel::lines;
 use super::state::State;
-use super::words::label;
+use super::words::{label, shares};
 
 /// The most primitives that are drawn as outlines.
 const OUTLINED: usize = 2000;
@@ -314,9 +314,7 @@ fn guess(choice: &Choice) -> Guess {
         _ => None,
     };
     // In the picture its line says where it is.
-    let text = label(choice);
-    let short = text.split_once(", at ").map(|(shares, _)| shares.to_owned()).filter(|_| choice.of_list);
-    Guess { place: choice.place, plane, text: short.unwrap_or(text) }
+    Guess { place: choice.place, plane, text: shares(choice).unwrap_or_else(|| label(choice)) }
 }
 
 /// Whether a slide wants to see bytes, and there are any.

@@ -29,11 +29,19 @@ pub(crate) fn reason(state: &State, posed: &Posed, choice: &Choice) -> String {
 /// What stands on an answer's button.
 pub(crate) fn label(choice: &Choice) -> String {
     let cut = match choice.own {
-        Some(Event::Build(Grow::Weigh { axis, below, above, .. })) => {
+        Some(Event::Build(Grow::Weigh { axis, .. })) => {
             let at = format!("{} = {}", coordinate(axis), value(&choice.value));
-            Some(if choice.of_list { format!("{below} | {above}, at {at}") } else { at })
+            Some(shares(choice).map_or(at.clone(), |shares| format!("{shares}, at {at}")))
         }
         _ => None,
     };
     choice.label.clone().or(cut).unwrap_or_else(|| value(&choice.value))
+}
+
+/// Where an answer cuts a list: how many go to each part.
+pub(crate) fn shares(choice: &Choice) -> Option<String> {
+    match choice.own {
+        Some(Event::Build(Grow::Weigh { below, above, .. })) if choice.of_list => Some(format!("{below} | {above}")),
+        _ => None,
+    }
 }

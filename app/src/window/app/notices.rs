@@ -52,9 +52,10 @@ impl App {
         self.state.library.slides.get(self.state.target().slide).is_some_and(|slide| slide.file == problem.file)
     }
 
-    /// Says why a slide cannot be made, unless that was said of its file already.
+    /// Says why a slide cannot be made, unless that very thing was said of its file already, with its place.
     pub(super) fn tell_unmade(&mut self, wrong: String) {
-        if !self.state.library.problems.iter().any(|problem| self.is_of_slide(problem)) {
+        let told = |problem: &Problem| self.is_of_slide(problem) && problem.message == wrong;
+        if !self.state.library.problems.iter().any(told) {
             self.complain(wrong);
         }
     }
